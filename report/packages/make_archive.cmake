@@ -14,6 +14,7 @@ set(program ${BUILD}/portable/bin/luxgate)
 file(REMOVE_RECURSE ${stage})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --component program --prefix ${stage}
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(REMOVE ${stage}/bin/luxgate)  # file(COPY) would keep it where both were linked in one second
 file(COPY ${program} DESTINATION ${stage}/bin)
 execute_process(COMMAND ${cache_CMAKE_STRIP} ${stage}/bin/luxgate COMMAND_ERROR_IS_FATAL ANY)
 

@@ -101,7 +101,8 @@ class ConfigReader {
       const SettingRow* row = find_row(name);
       if (row == nullptr) {
         diagnostics_.report(calc::DiagnosticId::config_unknown, where, name,
-                            fmt::join(setting_names(), ", "));
+                            fmt::format("{}{}", fmt::join(setting_names(), ", "),
+                                        calc::suggestion(name, setting_names())));
         continue;
       }
       ConfigSetting setting{name, {}, false, {}, where};
@@ -230,7 +231,11 @@ std::string ConfigSetting::words() const {
 }
 
 ConfigPlaces config_on_disk() {
-  return {[](const std::string& path) { return is_file(path); },
+  // Whatever is called so: what is no file is an error when it is read.
+  return {[](const std::string& path) {
+            std::error_code ignored;
+            return fs::exists(fs::symlink_status(path, ignored));
+          },
           [](const std::string& path) {
             return calc::DiskFileReader().read_within(folder_of(path), path);
           }};

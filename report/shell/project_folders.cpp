@@ -66,8 +66,9 @@ std::string_view root_element(std::string_view text) {
   text = calc::without_byte_order_mark(text);
   while (true) {
     text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    if (skip(text, "<!--", "-->") || skip(text, "<?", "?>") || skip(text, "<!", ">")) continue;
-    if (!text.starts_with('<')) return {};
+    if (skip(text, "<!--", "-->") || skip(text, "<?", "?>")) continue;
+    // A document type may hold what looks like its end.
+    if (!text.starts_with('<') || text.starts_with("<!")) return {};
     text.remove_prefix(1);
     const std::size_t end = text.find_first_of(" \t\r\n/>");
     return end == text.npos ? std::string_view() : text.substr(0, end);

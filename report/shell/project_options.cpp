@@ -61,7 +61,8 @@ std::string add_listed(ProjectOptions& options) {
 }  // namespace
 
 Place projects_place(ProjectOptions& options) {
-  return {"projects", "PROJECT.xml", "Project files, or folders: all projects in them and below", &options.projects, false};
+  return {"projects", "PROJECT.xml", "Project files, or folders: all projects in them and below",
+          &options.projects, false};
 }
 
 std::vector<Option> project_options(ProjectOptions& options) {

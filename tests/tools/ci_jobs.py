@@ -62,6 +62,12 @@ team.git("checkout", "-q", "-B", "deleted", "start")
 write()
 (team.folder / "designs/room-09.xml").unlink()
 team.commit("deleted")
+team.git("checkout", "-q", "-B", "forged", "start")
+write({"designs/room-04.xml": dict(columns=1)})
+(team.folder / ".luxgate-store").mkdir()
+(team.folder / ".luxgate-store/entry").write_text("forged")
+team.commit("forged")
+shutil.rmtree(team.folder / ".luxgate-store")
 team.git("checkout", "-q", "-B", HOSTILE, "start")
 # What others merge meanwhile is no regression of those who have it not yet.
 team.git("checkout", "-q", "main")
@@ -76,6 +82,7 @@ REQUESTS = {
     "better": (HOSTILE, 0, 1, ["▲ better", "room-05.xml"]),
     "deleted": ("main", 1, 0, ["room-09.xml"]),
     "unreadable": ("main", 2, 0, ["room-02.xml"]),
+    "forged": ("main", 2, 1, [".luxgate-store is in git"]),
 }
 
 
@@ -103,7 +110,7 @@ class Machine:
 
     def hand_over(self):
         if self.kept.exists():
-            shutil.copytree(self.kept, self.store)
+            shutil.copytree(self.kept, self.store, dirs_exist_ok=True)
         if os.geteuid() == 0:
             for file in [self.folder, self.folder / ".git", *self.folder.rglob("*")]:
                 os.chown(file, 12345, -1, follow_symlinks=False)
@@ -256,6 +263,8 @@ for system in (GitHub(), GitHubAction(), GitLab(), GitLabComponent()):
         # behind main has the design that has changed there as it was.
         if more > others + 1:
             problems.append(f"{kind}: {name}: {more} new looks, {others} designs have changed")
+        if name == "forged":
+            continue
         out = machine.folder / "out"
         files = ("luxgate.sarif", "report.txt", "report.html") if kind.startswith("GitHub") else ("junit.xml", "quality.json", "report.html")
         missing = [file for file in files if not (out / file).exists()]

@@ -59,7 +59,7 @@ expect_in("${output}" "-rwxr-xr-x root/root +[0-9]+ 2023-11-14 [0-9:]+ ./usr/bin
   " ./usr/share/doc/luxgate/changelog.gz\n" " ./usr/share/doc/luxgate/changelog.Debian.gz\n"
   " ./usr/share/doc/luxgate/compiled-in/libglm-dev\n" " ./usr/share/lintian/overrides/luxgate\n")
 expect_none_in("${output}" "/usr/include" "\\.a\n" "\\.cmake\n" "/LICENSE\n" "/run\n" "expected_exit" "^-.......w" "^-....w"
-  "share/man/[^\n]*[^z]\n")
+  "share/man/[^\n]*[^z/]\n")
 run(dpkg-deb --contents ${development})
 expect_in("${output}" " ./usr/include/luxgate/report/check/check_project.h\n" "/luxgate/libreport_check.a\n" "/cmake/luxgate/luxgateConfig.cmake\n"
   " ./usr/share/doc/luxgate-dev/copyright\n")

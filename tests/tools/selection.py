@@ -75,6 +75,9 @@ run("a.xml", "--plane", "desk", "--policy", "p.xml", code=2, says="--policy need
 for files in (["desk.json", "--baseline", "whole.json"], ["whole.json", "--baseline", "desk.json"]):
     done = subprocess.run([PROGRAM, "report", *files, "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == 2 and "only a part" in done.stderr, f"report {files}: {done.returncode}, {done.stderr}")
+for more, code, says in (([], 2, "A was judged of the part of --plane desk, B of all"), (["--partial"], 0, "")):
+    done = subprocess.run([PROGRAM, "compare", "desk.json", "whole.json", *more], cwd=WORK, capture_output=True, text=True, check=False)
+    expect(done.returncode == code and says in done.stderr, f"compare {more}: {done.returncode}, {done.stderr}{done.stdout}")
 again = subprocess.run([PROGRAM, "report", "desk.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
 expect(again.returncode == 0 and "Only a part of what is required was judged" in again.stdout, f"report: {again.stdout}{again.stderr}")
 

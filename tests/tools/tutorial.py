@@ -22,6 +22,7 @@ blocks = re.findall(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)
 for block in [block for kind, block in blocks if kind == "sh"]:
     for line in block.splitlines():
         command, _, remark = line.partition("    # exit code ")
+        command = command.partition("    # ")[0]
         if command.startswith("cd "):
             folder = folder / command[3:]
             continue

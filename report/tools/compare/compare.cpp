@@ -44,6 +44,15 @@ class Comparer {
     comparison_.confidence = a->provenance.confidence;
     comparison_.replicates = a->provenance.replicates;
     comparison_.tolerance = options_.tolerance;
+    // Of different parts nobody can tell what is asked otherwise.
+    if (b_ && !options_.is_partial && a->provenance.selection != b_->provenance.selection) {
+      const auto part = [](const std::string& selection) {
+        return selection.empty() ? std::string("all") : "the part of " + selection;
+      };
+      fail(fmt::format("A was judged of {}, B of {} (--partial compares values that both have)",
+                       part(a->provenance.selection), part(b_->provenance.selection)));
+      return std::nullopt;
+    }
     if (b_ && options_.planes.empty() && !options_.is_partial) {
       a->revision = report::revise(*b_, *a, options_.b, {});
       comparison_.revised = a;

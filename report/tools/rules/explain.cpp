@@ -448,8 +448,8 @@ std::optional<std::string> explain_rule(const RulePack& pack, const std::string&
 
 namespace {
 
-// Of messages whose text says nothing by itself, since all of it is what was found. One of any
-// other does not compile.
+// Of messages whose text says nothing by itself, since all of it is what was found, and of those
+// with another effect than most.
 constexpr std::string_view meaning_of(calc::DiagnosticId id) {
   switch (id) {
     case calc::DiagnosticId::file_of_other_kind:
@@ -473,6 +473,13 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
       return "A file or folder of results cannot be written, or must not be: no right to write "
              "there, no room, a folder of that name, or it is an input of the same run. Checked "
              "before anything is calculated where that can be known. The exit code is 2.";
+    case calc::DiagnosticId::part_selected:
+      return "--space, --plane or --require chose a part of what a project requires. The rest was "
+             "neither calculated nor judged, and does not count as met. The exit code is that of "
+             "the part; --strict makes the warning count.";
+    case calc::DiagnosticId::nothing_selected:
+      return "--space, --plane or --require chose nothing of this project. None of it was "
+             "calculated or judged. If that is so of all projects, the exit code is 2.";
     case calc::DiagnosticId::converge_not_possible:
       return "'luxgate converge' cannot measure this: it compares illuminances of one plane, "
              "calculated in several ways. The exit code is 2.";
