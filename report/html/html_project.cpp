@@ -259,8 +259,7 @@ std::string html_provenance(const Texts& t, const Provenance& provenance) {
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
       t[Text::provenance], repeatability(t, provenance.same_bits),
       redacted.empty() ? "" : " " + redacted, selected.empty() ? "" : " " + escape_html(selected),
-      escape_html(provenance.command_line),
-      t[Text::settings], rows);
+      escape_html(provenance.command_line), t[Text::settings], rows);
 }
 
 }  // namespace report

@@ -108,10 +108,11 @@ void describe(auto& v, Is<Provenance> auto& p) {
            .presence = only_if(!p.policy.empty())});
   v.field("policy_sha256", p.policy_sha256,
           {.words = "Of the file of that policy.", .presence = only_if(!p.policy.empty())});
-  v.field("selection", p.selection,
-          {.words = "Options that chose a part of what the projects require; there if they did. The "
-                    "rest was neither calculated nor judged.",
-           .presence = only_if(!p.selection.empty())});
+  v.field(
+      "selection", p.selection,
+      {.words = "Options that chose a part of what the projects require; there if they did. The "
+                "rest was neither calculated nor judged.",
+       .presence = only_if(!p.selection.empty())});
   v.field("redacted", p.is_redacted,
           {.words = "There if folders of files and names of graphics devices were left out.",
            .presence = only_if(p.is_redacted),

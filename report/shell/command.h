@@ -112,8 +112,8 @@ struct Command {
   ConfigChoice* config = nullptr;
   // The git revision in which that file is looked for, "" = as it is now; null: always so.
   const std::string* config_revision = nullptr;
-  // Called once the line is read, and before a luxgate.toml is looked for: puts projects where lists
-  // and folders of them are given. "" or what is wrong with these.
+  // Called once the line is read, and before a luxgate.toml is looked for: puts projects where
+  // lists and folders of them are given. "" or what is wrong with these.
   std::function<std::string()> complete_projects = {};
   // Called once all options are read. "", or what is wrong with all of them together. May complete
   // them.

@@ -158,11 +158,11 @@ class SpaceValues {
 
   const calc::Project& project_;
   const calc::Space& space_;
-  std::map<std::string, calc::RoomUgr> ugr_;                                   // by scene
-  std::map<std::string, calc::RoadValues> road_;                               // by scene
-  std::map<std::string, calc::Estimate> upward_;                               // by scene
+  std::map<std::string, calc::RoomUgr> ugr_;      // by scene
+  std::map<std::string, calc::RoadValues> road_;  // by scene
+  std::map<std::string, calc::Estimate> upward_;  // by scene
   std::map<AngleZone, std::map<std::string, std::vector<calc::ZoneIntensity>>> zone_intensities_;
-  const calc::CalcPlane* plane_ = nullptr;                                     // that these are of
+  const calc::CalcPlane* plane_ = nullptr;  // that these are of
   PlanePoints points_;
   const calc::CalcPlane* heights_of_ = nullptr;  // the same
   std::vector<MountingHeight> heights_;

@@ -17,8 +17,8 @@ void expect_published(const char* path, const std::string& text, const char* com
   const calc::FileContent file =
       calc::DiskFileReader().read((std::filesystem::path(LUXGATE_SOURCE_DIR) / path).string());
   ASSERT_TRUE(file.ok()) << file.error;
-  EXPECT_TRUE(text == file.bytes)
-      << "not what the tables say; renew it: " << command << " > " << path;
+  EXPECT_TRUE(text == file.bytes) << "not what the tables say; renew it: " << command << " > "
+                                  << path;
 }
 
 TEST(ProjectSchema, IsThePublishedFile) {
