@@ -344,7 +344,13 @@ const ElementRow kLuminaireTypeElement{
          "those together. Or the id, description or number of a TM-33 emitter."}}};
 
 const ElementRow kDimElement{
-    .type = "dim", .attributes = {kGroupNamedAttribute, {"level", &kFractionType, required}}};
+    .type = "dim",
+    .attributes = {
+        kGroupNamedAttribute,
+        {"level", &kFractionType, required,
+         "Share of the flux that its luminaires have at full output. For rules about the "
+         "end of an emergency's rated duration: what the battery leaves then, by the "
+         "maker's data; 1 is all of it."}}};
 
 const ElementRow kSceneElement{
     .type = "lightScene",
