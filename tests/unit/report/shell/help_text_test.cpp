@@ -7,6 +7,7 @@
 #include "report/tools/help/man_page.h"
 #include "report/tools/help/option_table.h"
 #include "tests/support/command_lines.h"
+#include "tests/support/scratch_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +79,10 @@ TEST(Help, MostUsedOptionsAreThere) {
 
 // Whatever help shows as an example is taken; what comes behind a pipe is the shell's.
 TEST(Help, ExamplesAreGoodLines) {
+  // What lies in the current folder by chance is nothing that an example means.
+  const test_support::ScratchFolder scratch;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(scratch.path());
   const std::vector<cli::Command> commands = cli::all_commands();
   for (const cli::Topic& topic : cli::all_topics(commands)) {
     for (const cli::Example& example : topic.about->examples) {
@@ -93,6 +98,7 @@ TEST(Help, ExamplesAreGoodLines) {
       EXPECT_TRUE(result.is_good || lacks_file) << line << "\n" << result.err;
     }
   }
+  std::filesystem::current_path(before);
 }
 
 TEST(Help, EveryVariableThatIsReadIsInTheTable) {
