@@ -186,6 +186,11 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
       frame_.revised == nullptr ? end.totals.outcome : gate_outcome(*frame_.revised);
   std::string text = fmt::format("### luxgate: {} {}{}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t_, outcome), title_, summary_words(t_, end.totals));
+  Provenance remarked = end.provenance;
+  if (const std::string part = selection_words(remarked, t_); !part.empty()) {
+    text += "\n**" + escape_markdown(part) + "**\n";
+    remarked.selection.clear();
+  }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
   if (has_projects()) text += "\n" + project_lines_;
@@ -201,7 +206,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
     text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
                         t_.say<Text::passed>(passed_.count()), passed_.text());
   }
-  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
+  if (const std::string words = provenance_remarks(remarked, t_); !words.empty())
     text += "\n" + words + "\n";
   sink.write(text);
 }

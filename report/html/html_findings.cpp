@@ -326,9 +326,15 @@ std::string html_verdict(const Texts& t, const rules::Finding& finding) {
   return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
 }
 
-std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals) {
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals,
+                                const Provenance& provenance) {
   const VerdictCounts& counts = totals.verdicts;
-  const rules::Outcome outcome = totals.outcome;
+  const bool is_part = !provenance.selection.empty();
+  const bool is_good =
+      totals.outcome == rules::Outcome::pass || totals.outcome == rules::Outcome::waived;
+  const rules::Outcome outcome =
+      is_part && is_good ? rules::Outcome::nothing_asked : totals.outcome;
+  const std::string part = escape_html(selection_words(provenance, t));
   std::string chips;
   for (const rules::Verdict verdict : rules::kGravestFirst) {
     const int count = counts.of(verdict);
@@ -349,7 +355,8 @@ std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, cons
                     "class=\"outcome\">{}</p>"
                     "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
                     banner_attributes(outcome), outcome_symbol(outcome),
-                    banner_sentence(t, outcome, counts), summary_words(t, totals), chips);
+                    is_part && is_good ? part : banner_sentence(t, outcome, counts),
+                    summary_words(t, totals) + (is_part && !is_good ? " · " + part : ""), chips);
 }
 
 HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) {

@@ -58,6 +58,9 @@ for kind in TEXTS:
     words = "Only a part of what is required was judged, chosen by --plane desk." if kind == "text" else "only 1 of 2 requirements were chosen, by --plane desk"
     expect(words in text, f"{kind} does not say that a part was judged")
 run("a.xml", "--plane", "desk", "--strict=part-selected", code=2)
+for language, met in (("en", "All requirements are met"), ("de", "Alle Anforderungen sind erfüllt"), ("fr", "Toutes les exigences")):
+    page = run("a.xml", "--plane", "desk", "--format", "html", "--language", language, code=0).stdout
+    expect(met not in page and 'class="banner pass"' not in page, f"the page in {language} is green for a part")
 
 # What fits nothing is never green.
 run("a.xml", "--plane", "dsk", code=2, says="there are the planes desk, far")
