@@ -62,7 +62,7 @@ struct Section {
 
 class ReferenceMaker {
  public:
-  explicit ReferenceMaker(const std::vector<ElementRow>& instead) : instead_(instead) {}
+  explicit ReferenceMaker(const SchemaText& text) : text_(text) {}
 
   std::string run(std::string_view title, const SchemaText& text) {
     visit(text.root, "");
@@ -73,20 +73,13 @@ class ReferenceMaker {
   }
 
  private:
-  const ElementRow& row_for(const ElementRow& row) const {
-    for (const ElementRow& other : instead_) {
-      if (other.type == row.type) return other;
-    }
-    return row;
-  }
-
   // parent: its name, "" of the root.
   void visit(const ChildRow& child, std::string_view parent) {
     if (child.group != nullptr) {
       for (const ChildRow& member : child.group->children) visit(member, parent);
       return;
     }
-    const ElementRow& row = row_for(*child.row);
+    const ElementRow& row = text_.row_for(*child.row);
     const auto [found, is_new] = index_.emplace(row.type, sections_.size());
     const std::size_t at = found->second;
     if (is_new) sections_.push_back({&row, {}, {}, {}});
@@ -124,7 +117,7 @@ class ReferenceMaker {
     return text;
   }
 
-  const std::vector<ElementRow>& instead_;
+  const SchemaText& text_;
   std::vector<Section> sections_;
   std::map<std::string_view, std::size_t> index_;  // by type
 };
@@ -132,7 +125,7 @@ class ReferenceMaker {
 }  // namespace
 
 std::string xml_reference(std::string_view title, const SchemaText& text) {
-  return ReferenceMaker(text.instead).run(title, text);
+  return ReferenceMaker(text).run(title, text);
 }
 
 }  // namespace calc

@@ -60,7 +60,7 @@ std::string facets_of(const ValueType& type) {
 
 class SchemaMaker {
  public:
-  explicit SchemaMaker(const std::vector<ElementRow>& instead) : instead_(instead) {}
+  explicit SchemaMaker(const SchemaText& text) : text_(text) {}
 
   std::string run(const SchemaText& text) {
     const std::string root = element("  ", text.root);
@@ -74,19 +74,12 @@ class SchemaMaker {
 
  private:
   // What `row` names is written before it, once.
-  const ElementRow& row_for(const ElementRow& row) const {
-    for (const ElementRow& other : instead_) {
-      if (other.type == row.type) return other;
-    }
-    return row;
-  }
-
   std::string element(std::string_view indent, const ChildRow& child) {
     if (child.group != nullptr) {
       add(*child.group);
       return fmt::format("{}<xs:group ref=\"{}\"/>\n", indent, child.group->name);
     }
-    add(row_for(*child.row));
+    add(text_.row_for(*child.row));
     const std::string start =
         fmt::format("{}<xs:element name=\"{}\" type=\"{}\"", indent, child.name, child.row->type);
     if (child.constraints.empty()) return start + "/>\n";
@@ -151,13 +144,13 @@ class SchemaMaker {
                                 type.name, documentation("    ", type.meaning), contents);
   }
 
-  const std::vector<ElementRow>& instead_;
+  const SchemaText& text_;
   std::set<const void*> made_;
   std::string value_types_, element_types_;
 };
 
 }  // namespace
 
-std::string xml_schema(const SchemaText& text) { return SchemaMaker(text.instead).run(text); }
+std::string xml_schema(const SchemaText& text) { return SchemaMaker(text).run(text); }
 
 }  // namespace calc

@@ -15,6 +15,13 @@ struct SchemaText {
   ChildRow root;
   // Rows that stand for those of the table of the same type: what another module adds.
   std::vector<ElementRow> instead{};
+
+  const ElementRow& row_for(const ElementRow& row) const {
+    for (const ElementRow& other : instead) {
+      if (other.type == row.type) return other;
+    }
+    return row;
+  }
 };
 
 std::string xml_schema(const SchemaText& text);

@@ -325,8 +325,7 @@ const ElementRow kLuminaireTypeElement{
         {"maintenance-factor", &kPositiveFractionType, optional,
          "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, the "
          "product counts). If nothing is given that of the root element; without either it is 1 "
-         "for "
-         "limits of the project's own, and rows of a standard are not judged."},
+         "for limits of the project's own, and rows of a standard are not judged."},
         {"llmf", &kPositiveFractionType},
         {"lsf", &kPositiveFractionType},
         {"lmf", &kPositiveFractionType},

@@ -56,13 +56,6 @@ bool is_of(Use use, std::string_view name) {
   return has(kOfWrite);
 }
 
-// "--jobs" of "-j,--jobs".
-std::string long_name(const cli::Option& option) {
-  const std::size_t at = option.names.find("--");
-  const std::size_t begin = std::min(at, option.names.size());
-  return option.names.substr(begin, option.names.find(',', begin) - begin);
-}
-
 // "" or what is wrong.
 std::string apply(const cli::Option& option, const std::string& text) {
   if (bool* const* flag = std::get_if<bool*>(&option.target)) {
@@ -78,7 +71,7 @@ std::string apply(const std::vector<cli::Option>& options, Use use,
   for (const Setting& setting : settings) {
     const auto option = std::find_if(
         options.begin(), options.end(),
-        [&](const cli::Option& candidate) { return long_name(candidate) == setting.option; });
+        [&](const cli::Option& candidate) { return candidate.long_name() == setting.option; });
     if (option == options.end() || !is_of(use, setting.option)) {
       return setting.option + ": not offered";
     }
@@ -139,7 +132,7 @@ std::vector<OfferedOption> offered_options(Use use) {
   cli::CheckOptions targets;
   std::vector<OfferedOption> offered;
   for (const cli::Option& option : cli::check_syntax(targets).options) {
-    const std::string name = long_name(option);
+    const std::string name = option.long_name();
     if (!is_of(use, name)) continue;
     const bool is_flag = std::holds_alternative<bool*>(option.target) ||
                          (option.value_name.empty() && !option.may_have_value);
@@ -153,7 +146,7 @@ std::vector<std::string> known_options() {
   cli::CheckOptions targets;
   std::vector<std::string> names;
   for (const cli::Option& option : cli::check_syntax(targets).options) {
-    names.push_back(long_name(option));
+    names.push_back(option.long_name());
   }
   return names;
 }

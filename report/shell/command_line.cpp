@@ -142,9 +142,7 @@ std::optional<ParsedLine> take_config(const Added& chosen, const Environment& en
   if (file) {
     apply_config(
         *file, command,
-        [&](const Option& option) {
-          return is_given(*chosen.app, option.names.substr(0, option.names.find(',')));
-        },
+        [&](const Option& option) { return is_given(*chosen.app, option.long_name()); },
         diagnostics);
   }
   if (!diagnostics.has_errors()) return std::nullopt;

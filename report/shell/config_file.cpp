@@ -172,13 +172,6 @@ class ConfigReader {
   calc::Diagnostics& diagnostics_;
 };
 
-// "--strict" of "-s,--strict"
-std::string long_name(const Option& option) {
-  const std::size_t at = option.names.find("--");
-  const std::string rest = at == option.names.npos ? "" : option.names.substr(at + 2);
-  return rest.substr(0, rest.find(','));
-}
-
 // "" or what is wrong.
 std::string apply(const ConfigSetting& setting, const Option& option) {
   constexpr const char* kNeedsFlag = "true or false is needed";
@@ -315,7 +308,7 @@ void apply_config(const ConfigFile& file, const Command& command,
                   calc::Diagnostics& diagnostics) {
   for (const ConfigSetting& setting : file.settings) {
     for (const Option& option : command.options) {
-      if (long_name(option) != setting.name || is_given(option)) continue;
+      if (option.long_name() != "--" + setting.name || is_given(option)) continue;
       const std::string problem = apply(setting, option);
       if (problem.empty()) continue;
       diagnostics.report(calc::DiagnosticId::config_value, setting.where, setting.name, problem);

@@ -37,6 +37,15 @@ bool may_be_project(const fs::path& path) {
   return root.empty() || root == "luxgate";
 }
 
+// Nobody has named it, so that it may show nothing that lies elsewhere.
+bool leads_out(const fs::path& link, const std::string& folder) {
+  std::error_code failure;
+  const fs::path top = fs::weakly_canonical(folder, failure);
+  if (failure) return true;
+  const fs::path within = fs::weakly_canonical(link, failure).lexically_relative(top);
+  return failure || within.empty() || *within.begin() == "..";
+}
+
 // "" or why not.
 std::string add_projects(const std::string& folder, std::vector<std::string>& projects) {
   std::error_code failure;
@@ -49,9 +58,12 @@ std::string add_projects(const std::string& folder, std::vector<std::string>& pr
       if (at->is_directory(ignored)) at.disable_recursion_pending();
       continue;
     }
-    if (path.extension() == ".xml" && at->is_regular_file(ignored) && may_be_project(path)) {
-      found.push_back(path.lexically_normal().string());
+    if (path.extension() != ".xml" || !at->is_regular_file(ignored)) continue;
+    if (at->is_symlink(ignored) && leads_out(path, folder)) {
+      return fmt::format("'{}' is a link that leads out of the folder '{}': name it by itself",
+                         path.lexically_normal().string(), folder);
     }
+    if (may_be_project(path)) found.push_back(path.lexically_normal().string());
   }
   if (failure) return fmt::format("cannot read the folder '{}': {}", folder, failure.message());
   if (found.empty()) return fmt::format("no project (*.xml) in the folder '{}'", folder);

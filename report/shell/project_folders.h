@@ -14,7 +14,7 @@ std::string_view root_element(std::string_view text);
 // In place of each folder all projects in it and below, in the order of their paths: files "*.xml"
 // but those whose root is certainly another element (rule packs, policies, gbXML). Files and
 // folders whose names begin with a point are left alone, as are links to folders. "", or what is
-// wrong: a folder that cannot be read, or has no project.
+// wrong: a folder that cannot be read, or has no project, or a link to a file outside of it.
 std::string expand_folders(std::vector<std::string>& projects);
 
 }  // namespace cli

@@ -105,11 +105,11 @@ inline std::string summary_words(const Totals& totals) { return summary_words({}
 
 // That paths were left out (redact.h), a sentence; "" where nothing was.
 std::string redaction_words(const Provenance& provenance, const Texts& t = {});
-// By which policy it was judged; "" = by none.
 // That only a part was judged, and by which options; "" of all.
 std::string selection_words(const Provenance& provenance, const Texts& t = {});
+// By which policy it was judged; "" = by none.
 std::string policy_words(const Provenance& provenance, const Texts& t = {});
-// Both, one after the other.
+// All of these, one after the other.
 std::string provenance_remarks(const Provenance& provenance, const Texts& t = {});
 
 // "3 of 9 planned"; "" where nothing was sampled.

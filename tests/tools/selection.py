@@ -67,7 +67,7 @@ run("a.xml", "--plane", "dsk", code=2, says="there are the planes desk, far")
 run("a.xml", "--plane", "desk", "--require", "Uo", code=2, says="there are the requirements mean")
 run("a.xml", "--space", "attic", code=2, says="--space attic chooses nothing in any of the projects")
 run("a.xml", "b.xml", "--plane", "bench", code=0, says="a.xml: warning[nothing-selected]: --plane bench chooses nothing here")
-run("a.xml", "--plane", "", code=2, says="a name, or a pattern")
+run("a.xml", "--plane", "", code=2, says="a name is needed")
 
 # Nor is a part what a gate wants.
 (WORK / "whole.json").write_text(json.dumps(whole))
@@ -78,6 +78,13 @@ run("a.xml", "--plane", "desk", "--policy", "p.xml", code=2, says="--policy need
 for files in (["desk.json", "--baseline", "whole.json"], ["whole.json", "--baseline", "desk.json"]):
     done = subprocess.run([PROGRAM, "report", *files, "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == 2 and "only a part" in done.stderr, f"report {files}: {done.returncode}, {done.stderr}")
+# Nor can somebody take the word out of a result.
+for edit in (lambda result: result["provenance"].pop("selection"), lambda result: result["projects"][0].update(diagnostics=[])):
+    edited = json.loads(json.dumps(desk))
+    edit(edited)
+    (WORK / "edited.json").write_text(json.dumps(edited))
+    done = subprocess.run([PROGRAM, "report", "edited.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
+    expect(done.returncode == 2 and "provenance/selection" in done.stderr, f"report of an edited part: {done.returncode}, {done.stderr}")
 for more, code, says in (([], 2, "A was judged of the part of --plane desk, B of all"), (["--partial"], 0, "")):
     done = subprocess.run([PROGRAM, "compare", "desk.json", "whole.json", *more], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == code and says in done.stderr, f"compare {more}: {done.returncode}, {done.stderr}{done.stdout}")

@@ -331,8 +331,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
   std::string cost_log;
   calc::LookCounts looks;
-  bool is_anything_chosen =
-      false;  // of --space, --plane, --require; what is not readable may have it
+  // Of --space, --plane, --require; what is not readable may have it.
+  bool is_anything_chosen = false;
   const auto work = [&](std::size_t p) {
     CheckObserver observer(options, progress, gallery, p);
     CheckedProject project;

@@ -151,25 +151,16 @@ std::string take_resume_store(CheckOptions& options) {
   return problem.empty() ? "" : "--resume: " + problem;
 }
 
-// Appends; any text is a pattern.
-ValueParser pattern(std::vector<std::string>& target) {
-  return [&target](const std::string& text) -> std::string {
-    if (text.empty()) return "a name, or a pattern as of a shell: 'desk-*'";
-    target.push_back(text);
-    return "";
-  };
-}
-
 std::vector<Option> selection_options(check::Selection& selection) {
   return {
       {"--space", "PATTERN",
        "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
        "The rest is neither calculated nor judged, which every report says",
-       pattern(selection.spaces), true},
-      {"--plane", "PATTERN", "The same of planes", pattern(selection.planes), true},
+       one_more(selection.spaces), true},
+      {"--plane", "PATTERN", "The same of planes", one_more(selection.planes), true},
       {"--require", "PATTERN",
        "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
-       pattern(selection.requirements), true}};
+       one_more(selection.requirements), true}};
 }
 
 // "" or which options want all of a project, not a part of it.

@@ -46,6 +46,16 @@ TEST(ProjectFolder, StandsForItsProjectsInOrder) {
   EXPECT_EQ(expand_folders(projects), "");
   EXPECT_THAT(projects, ElementsAre("x.xml", here + "/a/broken.xml", here + "/a/z.xml",
                                     here + "/b.xml", "y.xml"));
+  std::filesystem::create_symlink("b.xml", folder / "c.xml");
+  std::vector<std::string> linked{here};
+  EXPECT_EQ(expand_folders(linked), "");
+  EXPECT_EQ(linked.back(), here + "/c.xml");
+  std::filesystem::create_symlink("../b.xml", folder / "a" / "link.xml");
+  std::vector<std::string> within{here};
+  EXPECT_EQ(expand_folders(within), "");
+  std::vector<std::string> out{here + "/a"};
+  EXPECT_THAT(expand_folders(out),
+              HasSubstr("/a/link.xml' is a link that leads out of the folder"));
   std::vector<std::string> none{here + "/none"};
   EXPECT_THAT(expand_folders(none), HasSubstr("no project (*.xml) in the folder '"));
 }
