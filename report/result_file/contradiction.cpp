@@ -505,11 +505,11 @@ std::string checked_day(const Document& document) {
 
 // Who takes the word out that only a part was judged must take it out everywhere.
 void check_selection(const Place& place, const ProjectPart& project, bool is_part) {
-  const bool says_part = std::any_of(
-      project.diagnostics.begin(), project.diagnostics.end(), [](const calc::Diagnostic& one) {
-        return one.id == calc::DiagnosticId::part_selected ||
-               one.id == calc::DiagnosticId::nothing_selected;
-      });
+  const bool says_part = std::any_of(project.diagnostics.begin(), project.diagnostics.end(),
+                                     [](const calc::Diagnostic& one) {
+                                       return one.id == calc::DiagnosticId::part_selected ||
+                                              one.id == calc::DiagnosticId::nothing_selected;
+                                     });
   if (says_part ? !is_part : is_part && project.is_judged) {
     refuse_place(place, "diagnostics", "whether a part was chosen is as in provenance/selection");
   }

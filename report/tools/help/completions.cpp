@@ -224,8 +224,8 @@ std::string zsh_arguments(const Topic& topic, const std::string& indent) {
   std::size_t number = 0;
   for (const Place& place : topic.about->places) {
     const std::string at = place.takes_several() ? "*" : fmt::format("{}", ++number);
-    text += fmt::format(" \\\n{}  '{}:{}:{}'", indent, at + (place.is_required ? "" : ""),
-                        zsh_text(place.value_name), zsh_action(place.value_name, place.words));
+    text += fmt::format(" \\\n{}  '{}:{}:{}'", indent, at, zsh_text(place.value_name),
+                        zsh_action(place.value_name, place.words));
   }
   return text + "\n";
 }
