@@ -100,6 +100,15 @@ run("validate", "asks.xml", code=0)
 run("plan", "asks.xml", code=0)
 check("asks.xml", "--no-config", code=2)
 
+# A batch has them as options, the same in all of its parts.
+config("tolerance = 0.05\nlanguage = \"de\"\n")
+for more, options, others in (([], ["--no-config", "--tolerance 0.05", "--language de"], []), (["--no-config"], ["--no-config"], ["--tolerance"])):
+    script = run("submit", "a.xml", "--engine", "local", "--store", "looks", "--format", "text=out/x.txt", *more, code=0).stdout
+    for line in (line for line in script.splitlines() if "check" in line and "--store" in line):
+        expect("--no-config" in line, f"submit {more}: {line}")
+    expect(all(word in script for word in options) and not any(word in script for word in others), f"submit {more}: {script}")
+run("submit", "a.xml", "--engine", "local", "--store", "looks", "--plane", "desk", code=2, says="there is no option '--plane'")
+
 # What shows them.
 shown = run("config", "show", "a.xml", code=0).stdout
 expect("rules         [../own.xml]  (../luxgate.toml:1)" in shown and "seed          by default" in shown, shown)

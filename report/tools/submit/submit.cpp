@@ -62,9 +62,9 @@ struct SubmitOptions {
   std::string source_date_epoch;
 };
 
-constexpr auto kNotOfBatches =
-    std::to_array<std::string_view>({"--against", "--explain-cost", "--jobs", "--resume", "--shard",
-                                     "--stored-only", "--time-limit", "--units", "--vpl"});
+constexpr auto kNotOfBatches = std::to_array<std::string_view>(
+    {"--against", "--explain-cost", "--jobs", "--plane", "--require", "--resume", "--shard",
+     "--space", "--stored-only", "--time-limit", "--units", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
     {"--allow",     "--backend", "--by-luminaire", "--clamp",     "--confidence",
@@ -107,8 +107,9 @@ Option recorded(Option option, std::vector<std::string>& words) {
   return option;
 }
 
-// The script says them itself.
-constexpr auto kOfScript = std::to_array<std::string_view>({"--files-from", "--store"});
+// The script says them itself; what a luxgate.toml sets stands there as options.
+constexpr auto kOfScript =
+    std::to_array<std::string_view>({"--config", "--files-from", "--no-config", "--store"});
 
 std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option> all) {
   std::vector<Option> kept;
@@ -262,6 +263,8 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.job_folder = without_end_slash((here / options.job_folder).lexically_normal().string());
   job.store = check.store;
   job.options = options.words;
+  const ConfigChoice& config = check.input.config;
+  if (!config.taken.empty() || config.is_off) job.options.emplace_back("--no-config");
   job.report_options = options.report_words;
   job.source_date_epoch = options.source_date_epoch;
   job.units = units.size();
