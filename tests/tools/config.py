@@ -100,21 +100,22 @@ run("validate", "asks.xml", code=0)
 run("plan", "asks.xml", code=0)
 check("asks.xml", "--no-config", code=2)
 
-# A batch has them as options, the same in all of its parts.
-config("tolerance = 0.05\nlanguage = \"de\"\n")
-for more, options, others in (([], ["--no-config", "--tolerance 0.05", "--language de"], []), (["--no-config"], ["--no-config"], ["--tolerance"])):
-    script = run("submit", "a.xml", "--engine", "local", "--store", "looks", "--format", "text=out/x.txt", *more, code=0).stdout
-    for line in (line for line in script.splitlines() if "check" in line and "--store" in line):
-        expect("--no-config" in line, f"submit {more}: {line}")
-    expect(all(word in script for word in options) and not any(word in script for word in others), f"submit {more}: {script}")
-run("submit", "a.xml", "--engine", "local", "--store", "looks", "--plane", "desk", code=2, says="there is no option '--plane'")
-
 # What shows them.
 shown = run("config", "show", "a.xml", code=0).stdout
 expect("rules         [../own.xml]  (../luxgate.toml:1)" in shown and "seed          by default" in shown, shown)
 shown = json.loads(run("config", "show", "a.xml", "--json", code=0).stdout)
 expect(shown["settings"]["strict"] == {"value": ["values-set", "maintenance-not-stated"], "from": "../luxgate.toml", "line": 2}, str(shown))
 expect("No luxgate.toml here" in run("config", "show", code=0, at="elsewhere").stdout, "config show without a file")
+
+# A batch has them as options, the same in all of its parts.
+config("tolerance = 0.05\nlanguage = \"de\"\n")
+for more, options, others in (([], ["--no-config", "--tolerance 0.05", "--language de"], []), (["--no-config"], ["--no-config"], ["--tolerance"])):
+    script = run("submit", "a.xml", "--engine", "local", "--store", "looks", "--format", "text=out/x.txt", *more, code=0).stdout
+    # Every part and the merge take the one list of options.
+    checks = [line for line in script.splitlines() if '"$luxgate" check ' in line]
+    expect(len(checks) == 2 and all('check "${options[@]}" ' in line for line in checks), f"submit {more}: {checks}")
+    expect(all(word in script for word in options) and not any(word in script for word in others), f"submit {more}: {script}")
+run("submit", "a.xml", "--engine", "local", "--store", "looks", "--plane", "desk", code=2, says="there is no option '--plane'")
 
 # An owner's policy stands above what lies in the projects' repository.
 (WORK / "policy.xml").write_text('<luxgate-policy version="1" name="Owner" every-space="nothing"/>')
