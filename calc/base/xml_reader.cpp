@@ -146,6 +146,23 @@ std::string ElementReader::id(std::string_view name) {
   return {};
 }
 
+std::vector<std::string> ElementReader::ids(std::string_view name, std::size_t most) {
+  const XmlAttribute* attribute = require(name);
+  if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestText)) return {};
+  const std::vector<std::string_view> words = split_words(attribute->value);
+  if (words.empty() || words.size() > most) {
+    report(DiagnosticId::wrong_number_count, attribute->where, name, element_.name,
+           fmt::format("1 to {} words like ids", most), words.size());
+    return {};
+  }
+  for (const std::string_view word : words) {
+    if (is_id(word) && word.size() <= kLongestId) continue;
+    report(DiagnosticId::not_an_id, attribute->where, name, element_.name, shown(word));
+    return {};
+  }
+  return {words.begin(), words.end()};
+}
+
 std::string ElementReader::text(std::string_view name) {
   const XmlAttribute* attribute = require(name);
   if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestText)) return {};

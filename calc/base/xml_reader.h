@@ -45,6 +45,8 @@ class ElementReader {
 
   // Required ones report their absence.
   std::string id(std::string_view name = "id");
+  // From one to `most`, separated by blanks.
+  std::vector<std::string> ids(std::string_view name, std::size_t most);
   std::string text(std::string_view name);
   double number(std::string_view name, const NumberRange& range);
   int integer(std::string_view name, int low);

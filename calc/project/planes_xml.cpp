@@ -360,6 +360,7 @@ CalcPlane read_named_plane(ProjectContext& context, ElementReader& reader) {
   context.planes.add(reader, plane.id, 0);
   plane.was = context.former_planes.read(reader, plane.id);
   plane.name = reader.text_or("name", "");
+  plane.tags = read_tags(reader);
   plane.where = reader.where();
   for (const XmlElement& child : reader.element().children) {
     if (child.name == "require") plane.requirements.push_back({child, ""});

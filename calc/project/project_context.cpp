@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/project/object_set.h"
 #include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
@@ -154,6 +155,10 @@ std::vector<glm::dvec3> read_corners_m(const ProjectContext& context, ElementRea
 
 double read_angle_rad(ElementReader& reader, std::string_view name) {
   return radians_from_degrees(reader.number_or(name, kCoordinate, 0.0));
+}
+
+std::vector<std::string> read_tags(ElementReader& reader) {
+  return reader.has("tags") ? reader.ids("tags", kMostTags) : std::vector<std::string>();
 }
 
 std::uint32_t read_material(const ProjectContext& context, ElementReader& reader,

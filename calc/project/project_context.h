@@ -100,6 +100,9 @@ std::vector<glm::dvec3> read_corners_m(const ProjectContext& context, ElementRea
 // Optional angle, degrees in the file.
 double read_angle_rad(ElementReader& reader, std::string_view name);
 
+// Attribute `tags`; none without it.
+std::vector<std::string> read_tags(ElementReader& reader);
+
 std::uint32_t read_material(const ProjectContext& context, ElementReader& reader,
                             std::string_view name = "material");
 

@@ -13,6 +13,7 @@ namespace calc {
 inline constexpr std::size_t kCornerLimit = 2000;
 inline constexpr std::size_t kZoneCornerLimit = 100;
 inline constexpr std::size_t kRouteCornerLimit = 200;
+inline constexpr std::size_t kMostTags = 32;
 
 inline constexpr double kYear_h = 8760.0;
 inline constexpr NumberRange kHours{0.0, kYear_h, false,

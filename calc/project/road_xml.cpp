@@ -152,6 +152,7 @@ class RoadReader {
     space_.id = plane.id;
     space_.was = plane.was;
     space_.name = plane.name;
+    space_.tags = plane.tags;
     Road road = read_carriageway();
     const bool is_good = reader_.ok();
     read_rows(road, is_good);

@@ -140,6 +140,7 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, For
   space.id = reader.id();
   space.was = former.read(reader, space.id);
   space.name = reader.text_or("name", "");
+  space.tags = read_tags(reader);
   space.where = reader.where();
   ids.add(reader, space.id, 0);
   if (space.id == kOpenSpaceId) {

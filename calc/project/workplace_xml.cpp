@@ -43,6 +43,7 @@ class WorkplaceReader {
     workplace.id = reader.id();
     workplace.was = former_.read(reader, workplace.id);
     workplace.name = reader.text_or("name", "");
+    workplace.tags = read_tags(reader);
     workplace.element = reader.element();
     workplace.task_m = read_area(reader);
     workplace.height_m = read_height(reader);

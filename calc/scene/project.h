@@ -194,6 +194,7 @@ struct CalcPlane {
   std::string id;   // unique in the project
   std::string was;  // its id in earlier revisions of the project; "" = the same
   std::string name;
+  std::vector<std::string> tags;  // words by which people choose; they change no result
   PlaneArea area;
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
@@ -247,7 +248,8 @@ struct LeftOutPlane {
 // Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
 // planes.
 struct Workplace {
-  std::string id, was, name;  // was: as of a plane
+  std::string id, was, name;      // was: as of a plane
+  std::vector<std::string> tags;  // of its planes
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
   std::vector<glm::dvec2> task_m;         // world x and y, counter-clockwise; empty: the whole room
   std::optional<UprightTask> upright;     // instead of task_m
@@ -281,6 +283,7 @@ struct EnergyUse {
 struct Space {
   std::string id, was;  // was: as of a plane
   std::string name;
+  std::vector<std::string> tags;   // of all of its planes
   std::optional<RoomShell> shell;  // empty for the open space and rooms of a building file
   // Of a road, which stands for itself: nothing but its luminaires is there. Its rows go on; what
   // `luminaires` has of them are those that give light to the field by EN 13201-3.

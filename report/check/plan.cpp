@@ -57,12 +57,12 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings, std::string_view day,
-                         const calc::Budget& budget) {
+                         const calc::Budget& budget, const Selection& selection) {
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
-  if (const auto loaded =
-          load_in_budget(path, files, packs, settings.replicates, budget, diagnostics)) {
+  if (auto loaded = load_in_budget(path, files, packs, settings.replicates, budget, diagnostics)) {
+    select(selection, loaded->judged, diagnostics);
     const rules::JudgedProject& judged = loaded->judged;
     const calc::Project& project = judged.project;
     plan.name = project.name;
@@ -81,10 +81,11 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
-                                       std::string_view day, const calc::Budget& budget) {
+                                       std::string_view day, const calc::Budget& budget,
+                                       const Selection& selection) {
   std::vector<ProjectPlan> plans;
   for (const std::string& path : paths) {
-    plans.push_back(plan_project(path, files, packs, settings, day, budget));
+    plans.push_back(plan_project(path, files, packs, settings, day, budget, selection));
   }
   return plans;
 }

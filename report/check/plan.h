@@ -6,6 +6,7 @@
 #include "calc/base/file_reader.h"
 #include "calc/forecast/scene_plan.h"
 #include "report/check/backend.h"
+#include "report/check/selection.h"
 #include "rules/pack/rule_pack.h"
 
 #include <cstddef>
@@ -36,14 +37,15 @@ struct ProjectPlan {
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings, std::string_view day,
-                         const calc::Budget& budget = {});
+                         const calc::Budget& budget = {}, const Selection& selection = {});
 
 // Of each.
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
-                                       std::string_view day, const calc::Budget& budget = {});
+                                       std::string_view day, const calc::Budget& budget = {},
+                                       const Selection& selection = {});
 
 // What the first look at these projects gathers, as far as they are planned.
 GatherWork first_look_work(const std::vector<ProjectPlan>& projects);

@@ -25,21 +25,30 @@ bool fits(const std::vector<std::string>& patterns, const std::vector<std::strin
   });
 }
 
+bool fits(const Selection& selection, const calc::Space& space) {
+  return fits(selection.spaces, {space.id, space.name});
+}
+
+bool fits(const Selection& selection, const calc::Space& space, const calc::CalcPlane& plane) {
+  return fits(selection.planes, {plane.id, plane.name}) &&
+         (fits(selection.tags, plane.tags) || fits(selection.tags, space.tags));
+}
+
 bool fits(const Selection& selection, const rules::Requirement& requirement) {
   return fits(selection.requirements,
               {requirement.id, std::string(calc::name_of(requirement.metric))});
 }
 
-// What the first list that fits nothing could have had: "planes: desk, board".
+// What the first list that fits nothing could have had: "the planes desk, board", "no planes".
 class Choices {
  public:
-  void add(const char* what, const std::string& id) {
-    what_ = what;
+  explicit Choices(const char* what) : what_(what) {}
+  void add(const std::string& id) {
     if (known_.insert(id).second) ids_.push_back(id);
   }
   std::string words() const {
-    return fmt::format("{} {}", what_,
-                       ids_.empty() ? "none" : calc::list_names(ids_, kMostChoicesNamed));
+    if (ids_.empty()) return fmt::format("no {}", what_);
+    return fmt::format("the {} {}", what_, calc::list_names(ids_, kMostChoicesNamed));
   }
 
  private:
@@ -50,23 +59,29 @@ class Choices {
 
 // Of a project that nothing is chosen of: at which of the lists it ended.
 std::string what_there_is(const Selection& selection, const rules::JudgedProject& project) {
-  Choices spaces, planes, requirements;
-  bool has_space = false, has_plane = false;
+  Choices spaces("spaces"), planes("planes"), tags("tags"), requirements("requirements");
+  bool has_space = false, has_plane = false, has_tag = false;
   for (const calc::Space& space : project.project.spaces) {
-    spaces.add("spaces", space.id);
-    if (!fits(selection.spaces, {space.id, space.name})) continue;
+    spaces.add(space.id);
+    if (!fits(selection, space)) continue;
     has_space = true;
     for (const calc::CalcPlane& plane : space.planes) {
-      planes.add("planes", plane.id);
+      planes.add(plane.id);
+      for (const auto* list : {&space.tags, &plane.tags}) {
+        for (const std::string& tag : *list) tags.add(tag);
+      }
       if (!fits(selection.planes, {plane.id, plane.name})) continue;
       has_plane = true;
+      if (!fits(selection, space, plane)) continue;
+      has_tag = true;
       for (const rules::Requirement& requirement : project.requirements) {
-        if (requirement.plane_id == plane.id) requirements.add("requirements", requirement.id);
+        if (requirement.plane_id == plane.id) requirements.add(requirement.id);
       }
     }
   }
   if (!has_space) return spaces.words();
-  return has_plane ? requirements.words() : planes.words();
+  if (!has_plane) return planes.words();
+  return has_tag ? requirements.words() : tags.words();
 }
 
 }  // namespace
@@ -82,6 +97,7 @@ std::string selection_words(const Selection& selection) {
   add("--space", selection.spaces);
   add("--plane", selection.planes);
   add("--require", selection.requirements);
+  add("--tag", selection.tags);
   return words;
 }
 
@@ -91,17 +107,14 @@ void select(const Selection& selection, rules::JudgedProject& project,
   const std::size_t all = project.requirements.size() + project.buildings.size();
   const std::string what_was_there = what_there_is(selection, project);
   std::vector<calc::Space>& spaces = project.project.spaces;
-  std::erase_if(spaces, [&](const calc::Space& space) {
-    return !fits(selection.spaces, {space.id, space.name});
-  });
+  std::erase_if(spaces, [&](const calc::Space& space) { return !fits(selection, space); });
   std::set<std::string> chosen;  // planes
   for (const calc::Space& space : spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
-      if (fits(selection.planes, {plane.id, plane.name})) chosen.insert(plane.id);
+      if (fits(selection, space, plane)) chosen.insert(plane.id);
     }
     for (const calc::LeftOutPlane& left_out : space.left_out) {
-      const calc::CalcPlane& plane = left_out.plane;
-      if (fits(selection.planes, {plane.id, plane.name})) chosen.insert(plane.id);
+      if (fits(selection, space, left_out.plane)) chosen.insert(left_out.plane.id);
     }
   }
   std::erase_if(project.requirements, [&](const rules::Requirement& requirement) {

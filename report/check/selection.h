@@ -15,8 +15,11 @@ struct Selection {
   std::vector<std::string> spaces;        // ids or names
   std::vector<std::string> planes;        // ids or names, those of planes that workplaces make too
   std::vector<std::string> requirements;  // ids, or metrics ("Uo")
+  std::vector<std::string> tags = {};     // of planes, or of their spaces
 
-  bool is_all() const { return spaces.empty() && planes.empty() && requirements.empty(); }
+  bool is_all() const {
+    return spaces.empty() && planes.empty() && tags.empty() && requirements.empty();
+  }
   bool operator==(const Selection&) const = default;
 };
 

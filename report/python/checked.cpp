@@ -31,11 +31,12 @@ namespace {
 // What is not here is about files, terminals, batches or revisions. An option that is new to the
 // program is refused until somebody has put it here: nothing is taken and then not obeyed.
 constexpr std::string_view kOfCheck[] = {
-    "--rules",      "--allow",        "--set",       "--goal",      "--tolerance",
-    "--confidence", "--by-luminaire", "--limit",     "--seed",      "--time-limit",
-    "--replicates", "--max-paths",    "--jobs",      "--method",    "--visibility",
-    "--clamp",      "--no-skip",      "--backend",   "--gl-device", "--gpu-stages",
-    "--store",      "--strict",       "--timestamp", "--timing"};
+    "--rules",        "--allow",     "--set",       "--space",      "--plane",
+    "--tag",          "--require",   "--goal",      "--tolerance",  "--confidence",
+    "--by-luminaire", "--limit",     "--seed",      "--time-limit", "--replicates",
+    "--max-paths",    "--jobs",      "--method",    "--visibility", "--clamp",
+    "--no-skip",      "--backend",   "--gl-device", "--gpu-stages", "--store",
+    "--strict",       "--timestamp", "--timing"};
 constexpr std::string_view kOfValidate[] = {"--rules", "--allow", "--set", "--limit",
                                             "--timestamp"};
 constexpr std::string_view kOfWrite[] = {"--language", "--decimal", "--paper", "--annex",
@@ -178,8 +179,8 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
   const check::BackendChoice choice =
       check::choose_backend(options.backend, radiosity.shadow_map_texels, gpu::Fault::none, [&] {
         return first_look_work(check::plan_projects(options.input.projects, files, packs, radiosity,
-                                                    options.settings.today,
-                                                    options.settings.budget));
+                                                    options.settings.today, options.settings.budget,
+                                                    options.settings.selection));
       });
   std::string problem, software;
   const std::optional<check::OpenBackend> backend =
@@ -204,6 +205,11 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
       path, {options.settings, files, packs, stages, watcher, nullptr, store ? &*store : nullptr,
              check::most_at_once(options.settings, choice.backend)});
   cli::tell_set_values(options.set, part);
+  if (!options.settings.selection.is_all() && !cli::is_anything_chosen(part)) {
+    diagnostics.report(calc::DiagnosticId::selection_empty, {},
+                       check::selection_words(options.settings.selection));
+    return refused(diagnostics);
+  }
   part.strict_warnings = cli::WarningTally(options.strict).add(part.diagnostics);
   if (folder) tell_of_store(options.store, folder->troubles(), diagnostics);
 

@@ -486,6 +486,7 @@ class WorkplaceMaker {
     const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
     plane.name =
         fmt::format("{}: {}", title, part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
+    plane.tags = workplace_.tags;
     plane.where = workplace_.where;
     plane.kernel = kernel_of(rule.role);
     plane.derived = find_quantity(rule.role)->derived;

@@ -1,4 +1,4 @@
-"""--space, --plane, --require: what is chosen has the numbers that it has in the whole; what is not is said in every format.
+"""--space, --plane, --tag, --require: what is chosen has the numbers that it has in the whole; what is not is said in every format.
 
     selection.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
 """
@@ -68,6 +68,22 @@ run("a.xml", "--plane", "desk", "--require", "Uo", code=2, says="there are the r
 run("a.xml", "--space", "attic", code=2, says="--space attic chooses nothing in any of the projects")
 run("a.xml", "b.xml", "--plane", "bench", code=0, says="a.xml: warning[nothing-selected]: --plane bench chooses nothing here")
 run("a.xml", "--plane", "", code=2, says="a name is needed")
+
+# Tags: of planes and of spaces; they change nothing else, and commands that plan or watch choose by them, too.
+tagged = (WORK / "a.xml").read_text()
+tagged = tagged.replace('<plane id="desk"', '<plane id="desk" tags="lease-A quiet"').replace('<room id="room"', '<room id="room" tags="north"')
+(WORK / "tagged.xml").write_text(tagged)
+expect(findings(result("tagged.xml", code=1)) == findings(whole), "tags change numbers")
+expect(list(findings(result("tagged.xml", "--tag", "lease-*", code=0))) == [("room", "desk", "mean")], "--tag of a plane")
+expect(len(findings(result("tagged.xml", "--tag", "north", code=1))) == 2, "--tag of a room")
+run("tagged.xml", "--tag", "south", code=2, says="there are the tags north, lease-A, quiet")
+run("a.xml", "--tag", "north", code=2, says="there are no tags")
+run("tagged.xml", "--tag", "quiet", "--against", "HEAD", code=2, says="--against needs all")
+for more, code, says in ((["--tag", "quiet"], 0, "only 1 of 2 requirements were chosen"), (["--tag", "loud"], 2, "--tag loud chooses nothing in any of the projects"),
+                         (["--tag", "quiet", "--units"], 2, "--units")):
+    done = subprocess.run([PROGRAM, "plan", "tagged.xml", *more], cwd=WORK, capture_output=True, text=True, check=False)
+    expect(done.returncode == code and says in done.stderr, f"plan {more}: {done.returncode}, {done.stderr}")
+    expect(code != 0 or "'desk'" in done.stdout and "'far'" not in done.stdout, f"plan {more}: {done.stdout}")
 
 # Nor is a part what a gate wants.
 (WORK / "whole.json").write_text(json.dumps(whole))

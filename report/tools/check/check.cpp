@@ -331,8 +331,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
   std::string cost_log;
   calc::LookCounts looks;
-  // Of --space, --plane, --require; what is not readable may have it.
-  bool is_anything_chosen = false;
+  bool has_chosen = options.settings.selection.is_all();
   const auto work = [&](std::size_t p) {
     CheckObserver observer(options, progress, gallery, p);
     CheckedProject project;
@@ -356,7 +355,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     });
     progress.done(project.path, report::outcome_words(report::outcome_of(project)));
     missing.add(project);
-    is_anything_chosen = is_anything_chosen || !project.is_judged || !project.spaces.empty();
+    has_chosen = has_chosen || is_anything_chosen(project);
     cost_log += checked[p]->cost_log;
     looks.read += checked[p]->looks.read;
     looks.computed += checked[p]->looks.computed;
@@ -375,9 +374,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
   if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
-  if (!options.settings.selection.is_all() && !is_anything_chosen) {
-    print_error(calc::DiagnosticId::selection_empty,
-                check::selection_words(options.settings.selection));
+  if (!has_chosen) {
+    print_nothing_chosen(options.settings.selection);
     return kNotJudged;
   }
   return is_written ? exit_code_of(results.outcome()) : kNotJudged;

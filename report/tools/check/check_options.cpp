@@ -151,23 +151,11 @@ std::string take_resume_store(CheckOptions& options) {
   return problem.empty() ? "" : "--resume: " + problem;
 }
 
-std::vector<Option> selection_options(check::Selection& selection) {
-  return {
-      {"--space", "PATTERN",
-       "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
-       "The rest is neither calculated nor judged, which every report says",
-       one_more(selection.spaces), true},
-      {"--plane", "PATTERN", "The same of planes", one_more(selection.planes), true},
-      {"--require", "PATTERN",
-       "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
-       one_more(selection.requirements), true}};
-}
-
 // "" or which options want all of a project, not a part of it.
 std::string selection_contradiction(const CheckOptions& options) {
   if (options.settings.selection.is_all()) return "";
   const auto together = [](const char* other) {
-    return fmt::format("--space, --plane and --require choose a part; {} needs all", other);
+    return fmt::format("--space, --plane, --tag and --require choose a part; {} needs all", other);
   };
   if (!options.baseline.empty()) return together("--baseline");
   if (!options.against.empty()) return together("--against");
@@ -201,6 +189,28 @@ std::string complete(CheckOptions& options, const Environment& environment) {
 }
 
 }  // namespace
+
+std::vector<Option> selection_options(check::Selection& selection) {
+  return {
+      {"--space", "PATTERN",
+       "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
+       "The rest is neither calculated nor judged, which every report says",
+       one_more(selection.spaces), true},
+      {"--plane", "PATTERN", "The same of planes", one_more(selection.planes), true},
+      {"--tag", "PATTERN", "The same of planes by their tags, and by those of their spaces",
+       one_more(selection.tags), true},
+      {"--require", "PATTERN",
+       "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
+       one_more(selection.requirements), true}};
+}
+
+void print_nothing_chosen(const check::Selection& selection) {
+  print_error(calc::DiagnosticId::selection_empty, check::selection_words(selection));
+}
+
+bool is_anything_chosen(const report::ProjectPart& project) {
+  return !project.is_judged || !project.spaces.empty();
+}
 
 Option shard_option(BatchShare& share, const std::string& help) {
   return {"--shard", "I/N", help, share_of_batch(share)};

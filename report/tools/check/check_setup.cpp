@@ -80,9 +80,9 @@ std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const Run
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   check::BackendChoice backend =
       check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(check::plan_projects(options.input.projects, files, *packs,
-                                                    radiosity, options.settings.today,
-                                                    options.settings.budget));
+        return first_look_work(check::plan_projects(
+            options.input.projects, files, *packs, radiosity, options.settings.today,
+            options.settings.budget, options.settings.selection));
       });
   std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);

@@ -6,6 +6,7 @@
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/tools/check/check_options.h"
 #include "report/tools/plan/units_list.h"
 #include "rules/verdict/outcome.h"
 
@@ -28,13 +29,19 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
   WarningTally warnings(options.strict);
-  const std::vector<check::ProjectPlan> plans =
-      check::plan_projects(options.input.projects, files, *packs, options.radiosity,
-                           check::day_or_today(day_of_moment(options.date)), options.budget);
+  const std::vector<check::ProjectPlan> plans = check::plan_projects(
+      options.input.projects, files, *packs, options.radiosity,
+      check::day_or_today(day_of_moment(options.date)), options.budget, options.selection);
+  bool is_anything_chosen = options.selection.is_all();
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
     warnings.add(plan.diagnostics);
     if (!plan.is_planned) outcome = graver(outcome, Outcome::not_judged);
+    is_anything_chosen = is_anything_chosen || !plan.is_planned || !plan.spaces.empty();
+  }
+  if (!is_anything_chosen) {
+    print_nothing_chosen(options.selection);
+    outcome = graver(outcome, Outcome::not_judged);
   }
   const check::BackendChoice backend =
       check::choose_backend(options.backend, options.radiosity.shadow_map_texels, context.gl_fault,
@@ -63,14 +70,18 @@ Command plan_syntax(PlanOptions& options) {
   command.options = project_options(options.input);
   command.config = &options.input.config;
   add(command.options, {set_option(options.set), limit_option(options.budget)});
+  add(command.options, selection_options(options.selection));
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
   add(command.options, text_or_json_options(options.as_json));
-  add(command.options, {{"--units", "",
+  add(command.options, {{"--units",
+                         "",
                          "List what machines can calculate apart from each other, rooms or planes "
                          "of large\n"
                          "ones, with predicted costs: for 'luxgate check --shard'",
-                         &options.as_units},
+                         &options.as_units,
+                         false,
+                         {"--space", "--plane", "--tag", "--require"}},
                         strict_option(options.strict),
                         sandbox_option(options.sandbox),
                         quiet_option_with_count(options.quiet)});

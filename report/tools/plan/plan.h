@@ -19,6 +19,7 @@ struct PlanOptions {
   ProjectOptions input;
   std::vector<check::SetValue> set;
   calc::Budget budget;
+  check::Selection selection;
   calc::RadiositySettings radiosity;
   check::BackendRequest backend;
   bool as_json = false;

@@ -474,11 +474,12 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
              "there, no room, a folder of that name, or it is an input of the same run. Checked "
              "before anything is calculated where that can be known. The exit code is 2.";
     case calc::DiagnosticId::part_selected:
-      return "--space, --plane or --require chose a part of what a project requires. The rest was "
+      return "--space, --plane, --tag or --require chose a part of what a project requires. The "
+             "rest was "
              "neither calculated nor judged, and does not count as met. The exit code is that of "
              "the part; --strict makes the warning count.";
     case calc::DiagnosticId::nothing_selected:
-      return "--space, --plane or --require chose nothing of this project. None of it was "
+      return "--space, --plane, --tag or --require chose nothing of this project. None of it was "
              "calculated or judged. If that is so of all projects, the exit code is 2.";
     case calc::DiagnosticId::converge_not_possible:
       return "'luxgate converge' cannot measure this: it compares illuminances of one plane, "

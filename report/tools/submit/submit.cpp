@@ -64,7 +64,7 @@ struct SubmitOptions {
 
 constexpr auto kNotOfBatches = std::to_array<std::string_view>(
     {"--against", "--explain-cost", "--jobs", "--plane", "--require", "--resume", "--shard",
-     "--space", "--stored-only", "--time-limit", "--units", "--vpl"});
+     "--tag", "--space", "--stored-only", "--time-limit", "--units", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
     {"--allow",     "--backend", "--by-luminaire", "--clamp",     "--confidence",

@@ -180,9 +180,9 @@ class Watch {
     const calc::RadiositySettings& radiosity = options_.settings.radiosity;
     choice_ = check::choose_backend(
         options_.backend, radiosity.shadow_map_texels, context_.gl_fault, [&] {
-          return first_look_work(check::plan_projects(options_.input.projects, files, packs,
-                                                      radiosity, options_.settings.today,
-                                                      options_.settings.budget));
+          return first_look_work(check::plan_projects(
+              options_.input.projects, files, packs, radiosity, options_.settings.today,
+              options_.settings.budget, options_.settings.selection));
         });
     backend_ = open_or_complain(choice_, context_.gl_fault, context_.environment.program_folder,
                                 options_.output.quiet);
@@ -213,6 +213,11 @@ class Watch {
     }
     if (server_) server_->show(report::render_html(of_now));
     exit_code_ = exit_code_of(report::outcome_of(document));
+    if (!options_.settings.selection.is_all() &&
+        std::none_of(document.projects.begin(), document.projects.end(), is_anything_chosen)) {
+      print_nothing_chosen(options_.settings.selection);
+      exit_code_ = kNotJudged;
+    }
     say_how_long(changed);
     if (is_judged(document)) last_ = std::move(document);
   }
@@ -268,6 +273,7 @@ Command watch_command() {
         &options->serves},
        passes_option(check.output.lists_passes),
        color_option(check.output.color)});
+  add(command.options, selection_options(check.settings.selection));
   add(command.options, accuracy_options(check.settings));
   add(command.options, work_options(check.settings.radiosity));
   add(command.options, backend_options(check.backend));

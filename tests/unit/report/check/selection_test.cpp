@@ -28,9 +28,9 @@ constexpr const char* kProject = R"(<luxgate version="1" maintenance-factor="0.8
       <require id="mean" quantity="average" at-least="1"/>
       <require id="even" quantity="Uo" at-least="0.01"/>
     </plane>
-    <plane id="board" height="1" count="1 1"/>
+    <plane id="board" tags="upright teaching" height="1" count="1 1"/>
   </room>
-  <room id="office-2" name="Sales" size="4 4 3" floor="grey" ceiling="grey" walls="grey">
+  <room id="office-2" name="Sales" tags="tenant-B teaching" size="4 4 3" floor="grey" ceiling="grey" walls="grey">
     <luminaire id="L2" type="ball" position="2 2 2.5"/>
     <plane id="desk-2" height="0.8" count="2 2">
       <require id="mean" quantity="average" at-least="1"/>
@@ -108,6 +108,16 @@ TEST(Selection, PlanesAndRequirementsOfThem) {
   EXPECT_THAT(chosen({{"office-1"}, {}, {"mean"}}).names, ElementsAre("office-1/desk/mean"));
 }
 
+TEST(Selection, TagsArePlanesOwnAndThoseOfTheirSpaces) {
+  EXPECT_THAT(chosen({{}, {}, {}, {"teaching"}}).names,
+              ElementsAre("office-1/board", "office-2/desk-2/mean"));
+  EXPECT_THAT(chosen({{}, {}, {"mean"}, {"tenant-?"}}).names, ElementsAre("office-2/desk-2/mean"));
+  EXPECT_THAT(chosen({{"office-1"}, {}, {}, {"teach*"}}).names, ElementsAre("office-1/board"));
+  EXPECT_THAT(chosen({{"store"}, {}, {}, {"teaching"}}).messages, HasSubstr("there are no tags"));
+  EXPECT_THAT(chosen({{}, {}, {}, {"teacher"}}).messages,
+              HasSubstr("there are the tags upright, teaching, tenant-B"));
+}
+
 TEST(Selection, NothingIsToldWithWhatThereIs) {
   const Chosen planes = chosen({{"office-*"}, {"dsk"}, {}});
   EXPECT_THAT(planes.names, IsEmpty());
@@ -120,8 +130,8 @@ TEST(Selection, NothingIsToldWithWhatThereIs) {
 }
 
 TEST(Selection, WordsAreThoseOfTheCommandLine) {
-  EXPECT_EQ(check::selection_words({{"a b"}, {"desk-*", "x"}, {"Uo"}}),
-            "--space 'a b' --plane 'desk-*' --plane x --require Uo");
+  EXPECT_EQ(check::selection_words({{"a b"}, {"desk-*", "x"}, {"Uo"}, {"t"}}),
+            "--space 'a b' --plane 'desk-*' --plane x --require Uo --tag t");
   EXPECT_EQ(check::selection_words({}), "");
 }
 
