@@ -258,11 +258,13 @@ std::string FileSet::add(const std::string& path, const std::function<void(Sink&
   });
 }
 
-std::vector<std::string> FileSet::publish() {
+std::vector<std::string> FileSet::publish(std::vector<std::string>& published) {
   std::vector<std::string> problems;
   for (const std::unique_ptr<WaitingFile>& file : waiting_) {
     const std::string problem = reason_of([&] { file->take_place(); });
-    if (!problem.empty()) {
+    if (problem.empty()) {
+      published.push_back(file->path());
+    } else {
       problems.push_back(fmt::format("cannot write '{}': {}", file->path(), problem));
     }
   }

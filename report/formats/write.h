@@ -36,8 +36,9 @@ class FileSet {
 
   // "", or why not; as write_file_atomically().
   std::string add(const std::string& path, const std::function<void(Sink&)>& make);
-  // Once. A message "cannot write ..." for each that could not take its place.
-  std::vector<std::string> publish();
+  // Once. A message "cannot write ..." for each that could not take its place; the paths of the
+  // others are appended to `published`.
+  std::vector<std::string> publish(std::vector<std::string>& published);
 
  private:
   std::vector<std::unique_ptr<WaitingFile>> waiting_;

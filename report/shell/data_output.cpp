@@ -4,6 +4,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
 #include "report/shell/outputs.h"
+#include "report/shell/print.h"
 
 #include <fmt/format.h>
 
@@ -69,8 +70,9 @@ void check_data_outputs(const std::vector<DataOutput>& outputs, const std::set<s
 }
 
 std::string write_data_outputs(const std::vector<DataOutput>& outputs,
-                               const std::function<std::string(DataFormat)>& render,
+                               const std::function<std::string(DataFormat)>& render, bool quiet,
                                calc::Diagnostics& diagnostics) {
+  std::vector<std::string> written;
   DataFormat to_stdout = DataFormat::text;
   for (const DataOutput& output : outputs) {
     if (output.file.empty()) {
@@ -78,10 +80,14 @@ std::string write_data_outputs(const std::vector<DataOutput>& outputs,
       continue;
     }
     const std::string problem = report::write_file_atomically(output.file, render(output.kind));
-    if (problem.empty()) continue;
+    if (problem.empty()) {
+      written.push_back(output.file);
+      continue;
+    }
     diagnostics.report(calc::DiagnosticId::output_not_possible, {},
                        fmt::format("cannot write '{}': {}", output.file, problem));
   }
+  if (!quiet) tell_written(written);
   return render(to_stdout);
 }
 

@@ -29,10 +29,10 @@ void check_data_outputs(const std::vector<DataOutput>& outputs, const std::set<s
                         calc::Diagnostics& diagnostics);
 
 // Writes the files, each whole or not at all; a file that cannot be written is reported, and the
-// others are written all the same. What is for standard output comes back: text, unless another
-// kind was asked for.
+// others are written all the same, and named on standard error unless `quiet`. What is for standard
+// output comes back: text, unless another kind was asked for.
 std::string write_data_outputs(const std::vector<DataOutput>& outputs,
-                               const std::function<std::string(DataFormat)>& render,
+                               const std::function<std::string(DataFormat)>& render, bool quiet,
                                calc::Diagnostics& diagnostics);
 
 }  // namespace cli

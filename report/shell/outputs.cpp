@@ -107,7 +107,7 @@ class GuardedFiles {
     return guarded(path, [&] { return set_.add(path, make); });
   }
   // Messages.
-  std::vector<std::string> publish() { return set_.publish(); }
+  std::vector<std::string> publish() { return set_.publish(published_); }
   // Written at once, while inputs may still come.
   std::string write_early(const std::string& path, const std::function<std::string()>& make) {
     std::string problem = guarded(path, [&] {
@@ -115,11 +115,20 @@ class GuardedFiles {
       report::fail_beyond(static_cast<double>(bytes.size()), most_bytes_);
       return report::write_file_atomically(path, bytes);
     });
-    if (problem.empty()) written_.insert(path_identity(path));
+    if (problem.empty()) {
+      written_.insert(path_identity(path));
+      early_.push_back(path);
+    }
     return problem;
   }
 
   bool is_input(const std::string& path) const { return identities_.contains(path_identity(path)); }
+  // All that has been written: what was published first.
+  std::vector<std::string> written() const {
+    std::vector<std::string> files = published_;
+    files.insert(files.end(), early_.begin(), early_.end());
+    return files;
+  }
   // Inputs that came too late.
   const std::vector<std::string>& problems() const { return problems_; }
 
@@ -140,6 +149,7 @@ class GuardedFiles {
   report::FileSet set_;
   std::set<std::string> inputs_, identities_;
   std::set<std::string> written_;  // early; identities
+  std::vector<std::string> published_, early_;
   std::vector<std::string> problems_;
 };
 
@@ -488,6 +498,8 @@ class OutputFiles {
   // Messages, one for each file that could not be written.
   virtual std::vector<std::string> finish(const report::DocumentEnd& end,
                                           const std::set<std::string>& inputs) = 0;
+  // Files.
+  virtual std::vector<std::string> written() const = 0;
 };
 
 namespace {
@@ -524,6 +536,7 @@ class PlannedFiles final : public OutputFiles {
     problems.insert(problems.end(), files_.problems().begin(), files_.problems().end());
     return problems;
   }
+  std::vector<std::string> written() const override { return files_.written(); }
 
  private:
   void warn_of_others() const {
@@ -547,6 +560,7 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
                          report::DocumentFrame frame)
     : frame_(std::move(frame)),
       most_bytes_(options.most_bytes),
+      is_quiet_(options.quiet),
       files_(std::make_unique<PlannedFiles>(options, frame_)) {
   const report::Format* format = stdout_format(options);
   if (format == nullptr) return;
@@ -577,6 +591,7 @@ bool ResultFiles::finish(const report::DocumentEnd& end, const std::set<std::str
     print_error(calc::DiagnosticId::output_not_possible, problem);
   }
   const bool is_printed = !for_stdout_ || print(end);
+  if (!is_quiet_) tell_written(files_->written());
   return problems.empty() && is_printed;
 }
 

@@ -56,6 +56,7 @@ class ResultFiles {
 
   const report::DocumentFrame frame_;
   const double most_bytes_;
+  const bool is_quiet_;
   std::unique_ptr<OutputFiles> files_;
   std::unique_ptr<report::FormatWriter> for_stdout_;  // null: nothing goes there
   std::string stdout_failure_;                        // of rendering

@@ -1,5 +1,8 @@
 #include "report/shell/print.h"
 
+#include "calc/base/text.h"
+
+#include <cstddef>
 #include <cstdio>
 
 namespace cli {
@@ -20,6 +23,13 @@ void print_error(calc::DiagnosticId id, const std::string& a, const std::string&
   calc::Diagnostics diagnostics;
   diagnostics.report(id, {}, a, b);
   print_diagnostics(diagnostics.all(), true);
+}
+
+void tell_written(const std::vector<std::string>& files) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(calc::printable_path(file));
+  if (!names.empty()) tell("luxgate: wrote {}\n", calc::list_names(names, kMostNamed));
 }
 
 bool print_result(const std::string& text) {

@@ -26,6 +26,7 @@ namespace cli {
 namespace {
 
 constexpr std::size_t kLargestListBytes = std::size_t{256} << 20;
+constexpr std::size_t kLargestProjectBytes = std::size_t{512} << 20;  // as of a file
 
 struct FileCloser {
   void operator()(std::FILE* file) const {
@@ -33,24 +34,43 @@ struct FileCloser {
   }
 };
 
-// Pipes, too: a list is mostly made by another program. "" or why it cannot be read.
-std::string read_list(const std::string& path, std::string& bytes) {
-  const std::unique_ptr<std::FILE, FileCloser> file(path == "-" ? stdin
-                                                                : std::fopen(path.c_str(), "rb"));
+// Pipes, too: it is mostly made by another program. "" or why it cannot be read.
+std::string read_all(const std::string& path, std::size_t most, std::string& bytes) {
+  const std::unique_ptr<std::FILE, FileCloser> file(
+      path == kStandardInput ? stdin : std::fopen(path.c_str(), "rb"));
   if (!file) return std::strerror(errno);
   std::array<char, 65536> part{};
   while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
     bytes.append(part.data(), got);
-    if (bytes.size() > kLargestListBytes) return "it is larger than 256 MiB";
+    if (bytes.size() > most) return fmt::format("it is larger than {} MiB", most >> 20);
   }
   return std::ferror(file.get()) != 0 ? std::strerror(errno) : "";
 }
 
-std::string add_listed(ProjectOptions& options) {
-  const std::string name =
-      options.list_file == "-" ? "standard input" : fmt::format("'{}'", options.list_file);
+std::string read_standard_input(ProjectOptions& options) {
+  const auto& projects = options.projects;
+  if (std::find(projects.begin(), projects.end(), kStandardInput) == projects.end()) return "";
+  if (!options.takes_standard_input) {
+    return "a project from standard input ('-') can be checked, planned and validated, nothing "
+           "else; write ./- for a file of that name";
+  }
+  if (options.list_file == kStandardInput) {
+    return "standard input cannot be a project and the list of --files-from";
+  }
+  if (options.standard_input) return "";
   std::string bytes;
-  std::string problem = read_list(options.list_file, bytes);
+  std::string problem = read_all(kStandardInput, kLargestProjectBytes, bytes);
+  if (!problem.empty()) return fmt::format("cannot read standard input: {}", problem);
+  options.standard_input = std::move(bytes);
+  return "";
+}
+
+std::string add_listed(ProjectOptions& options) {
+  const std::string name = options.list_file == kStandardInput
+                               ? "standard input"
+                               : fmt::format("'{}'", options.list_file);
+  std::string bytes;
+  std::string problem = read_all(options.list_file, kLargestListBytes, bytes);
   if (!problem.empty()) return fmt::format("--files-from: cannot read {}: {}", name, problem);
   std::vector<std::string> listed = parse_project_list(bytes, problem);
   if (!problem.empty()) return fmt::format("--files-from: {}: {}", name, problem);
@@ -61,7 +81,10 @@ std::string add_listed(ProjectOptions& options) {
 }  // namespace
 
 Place projects_place(ProjectOptions& options) {
-  return {"projects", "PROJECT.xml", "Project files, or folders: all projects in them and below",
+  return {"projects", "PROJECT.xml",
+          options.takes_standard_input
+              ? "Project files, folders (all projects in them and below), or - for standard input"
+              : "Project files, or folders: all projects in them and below",
           &options.projects, false};
 }
 
@@ -74,6 +97,10 @@ std::vector<Option> project_options(ProjectOptions& options) {
       rules_option(options.rule_files),
       allow_option(options.allowed)};
   add(all, config_options(options.config));
+  add(all, {{"-v,--verbose", "",
+             "Say on standard error which settings hold, which files are read, and how large they "
+             "are",
+             &options.is_verbose}});
   return all;
 }
 
@@ -81,6 +108,7 @@ std::string complete_projects(ProjectOptions& options) {
   if (!options.list_file.empty()) {
     if (std::string problem = add_listed(options); !problem.empty()) return problem;
   }
+  if (std::string problem = read_standard_input(options); !problem.empty()) return problem;
   options.folders.clear();
   for (const std::string& project : options.projects) {
     std::error_code ignored;

@@ -3,12 +3,16 @@
 
 #include "report/shell/command.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cli {
 
-// The projects, --files-from, --rules, --allow and --config.
+// As a project: that which standard input has.
+inline constexpr const char* kStandardInput = "-";
+
+// The projects, --files-from, --rules, --allow, --config and --verbose.
 struct ProjectOptions {
   std::vector<std::string> projects;
   std::string list_file;  // of more projects, "-" = standard input; "" = none
@@ -16,14 +20,17 @@ struct ProjectOptions {
   std::vector<std::string> allowed;       // folders that links in those of projects may lead into
   std::vector<std::string> folders = {};  // among the projects, before these took their place
   ConfigChoice config = {};
+  bool is_verbose = false;  // says which files are read
+  bool takes_standard_input = false;
+  std::optional<std::string> standard_input = {};  // its bytes, if a project is "-"
 };
 Place projects_place(ProjectOptions& options);
-// --files-from, --rules, --allow, --config and --no-config
+// --files-from, --rules, --allow, --config, --no-config and --verbose
 std::vector<Option> project_options(ProjectOptions& options);
 
-// Adds the projects of the list behind the others, and puts those of folders in their place. "", or
-// why not, or what is wrong with all: none is given, one is given twice, or is an id that was meant
-// for --strict.
+// Reads standard input, if that is meant. Adds the projects of the list behind the others, and puts
+// those of folders in their place. "", or why not, or what is wrong with all: none is given, one is
+// given twice, or is an id that was meant for --strict.
 std::string complete_projects(ProjectOptions& options);
 
 // Files and folders from which they are read: the folder of each project with all below it, rule

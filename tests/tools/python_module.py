@@ -158,6 +158,11 @@ def doubts_stay():
         expect(any(message.severity == "error" for message in judged.messages), f"{judged.messages}")
     except luxgate.CheckError as error:  # all of the project is refused: no doubt either
         expect(error.result.verdict == "not-judged", f"{error}")
+    # A part.
+    part = luxgate.check("d/a.xml", plane="desk", **FAST)
+    expect([finding.requirement for finding in part.findings] == ["mean"] and part.provenance["selection"] == "--plane desk", f"{part.findings}")
+    expect(any(message.id == "part-selected" for message in part.messages), f"{part.messages}")
+    raises(luxgate.Error, lambda: luxgate.check("d/a.xml", tag="north", **FAST), "--tag north", "chooses nothing")
     strict = luxgate.check("d/a.xml", set={"spot.flux-lm": 3000}, strict=["values-set"], **FAST)
     expect(strict.verdict == "warned" and strict.exit_code == 2, f"{strict}: {strict.messages}")
     expect(luxgate.check("d/a.xml", strict=True, set={"spot.flux-lm": 3000}, **FAST).verdict == "warned", "strict")

@@ -16,6 +16,7 @@
 #include "report/shell/policy_option.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
+#include "report/shell/project_reader.h"
 #include "report/shell/recording_reader.h"
 #include "report/shell/result_input.h"
 #include "report/text/words.h"
@@ -227,7 +228,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (!open_printer_or_print(options.output, context.environment)) return kNotJudged;
   if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
-  const calc::DiskFileReader disk(asked.input.allowed);
+  const ProjectReader disk(asked.input);
   const RecordingReader recorded(disk);
   const check::SetReader files(recorded, asked.input.projects, asked.set);
   options.settings.today = day_of(options.settings);  // one for all, also over midnight

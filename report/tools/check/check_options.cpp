@@ -164,6 +164,16 @@ std::string selection_contradiction(const CheckOptions& options) {
   return "";
 }
 
+// "" or what cannot be of a project from standard input: it is in no revision, and read once.
+std::string input_contradiction(const CheckOptions& options) {
+  if (!options.input.standard_input) return "";
+  const auto refuse = [](const char* option) {
+    return fmt::format("'-' (standard input) and {} exclude each other", option);
+  };
+  if (!options.against.empty()) return refuse("--against");
+  return options.batch.share.count > 0 ? refuse("--shard") : "";
+}
+
 std::string complete(CheckOptions& options, const Environment& environment) {
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
@@ -185,6 +195,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
   if (problem.empty()) problem = selection_contradiction(options);
+  if (problem.empty()) problem = input_contradiction(options);
   return problem.empty() ? batch_contradiction(options) : problem;
 }
 
@@ -272,6 +283,7 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
 
 Command check_syntax(CheckOptions& options) {
   Command command{"check", "Calculate projects and judge their requirements"};
+  options.input.takes_standard_input = true;
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
   add(command.options, {set_option(options.set)});

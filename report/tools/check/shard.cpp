@@ -7,6 +7,7 @@
 #include "report/shell/interrupt.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
+#include "report/shell/project_reader.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/store_words.h"
 #include "report/tools/check/watched_project.h"
@@ -86,7 +87,7 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   CheckOptions options = asked;
   if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
-  const calc::DiskFileReader disk(asked.input.allowed);
+  const ProjectReader disk(asked.input);
   const check::SetReader files(disk, asked.input.projects, asked.set);
   if (!check_values_or_print(asked.input, asked.set, "set", disk)) return kNotJudged;
   options.settings.today = day_of(options.settings);

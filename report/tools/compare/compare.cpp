@@ -371,7 +371,7 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
   if (comparison) {
     const auto worst = static_cast<std::size_t>(options.worst);
     const auto render_as = [&](DataFormat kind) { return render(kind, *comparison, worst); };
-    outcome.text = write_data_outputs(options.outputs, render_as, diagnostics);
+    outcome.text = write_data_outputs(options.outputs, render_as, options.quiet, diagnostics);
     if (!diagnostics.has_errors()) outcome.code = comparison->is_alike() ? kAllMet : kNotMet;
   }
   outcome.diagnostics = diagnostics.all();
@@ -382,7 +382,7 @@ Command compare_command() {
   const auto options = std::make_shared<CompareOptions>();
   Command command = compare_syntax(*options);
   command.run = [options](const RunContext&) {
-    return print_outcome(run_compare(*options, calc::DiskFileReader()));
+    return print_outcome(run_compare(*options, calc::DiskFileReader()), options->quiet);
   };
   return command;
 }

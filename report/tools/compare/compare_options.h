@@ -17,6 +17,7 @@ struct CompareOptions {
   int worst = 5;
   bool is_partial = false;  // what only one side has is a note, not an error
   std::vector<DataOutput> outputs;
+  bool quiet = false;
 };
 
 Command compare_syntax(CompareOptions& options);

@@ -12,12 +12,17 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace cli {
 namespace {
+
+constexpr std::string_view kDashes = "--", kDefault = "default ";
 
 struct ShowOptions {
   std::vector<std::string> projects;
@@ -31,7 +36,22 @@ const ConfigSetting* find_setting(const ConfigFile& file, std::string_view name)
   return found == file.settings.end() ? nullptr : &*found;
 }
 
-std::string as_text(const ConfigFile& file) {
+// What holds without the setting, in the words of its option's help: "0.02", "as in the language".
+// A flag is off then, and a list that has no such words is empty.
+std::string default_words(const Command& command, std::string_view setting) {
+  const auto option = std::find_if(
+      command.options.begin(), command.options.end(),
+      [&](const Option& one) { return one.long_name().substr(kDashes.size()) == setting; });
+  std::string words = option->help;
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  const std::size_t at = words.find(kDefault);
+  if (at == std::string::npos)
+    return std::holds_alternative<bool*>(option->target) ? "off" : "none";
+  words.erase(0, at + kDefault.size());
+  return words.substr(0, std::min({words.size(), words.find(';'), words.find(". ")}));
+}
+
+std::string as_text(const Command& command, const ConfigFile& file) {
   std::string text = file.path.empty()
                          ? fmt::format("No {} here: everything is as by default.\n", kConfigName)
                          : fmt::format("Settings of {}:\n", calc::printable_path(file.path));
@@ -39,21 +59,23 @@ std::string as_text(const ConfigFile& file) {
   for (const std::string_view name : setting_names()) width = std::max(width, name.size());
   for (const std::string_view name : setting_names()) {
     const ConfigSetting* setting = find_setting(file, name);
-    text += setting == nullptr ? fmt::format("  {:<{}}  by default\n", name, width)
-                               : fmt::format("  {:<{}}  {}  ({}:{})\n", name, width,
-                                             calc::printable(setting->words()),
-                                             calc::printable_path(file.path), setting->where.line);
+    text +=
+        setting == nullptr
+            ? fmt::format("  {:<{}}  {}  (by default)\n", name, width, default_words(command, name))
+            : fmt::format("  {:<{}}  {}  ({}:{})\n", name, width, calc::printable(setting->words()),
+                          calc::printable_path(file.path), setting->where.line);
   }
   return text;
 }
 
-std::string as_json(const ConfigFile& file) {
+std::string as_json(const Command& command, const ConfigFile& file) {
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   for (const std::string_view name : setting_names()) {
     nlohmann::ordered_json& row = settings[std::string(name)];
     const ConfigSetting* setting = find_setting(file, name);
     if (setting == nullptr) {
       row["from"] = "default";
+      row["words"] = default_words(command, name);
       continue;
     }
     if (setting->flag) {
@@ -87,21 +109,21 @@ ExitCode run_show(const ShowOptions& options) {
     tell("luxgate: error: {}\n", calc::printable(problem));
     return kNotJudged;
   }
+  CheckOptions check;
+  const Command command = check_syntax(check);
   CommandOutcome outcome;
   ConfigFile file;
   if (!path.empty()) {
     calc::Diagnostics diagnostics;
     auto read = read_config(path, !options.config.file.empty(), places, diagnostics);
     if (read) {  // what `check` refuses is wrong here, too
-      CheckOptions check;
-      const Command command = check_syntax(check);
       apply_config(
           *read, command, [](const Option&) { return false; }, diagnostics);
       file = std::move(*read);
     }
     if (diagnostics.has_errors()) return print_outcome({kNotJudged, "", diagnostics.all()});
   }
-  outcome.text = options.as_json ? as_json(file) : as_text(file);
+  outcome.text = options.as_json ? as_json(command, file) : as_text(command, file);
   return print_outcome(outcome);
 }
 

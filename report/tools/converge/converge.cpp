@@ -211,7 +211,7 @@ std::string render(DataFormat kind, const report::ConvergeDocument& document) {
 std::string write(const ConvergeOptions& options, const report::ConvergeDocument& document,
                   calc::Diagnostics& diagnostics) {
   const auto render_as = [&](DataFormat kind) { return render(kind, document); };
-  return write_data_outputs(options.outputs, render_as, diagnostics);
+  return write_data_outputs(options.outputs, render_as, options.quiet, diagnostics);
 }
 
 // For the methods that need OpenGL, if there are any; false after an error.
@@ -291,7 +291,8 @@ Command converge_command() {
   command.run = [options](const RunContext& context) {
     watch_for_interrupt();
     return print_outcome(run_converge(*options, calc::DiskFileReader(options->allowed),
-                                      context.environment, context.gl_fault));
+                                      context.environment, context.gl_fault),
+                         options->quiet);
   };
   return command;
 }

@@ -28,6 +28,7 @@ struct ConvergeOptions {
   int jobs = 0;
   int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
   std::vector<DataOutput> outputs;
+  bool quiet = false;
 };
 
 Command converge_syntax(ConvergeOptions& options);

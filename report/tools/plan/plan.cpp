@@ -6,6 +6,7 @@
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/shell/project_reader.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/plan/units_list.h"
 #include "rules/verdict/outcome.h"
@@ -22,7 +23,7 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
                               context.environment)) {
     return kNotJudged;
   }
-  const calc::DiskFileReader disk(options.input.allowed);
+  const ProjectReader disk(options.input);
   const check::SetReader files(disk, options.input.projects, options.set);
   if (!check_values_or_print(options.input, options.set, "set", disk)) return kNotJudged;
   const auto packs = load_packs_or_print(options.input.rule_files, files);
@@ -66,6 +67,7 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
 
 Command plan_syntax(PlanOptions& options) {
   Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
+  options.input.takes_standard_input = true;
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
   command.config = &options.input.config;

@@ -11,6 +11,7 @@
 #include "report/shell/outputs.h"
 #include "report/shell/policy_option.h"
 #include "report/shell/print.h"
+#include "report/shell/project_reader.h"
 #include "report/text/shell_words.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/policy_bounds.h"
@@ -64,7 +65,7 @@ struct SubmitOptions {
 
 constexpr auto kNotOfBatches = std::to_array<std::string_view>(
     {"--against", "--explain-cost", "--jobs", "--plane", "--require", "--resume", "--shard",
-     "--tag", "--space", "--stored-only", "--time-limit", "--units", "--vpl"});
+     "--space", "--stored-only", "--tag", "--time-limit", "--units", "--verbose", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
     {"--allow",     "--backend", "--by-luminaire", "--clamp",     "--confidence",
@@ -223,7 +224,7 @@ ExitCode become_script(const BatchJob& job, bool waits) {
 }
 
 ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
-  const calc::DiskFileReader disk(options.check.input.allowed);
+  const ProjectReader disk(options.check.input);
   const CheckOptions& check = options.check;
   const check::SetReader files(disk, check.input.projects, check.set);
   if (!check_values_or_print(check.input, check.set, "set", disk)) return kNotJudged;
@@ -302,7 +303,9 @@ Command submit_command() {
   const auto options = std::make_shared<SubmitOptions>();
   Command of_check = check_syntax(options->check);
   Command command{"submit", "Write or send a batch for Slurm, GNU parallel or all cores here"};
-  command.places = std::move(of_check.places);
+  // Jobs that start later read the projects again.
+  options->check.input.takes_standard_input = false;
+  command.places = {projects_place(options->check.input)};
   command.options = {
       {"--engine", "NAME",
        "slurm: an array of shards and a closing job after it; parallel: GNU parallel;\n"

@@ -11,6 +11,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
+#include "report/shell/project_reader.h"
 #include "report/text/shell_words.h"
 #include "report/text/words.h"
 #include "report/tools/check/check_setup.h"
@@ -224,7 +225,8 @@ ExitCode write_sweep(const SweepOptions& options, const Sweep& sweep,
   if (!can_write_sweep(options, inputs)) return kNotJudged;
   calc::Diagnostics diagnostics;
   const std::string text = write_data_outputs(
-      options.outputs, [&](DataFormat kind) { return render_sweep(kind, sweep); }, diagnostics);
+      options.outputs, [&](DataFormat kind) { return render_sweep(kind, sweep); },
+      options.check.output.quiet, diagnostics);
   print_diagnostics(diagnostics.all(), true);
   const bool is_asked = std::any_of(options.outputs.begin(), options.outputs.end(),
                                     [](const DataOutput& output) { return output.file.empty(); });
@@ -283,7 +285,7 @@ Option vary_option(std::vector<Vary>& vary) {
 
 ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   watch_for_interrupt();
-  const calc::DiskFileReader disk(asked.check.input.allowed);
+  const ProjectReader disk(asked.check.input);
   const KeptFiles files(disk);
   SweepOptions options = asked;
   CheckOptions& check = options.check;

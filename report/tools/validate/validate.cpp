@@ -8,6 +8,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/shell/project_options.h"
+#include "report/shell/project_reader.h"
 #include "report/shell/sandbox.h"
 #include "report/shell/warning_tally.h"
 #include "rules/verdict/outcome.h"
@@ -35,7 +36,7 @@ ExitCode run_validate(const ValidateOptions& options, const Environment& environ
     return kNotJudged;
   }
   const std::string day = check::day_or_today(day_of_moment(options.date));
-  const calc::DiskFileReader files(options.input.allowed);
+  const ProjectReader files(options.input);
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
@@ -62,6 +63,7 @@ ExitCode run_validate(const ValidateOptions& options, const Environment& environ
 Command validate_command() {
   const auto options = std::make_shared<ValidateOptions>();
   Command command{"validate", "Check projects for errors without calculating"};
+  options->input.takes_standard_input = true;
   command.places = {projects_place(options->input)};
   command.options = project_options(options->input);
   command.config = &options->input.config;

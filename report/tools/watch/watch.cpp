@@ -12,6 +12,7 @@
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
+#include "report/shell/project_reader.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/words.h"
 #include "report/tools/check/check_options.h"
@@ -115,7 +116,7 @@ class Watch {
  private:
   // False: nothing can be checked on this machine, whatever the files hold.
   bool check(const FileStamps& changed) {
-    const calc::DiskFileReader disk(options_.input.allowed);
+    const ProjectReader disk(options_.input);
     const StampedReader stamped(disk);
     const RecordingReader files(stamped);
     for (const std::string& path : options_.input.rule_files) stamped.note(path);

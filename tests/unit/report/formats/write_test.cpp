@@ -160,7 +160,9 @@ TEST_F(Write, SetsAppearTogether) {
     EXPECT_EQ(content(folder_ / "a"), "old");
     EXPECT_FALSE(fs::exists(folder_ / "b"));
     EXPECT_EQ(files(), 3U);  // two wait beside it
-    EXPECT_TRUE(set.publish().empty());
+    std::vector<std::string> published;
+    EXPECT_TRUE(set.publish(published).empty());
+    EXPECT_EQ(published, (std::vector<std::string>{folder_ / "a", folder_ / "b"}));
     EXPECT_EQ(content(folder_ / "a"), "new");
     EXPECT_EQ(content(folder_ / "b"), "new");
     EXPECT_EQ(files(), 2U);
