@@ -31,7 +31,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
     text += fmt::format(" ({})", calc::name_of(requirement.state));
   }
   if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
-  if (is_judged) text += ", margin " + format_margin(finding.margin);
+  if (is_judged) text += ", margin " + margin_words({}, finding);
   if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
   if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;

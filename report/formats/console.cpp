@@ -72,10 +72,10 @@ const char* verdict_colour(rules::Verdict verdict) {
   return outcome_colour(rules::outcome_of(verdict));
 }
 
-// A failure stands out in a log without colours, too: it alone is in capitals.
-std::string verdict_cell(const Texts& t, rules::Verdict verdict) {
-  const char* word =
-      verdict == rules::Verdict::fail ? t[Text::fail_in_capitals] : verdict_words(t, verdict);
+// A failure that counts stands out in a log without colours, too: it alone is in capitals.
+std::string verdict_cell(const Texts& t, rules::Verdict verdict, bool counts = true) {
+  const bool stands_out = counts && verdict == rules::Verdict::fail;
+  const char* word = stands_out ? t[Text::fail_in_capitals] : verdict_words(t, verdict);
   return std::string(verdict_symbol(verdict)) + " " + word;
 }
 
@@ -90,15 +90,16 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   TableLine line;
-  line.colour = verdict_colour(finding.verdict);
-  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
+  const bool counts = rules::counts(rules::outcome_of(finding));
+  line.colour = counts ? verdict_colour(finding.verdict) : kDim;
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict, counts);
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kQuantity] =
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
   line.cells[kRequired] = format_required(t, threshold, unit);
   if (finding.verdict != rules::Verdict::not_judged) {
     line.cells[kMeasured] = format_measured(t, finding.measured, unit, threshold);
-    line.cells[kMargin] = format_margin(t, finding.margin);
+    line.cells[kMargin] = margin_words(t, finding);
     if (finding.place_m) line.cells[kWhere] = format_position(t, *finding.place_m);
   }
   lines.push_back(std::move(line));
@@ -216,7 +217,7 @@ void add_folded(const Texts& t, const SpacePart& space, const FoldedPasses& fold
   line.cells[kPlace] =
       printable(title_of(space.name, space.id)) + (place.empty() ? "" : " / " + printable(place));
   line.cells[kQuantity] = t.say<Text::requirements>(folded.requirements());
-  line.cells[kMargin] = format_margin(t, folded.nearest().margin);
+  line.cells[kMargin] = margin_words(t, folded.nearest());
   lines.push_back(std::move(line));
   lines.emplace_back().note = folded_words(t, folded);
   for (std::string& note : folded_notes(t, folded)) lines.emplace_back().note = std::move(note);
@@ -268,8 +269,9 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
                    const rules::AggregateFinding& finding, const std::vector<KnownWords>& known,
                    std::vector<TableLine>& lines) {
   TableLine line;
-  line.colour = verdict_colour(finding.verdict);
-  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
+  const bool counts = rules::counts(rules::outcome_of(finding));
+  line.colour = counts ? verdict_colour(finding.verdict) : kDim;
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict, counts);
   line.cells[kPlace] = printable(aggregate_place(project, finding));
   line.cells[kQuantity] = printable(aggregate_title(t, finding));
   line.cells[kRequired] = printable(aggregate_required(t, finding));

@@ -52,7 +52,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
                      is_judged ? format_measured(t, finding->measured, unit, threshold) : "",
-                     is_judged ? format_margin(t, finding->margin) : "");
+                     is_judged ? margin_words(t, *finding) : "");
 }
 
 std::string entry_words(const Texts& t, const CiFinding& entry) {

@@ -55,7 +55,8 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
   std::string html = fmt::format(
       "<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>"
       "<td class=\"strong\">{}</td><td>{}</td></tr>\n",
-      calc::name_of(finding.verdict), badge(t, finding.verdict),
+      calc::name_of(finding.verdict),
+      badge(t, finding.verdict, rules::counts(rules::outcome_of(finding))),
       escape_html(aggregate_title(t, finding)), notes_html(t, finding),
       escape_html(aggregate_place(project, finding)), escape_html(aggregate_required(t, finding)),
       escape_html(aggregate_measured(t, finding)), members);

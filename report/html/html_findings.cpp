@@ -74,7 +74,7 @@ Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& fin
   if (finding.verdict == rules::Verdict::not_judged) return cells;
   cells.measured = format_measured(t, finding.measured, unit, threshold);
   cells.gauge = gauge(finding);
-  cells.margin = with_minus(format_margin(t, finding.margin));
+  cells.margin = with_minus(margin_words(t, finding));
   if (finding.place_m) cells.place = with_minus(format_position(t, *finding.place_m));
   return cells;
 }
@@ -322,7 +322,7 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
 }
 
 std::string html_verdict(const Texts& t, const rules::Finding& finding) {
-  const std::string html = badge(t, finding.verdict);
+  const std::string html = badge(t, finding.verdict, rules::counts(rules::outcome_of(finding)));
   return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
 }
 

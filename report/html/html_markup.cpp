@@ -15,10 +15,11 @@ std::string with_minus(std::string text) {
   return text;
 }
 
-std::string badge(const Texts& t, rules::Verdict verdict) {
+std::string badge(const Texts& t, rules::Verdict verdict, bool counts) {
   return fmt::format(
-      "<span class=\"badge {}\"><span class=\"sign\" aria-hidden=\"true\">{}</span>{}</span>",
-      calc::name_of(verdict), verdict_symbol(verdict), verdict_words(t, verdict));
+      "<span class=\"badge {}{}\"><span class=\"sign\" aria-hidden=\"true\">{}</span>{}</span>",
+      calc::name_of(verdict), counts ? "" : " free", verdict_symbol(verdict),
+      verdict_words(t, verdict));
 }
 
 std::string plane_anchor(PlaneIndex index) {

@@ -15,7 +15,8 @@ namespace report {
 std::string with_minus(std::string text);
 
 // Symbol and word, coloured.
-std::string badge(const Texts& t, rules::Verdict verdict);
+// counts: false of advice and of what is waived, which must not look as if it decided.
+std::string badge(const Texts& t, rules::Verdict verdict, bool counts = true);
 
 // Link target of a plane: by position, since ids may hold anything.
 struct PlaneIndex {

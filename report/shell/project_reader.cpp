@@ -14,9 +14,7 @@ ProjectReader::ProjectReader(const ProjectOptions& options)
 
 calc::FileContent ProjectReader::read_within(const std::string& folder,
                                              const std::string& path) const {
-  // What a project names "-" is a file of that name.
-  const bool is_standard_input =
-      folder.empty() && path == kStandardInput && options_.standard_input.has_value();
+  const bool is_standard_input = path == kStandardInput && options_.standard_input.has_value();
   calc::FileContent content = is_standard_input ? calc::FileContent{*options_.standard_input, ""}
                                                 : disk_.read_within(folder, path);
   if (options_.is_verbose) tell_once(path, content);

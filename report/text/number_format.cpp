@@ -218,13 +218,27 @@ std::string format_required(const Threshold& threshold, std::string_view unit) {
   return comparison_sign(threshold.comparison) + (" " + format_limit(threshold.limit, unit));
 }
 
+namespace {
+
+// With one digit behind the point, or as many as show that it is not zero.
+std::string signed_amount(double amount) {
+  if (!std::isfinite(amount)) return kNoNumber;
+  const double size = std::abs(amount);
+  int decimals = 1;
+  while (size > 0.0 && rounded(size, decimals) == 0.0 && decimals < kMostDecimals) ++decimals;
+  return (amount < 0.0 ? "-" : "+") + format_fixed(size, decimals);
+}
+
+}  // namespace
+
 std::string format_margin(double margin) {
   if (!std::isfinite(margin)) return kNoNumber;
-  const double percent = std::abs(margin) * 100.0;
-  int decimals = 1;
-  while (percent > 0.0 && rounded(percent, decimals) == 0.0 && decimals < kMostDecimals) ++decimals;
-  const char* sign = margin < 0.0 ? "-" : "+";
-  return sign + format_fixed(percent, decimals) + " %";
+  return signed_amount(margin * 100.0) + " %";
+}
+
+std::string format_rating_margin(double margin, double limit, std::string_view rating) {
+  if (!std::isfinite(margin)) return kNoNumber;
+  return fmt::format("{} {}", signed_amount(margin * std::abs(limit)), rating);
 }
 
 std::string format_percent(double share) {

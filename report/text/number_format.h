@@ -76,6 +76,8 @@ std::string format_limit(double limit, std::string_view unit);
 
 // A relative margin as "+2.5 %" or "-0.02 %": digits enough to show that it is not zero.
 std::string format_margin(double margin);
+// The same of a glare rating's margin, as a difference to its limit: "-5.3 UGR".
+std::string format_rating_margin(double margin, double limit, std::string_view rating);
 
 std::string format_percent(double share);  // a setting: 0.95 -> "95 %", 0.999 -> "99.9 %"
 std::string format_share(double share);    // 0.784 -> "78 %"

@@ -398,6 +398,12 @@ std::string summary_words(const Texts& t, const Totals& totals) {
   return text;
 }
 
+std::string margin_words(const Texts& t, const rules::Finding& finding) {
+  const std::string_view rating = rules::rating_of(finding.requirement);
+  if (rating.empty()) return format_margin(t, finding.margin);
+  return t.number(format_rating_margin(finding.margin, finding.requirement.limit, rating));
+}
+
 std::string close_words(const Texts& t, const rules::Finding& finding) {
   if (!finding.is_close) return {};
   return t[finding.requirement.policy.compares_rounded ? Text::close_unrounded

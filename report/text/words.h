@@ -86,6 +86,8 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);
+// By how much it is met or missed: "+12.5 %", of glare ratings "-5.3 UGR".
+std::string margin_words(const Texts& t, const rules::Finding& finding);
 inline std::string note_words(const rules::Finding& finding) { return note_words({}, finding); }
 // Of a finding that is close; "" for others.
 std::string close_words(const Texts& t, const rules::Finding& finding);

@@ -37,6 +37,13 @@ const char* unit_of(const Requirement& requirement) {
                                                 : metric_unit(requirement.metric);
 }
 
+const char* rating_of(const Requirement& requirement) {
+  if (requirement.metric == Metric::glare_rating) return "GR";
+  const bool is_of_observers =
+      has_unit_of_values(requirement.metric) && requirement.derived == calc::DerivedQuantity::ugr;
+  return is_of_observers || requirement.metric == Metric::ugr_table ? "UGR" : "";
+}
+
 bool is_in_lux(const Requirement& requirement) {
   return std::string_view(unit_of(requirement)) == "lx";
 }

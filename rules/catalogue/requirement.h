@@ -122,6 +122,9 @@ const char* comparison_name(Comparison comparison);
 
 // Of what is required: "" also for ratings and ratios of single points.
 const char* unit_of(const Requirement& requirement);
+// "UGR", "GR": of glare ratings, which are logarithms: shares of them say nothing, differences do;
+// "" of all else.
+const char* rating_of(const Requirement& requirement);
 bool is_in_lux(const Requirement& requirement);
 
 }  // namespace rules

@@ -244,6 +244,7 @@ std::string margin_words(const SweepRow& row) {
 
 std::string power_words(const SweepRow& row) {
   if (row.outcome == rules::Outcome::not_judged && row.power_w == 0.0) return "–";
+  if (row.without_power > 0 && row.power_w == 0.0) return "not known";
   if (row.without_power == 0) return report::format_watts(row.power_w) + " W";
   return fmt::format("{} W and {} not known", report::format_watts(row.power_w), row.without_power);
 }
