@@ -10,8 +10,8 @@ namespace cli {
 
 struct EnvironmentVariable {
   std::string_view name, meaning;
-  // Who reads it: commands with one of these options, and these commands ("rules diff" is an
-  // action). Lists with commas; "*" = all commands.
+  // Where it changes something: commands with one of these options, and these commands ("rules
+  // diff" is an action). Lists with commas.
   std::string_view options, commands = {};
 };
 
@@ -58,8 +58,8 @@ inline constexpr auto kEnvironmentVariables = std::to_array<EnvironmentVariable>
     {"LUXGATE_ISA",
      "For tests: which of the processor's vectors are used, a name that 'luxgate version --json' "
      "lists",
-     "", "*"},
-    {"LUXGATE_GL_FAULT", "For tests: how OpenGL is to fail", "", "*"},
+     "--jobs", "version"},
+    {"LUXGATE_GL_FAULT", "For tests: how OpenGL is to fail", "--gl-device", "devices"},
 });
 
 constexpr bool is_environment_variable(std::string_view name) {

@@ -116,7 +116,7 @@ bool is_in_list(std::string_view list, std::string_view name) {
 }
 
 bool reads(const Command& command, std::string_view words, const EnvironmentVariable& variable) {
-  if (variable.commands == "*" || is_in_list(variable.commands, words)) return true;
+  if (is_in_list(variable.commands, words)) return true;
   if (std::any_of(command.options.begin(), command.options.end(), [&](const Option& option) {
         return is_in_list(variable.options, option.long_name());
       })) {

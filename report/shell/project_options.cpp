@@ -83,7 +83,7 @@ std::string add_listed(ProjectOptions& options) {
 Place projects_place(ProjectOptions& options) {
   return {"projects", "PROJECT.xml",
           options.takes_standard_input
-              ? "Project files, folders (all projects in them and below), or - for standard input"
+              ? "Project files, folders of them (and below), or - for standard input"
               : "Project files, or folders: all projects in them and below",
           &options.projects, false};
 }
