@@ -87,11 +87,15 @@ std::string_view root_element(std::string_view text) {
   }
 }
 
+bool is_folder(const std::string& project) {
+  std::error_code ignored;
+  return project != kStandardInput && fs::is_directory(project, ignored);
+}
+
 std::string expand_folders(std::vector<std::string>& projects) {
   std::vector<std::string> expanded;
   for (std::string& project : projects) {
-    std::error_code ignored;
-    if (!fs::is_directory(project, ignored)) {
+    if (!is_folder(project)) {
       expanded.push_back(std::move(project));
       continue;
     }

@@ -7,6 +7,11 @@
 
 namespace cli {
 
+// As a project: that which standard input has, also where a folder has this name.
+inline constexpr const char* kStandardInput = "-";
+
+bool is_folder(const std::string& project);
+
 // The name of the first element of an XML file's text; "" if that cannot be told: no XML, another
 // encoding than UTF-8, or too long a way to it.
 std::string_view root_element(std::string_view text);

@@ -111,8 +111,7 @@ std::string complete_projects(ProjectOptions& options) {
   if (std::string problem = read_standard_input(options); !problem.empty()) return problem;
   options.folders.clear();
   for (const std::string& project : options.projects) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(project, ignored)) options.folders.push_back(project);
+    if (is_folder(project)) options.folders.push_back(project);
   }
   if (std::string problem = expand_folders(options.projects); !problem.empty()) return problem;
   if (options.projects.empty()) return "no project: PROJECT.xml or --files-from is needed";

@@ -9,9 +9,6 @@
 
 namespace cli {
 
-// As a project: that which standard input has.
-inline constexpr const char* kStandardInput = "-";
-
 // The projects, --files-from, --rules, --allow, --config and --verbose.
 struct ProjectOptions {
   std::vector<std::string> projects;

@@ -2,6 +2,7 @@
 
 #include "calc/base/utf8.h"
 #include "report/shell/print.h"
+#include "report/shell/project_folders.h"
 
 namespace cli {
 
