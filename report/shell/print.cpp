@@ -1,6 +1,7 @@
 #include "report/shell/print.h"
 
 #include "calc/base/text.h"
+#include "calc/base/utf8.h"
 
 #include <cstddef>
 #include <cstdio>
@@ -25,12 +26,15 @@ void print_error(calc::DiagnosticId id, const std::string& a, const std::string&
   print_diagnostics(diagnostics.all(), true);
 }
 
-void tell_written(const std::vector<std::string>& files) {
+std::string written_words(const std::vector<std::string>& files) {
+  if (files.empty()) return "";
   constexpr std::size_t kMostNamed = 8;
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(calc::printable_path(file));
-  if (!names.empty()) tell("luxgate: wrote {}\n", calc::list_names(names, kMostNamed));
+  return fmt::format("luxgate: wrote {}\n", calc::list_names(names, kMostNamed));
 }
+
+void tell_written(const std::vector<std::string>& files) { tell_text(written_words(files)); }
 
 bool print_result(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

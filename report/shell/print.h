@@ -23,7 +23,9 @@ void tell(fmt::format_string<Args...> format, Args&&... args) {
 void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only);
 void print_error(calc::DiagnosticId id, const std::string& a, const std::string& b = "");
 
-// "luxgate: wrote a.html, b.json and 40 more", to standard error; nothing of none.
+// "luxgate: wrote a.html, b.json and 40 more\n"; "" of none.
+std::string written_words(const std::vector<std::string>& files);
+// To standard error.
 void tell_written(const std::vector<std::string>& files);
 
 // To standard output. False if not all of it could be written, e.g. to a full disk.

@@ -151,7 +151,11 @@ class Run {
     } else if (std::string reason = report::write_file_atomically(path, bytes); !reason.empty()) {
       problem = fmt::format("cannot write '{}': {}", path, reason);
     }
-    if (!problem.empty()) others_.report(calc::DiagnosticId::output_not_possible, {}, problem);
+    if (problem.empty()) {
+      written_.push_back(path);
+    } else {
+      others_.report(calc::DiagnosticId::output_not_possible, {}, problem);
+    }
   }
 
   void print_diagnostic(const calc::Diagnostic& entry, bool warnings_too) {
@@ -170,6 +174,7 @@ class Run {
       for (const calc::Diagnostic& entry : file.diagnostics) print_diagnostic(entry, apart);
     }
     for (const calc::Diagnostic& entry : others_.all()) print_diagnostic(entry, true);
+    if (!wanted_.quiet) result_.err += written_words(written_);
 
     const calc::WebComparison* comparison = comparison_ ? &*comparison_ : nullptr;
     if (wanted_.format == PhotometryFormat::json) {
@@ -200,6 +205,7 @@ class Run {
   std::vector<PhotometryFile> files_;
   std::optional<calc::WebComparison> comparison_;
   calc::Diagnostics others_;  // of writing and comparing
+  std::vector<std::string> written_;
   bool has_errors_ = false, has_warnings_ = false;
   PhotometryRun result_;
 };

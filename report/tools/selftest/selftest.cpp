@@ -94,15 +94,20 @@ void write_report(const SelftestOptions& options, const selftest::RunResult& res
                   CommandOutcome& outcome) {
   calc::Diagnostics diagnostics;
   const std::filesystem::path folder = options.report_folder;
+  std::vector<std::string> written;
   const auto write = [&](const char* name, const std::string& text) {
     const std::string path = (folder / name).string();
     const std::string problem = report::write_file_atomically(path, text);
-    if (problem.empty()) return;
+    if (problem.empty()) {
+      written.push_back(path);
+      return;
+    }
     diagnostics.report(calc::DiagnosticId::output_not_possible, {},
                        fmt::format("cannot write '{}': {}", path, problem));
   };
   write("validation.md", selftest::render_report_markdown(result, options.has_timing));
   write("validation.html", selftest::render_report_html(result, options.has_timing));
+  tell_written(written);
   if (diagnostics.has_errors()) outcome.code = kNotJudged;
   outcome.diagnostics = diagnostics.all();
 }
