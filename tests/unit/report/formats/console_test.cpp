@@ -230,6 +230,27 @@ TEST(Console, ColoursOnlyOnRequest) {
   EXPECT_THAT(render_text(sample_document(), {true, 0}), HasSubstr("\033[1;31m✗ FAIL"));
 }
 
+// Advice and what is waived decide nothing, and do not look as if they did.
+TEST(Console, OnlyWhatCountsStandsOut) {
+  Document document = sample_document();
+  for (const bool is_waived : {false, true}) {
+    for (ProjectPart& project : document.projects) {
+      for (SpacePart& space : project.spaces) {
+        for (PlanePart& plane : space.planes) {
+          for (rules::Finding& finding : plane.findings) {
+            finding.is_waived = is_waived;
+            finding.requirement.severity =
+                is_waived ? rules::Severity::shall : rules::Severity::advice;
+          }
+        }
+      }
+    }
+    const std::string text = render_text(document, {true, 0});
+    EXPECT_THAT(
+        text, AllOf(Not(HasSubstr("✗ FAIL")), HasSubstr("✗ fail"), Not(HasSubstr("\033[1;31m✗"))));
+  }
+}
+
 TEST(Console, EscapesInNamesDoNotReachTheTerminal) {
   Document document = small_document();
   document.projects[0].spaces[0].name = "\033[2J";

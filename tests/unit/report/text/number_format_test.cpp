@@ -126,6 +126,14 @@ TEST(NumberFormat, MarginIsNeverRoundedToZero) {
   EXPECT_EQ(format_margin(0.0), "+0.0 %");
 }
 
+// Of a limit of 19, 0.281 of it are 5.3.
+TEST(NumberFormat, MarginsOfRatingsAreDifferences) {
+  EXPECT_EQ(format_rating_margin(-0.281, 19.0, "UGR"), "-5.3 UGR");
+  EXPECT_EQ(format_rating_margin(0.1, 50.0, "GR"), "+5.0 GR");
+  EXPECT_EQ(format_rating_margin(-0.001, 19.0, "UGR"), "-0.02 UGR");
+  EXPECT_EQ(format_rating_margin(kInfinity, 19.0, "UGR"), "–");
+}
+
 TEST(NumberFormat, CellsAreShortAndOnTheirSideOfTheLimit) {
   EXPECT_EQ(format_cell(1240.4), "1240");
   EXPECT_EQ(format_cell(51.24), "51.2");

@@ -825,6 +825,18 @@ TEST(Workplace, ASurfaceThatTwoRowsAskForIsJudgedByBoth) {
   EXPECT_EQ(requirements.at(2).id, "average-2");
 }
 
+// Planes have the tags of whoever asks for them.
+TEST(Workplace, PlanesHaveItsTags) {
+  const Made made = make(
+      "<workplace id='w' pack='en12464-1:2021' row='34.2' origin='2 2' size='2 1' tags='north'/>"
+      "<workplace id='v' pack='en12464-1:2021' row='34.7' origin='8 5' size='2 1' tags='b "
+      "north'/>");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.plane("w.task").tags, ElementsAre("north"));
+  EXPECT_THAT(made.plane("v.task").tags, ElementsAre("b", "north"));
+  EXPECT_THAT(made.plane("w.ceiling").tags, ElementsAre("north", "b"));
+}
+
 // Nothing is shared that is not the same: other points, another level, scene or deviation.
 TEST(Workplace, WhatDiffersIsNotShared) {
   const auto ceilings = [](const std::string& attributes, const std::string& children) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace rules {
 namespace {
@@ -44,6 +45,21 @@ TEST(UnitOf, IsThatOfThePointsQuantityOrOfTheStatistic) {
     requirement.metric = Metric::power_density;
     EXPECT_STREQ(unit_of(requirement), "W/m2") << quantity.name;
   }
+}
+
+TEST(RatingOf, IsThatOfGlareAlone) {
+  Requirement requirement;
+  for (const auto& [metric, rating] :
+       {std::pair(Metric::ugr_table, "UGR"), std::pair(Metric::glare_rating, "GR"),
+        std::pair(Metric::average, ""), std::pair(Metric::uniformity_min_avg, "")}) {
+    requirement.metric = metric;
+    EXPECT_STREQ(rating_of(requirement), rating) << calc::name_of(metric);
+  }
+  requirement.derived = calc::DerivedQuantity::ugr;  // of observers
+  requirement.metric = Metric::maximum;
+  EXPECT_STREQ(rating_of(requirement), "UGR");
+  requirement.metric = Metric::share;  // of observers, not a rating
+  EXPECT_STREQ(rating_of(requirement), "");
 }
 
 }  // namespace
