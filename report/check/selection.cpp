@@ -29,15 +29,72 @@ bool fits(const Selection& selection, const calc::Space& space) {
   return fits(selection.spaces, {space.id, space.name});
 }
 
-bool fits(const Selection& selection, const calc::Space& space, const calc::CalcPlane& plane) {
-  return fits(selection.planes, {plane.id, plane.name}) &&
-         (fits(selection.tags, plane.tags) || fits(selection.tags, space.tags));
+bool fits(const Selection& selection, const calc::CalcPlane& plane) {
+  return fits(selection.planes, {plane.id, plane.name});
+}
+
+bool has_tag(const Selection& selection, const calc::Space& space,
+             const std::vector<std::string>& own) {
+  return fits(selection.tags, own) || fits(selection.tags, space.tags);
 }
 
 bool fits(const Selection& selection, const rules::Requirement& requirement) {
   return fits(selection.requirements,
               {requirement.id, std::string(calc::name_of(requirement.metric))});
 }
+
+// What is chosen of a project, by ids.
+class Chosen {
+ public:
+  Chosen(const Selection& selection, const rules::JudgedProject& project) : selection_(selection) {
+    for (const calc::Space& space : project.project.spaces) {
+      if (fits(selection, space)) add(space);
+    }
+    for (const rules::Requirement& requirement : project.requirements) {
+      if (has(requirement)) asked_.insert(requirement.plane_id);
+    }
+  }
+
+  // A surface of a room, and what is asked of the room, stand on a plane of the first workplace
+  // that asks: what counts is who asks.
+  bool has(const rules::Requirement& requirement) const {
+    if (!named_.contains(requirement.plane_id) || !fits(selection_, requirement)) return false;
+    const std::vector<std::string>& workplaces = requirement.origin.workplaces;
+    if (workplaces.empty()) return tagged_.contains(requirement.plane_id);
+    return std::any_of(workplaces.begin(), workplaces.end(),
+                       [&](const std::string& id) { return tagged_workplaces_.contains(id); });
+  }
+  // Without a requirement, too, if requirements are not chosen by their own names.
+  bool has(const calc::CalcPlane& plane) const {
+    const bool is_own = named_.contains(plane.id) && tagged_.contains(plane.id);
+    return asked_.contains(plane.id) || (is_own && selection_.requirements.empty());
+  }
+  // What is asked of it is not known here. Once its last day is over it counts as not judged, which
+  // no name of a requirement hides, as long as that fits something.
+  bool has(const calc::LeftOutPlane& left_out) const {
+    const std::string& id = left_out.plane.id;
+    const bool is_something = selection_.requirements.empty() || !asked_.empty();
+    return is_something && named_.contains(id) && tagged_.contains(id);
+  }
+
+ private:
+  void add(const calc::Space& space) {
+    for (const calc::CalcPlane& plane : space.planes) add(space, plane);
+    for (const calc::LeftOutPlane& left_out : space.left_out) add(space, left_out.plane);
+    for (const calc::Workplace& workplace : space.workplaces) {
+      if (has_tag(selection_, space, workplace.tags)) tagged_workplaces_.insert(workplace.id);
+    }
+  }
+  void add(const calc::Space& space, const calc::CalcPlane& plane) {
+    if (fits(selection_, plane)) named_.insert(plane.id);
+    if (has_tag(selection_, space, plane.tags)) tagged_.insert(plane.id);
+  }
+
+  const Selection& selection_;
+  // Planes that fit by name, by tag, and those of which a requirement is chosen.
+  std::set<std::string> named_, tagged_, asked_;
+  std::set<std::string> tagged_workplaces_;
+};
 
 // What the first list that fits nothing could have had: "the planes desk, board", "no planes".
 class Choices {
@@ -60,20 +117,21 @@ class Choices {
 // Of a project that nothing is chosen of: at which of the lists it ended.
 std::string what_there_is(const Selection& selection, const rules::JudgedProject& project) {
   Choices spaces("spaces"), planes("planes"), tags("tags"), requirements("requirements");
-  bool has_space = false, has_plane = false, has_tag = false;
+  bool has_space = false, has_plane = false, is_tagged = false;
   for (const calc::Space& space : project.project.spaces) {
     spaces.add(space.id);
     if (!fits(selection, space)) continue;
     has_space = true;
+    for (const calc::LeftOutPlane& left_out : space.left_out) planes.add(left_out.plane.id);
     for (const calc::CalcPlane& plane : space.planes) {
       planes.add(plane.id);
       for (const auto* list : {&space.tags, &plane.tags}) {
         for (const std::string& tag : *list) tags.add(tag);
       }
-      if (!fits(selection.planes, {plane.id, plane.name})) continue;
+      if (!fits(selection, plane)) continue;
       has_plane = true;
-      if (!fits(selection, space, plane)) continue;
-      has_tag = true;
+      if (!has_tag(selection, space, plane.tags)) continue;
+      is_tagged = true;
       for (const rules::Requirement& requirement : project.requirements) {
         if (requirement.plane_id == plane.id) requirements.add(requirement.id);
       }
@@ -81,7 +139,7 @@ std::string what_there_is(const Selection& selection, const rules::JudgedProject
   }
   if (!has_space) return spaces.words();
   if (!has_plane) return planes.words();
-  return has_tag ? requirements.words() : tags.words();
+  return is_tagged ? requirements.words() : tags.words();
 }
 
 }  // namespace
@@ -104,35 +162,24 @@ std::string selection_words(const Selection& selection) {
 void select(const Selection& selection, rules::JudgedProject& project,
             calc::Diagnostics& diagnostics) {
   if (selection.is_all()) return;
-  const std::size_t all = project.requirements.size() + project.buildings.size();
-  const std::string what_was_there = what_there_is(selection, project);
   std::vector<calc::Space>& spaces = project.project.spaces;
-  std::erase_if(spaces, [&](const calc::Space& space) { return !fits(selection, space); });
-  std::set<std::string> chosen;  // planes
-  for (const calc::Space& space : spaces) {
-    for (const calc::CalcPlane& plane : space.planes) {
-      if (fits(selection, space, plane)) chosen.insert(plane.id);
-    }
-    for (const calc::LeftOutPlane& left_out : space.left_out) {
-      if (fits(selection, space, left_out.plane)) chosen.insert(left_out.plane.id);
-    }
-  }
-  std::erase_if(project.requirements, [&](const rules::Requirement& requirement) {
-    return !chosen.contains(requirement.plane_id) || !fits(selection, requirement);
-  });
-  if (!selection.requirements.empty()) {
-    chosen.clear();
-    for (const rules::Requirement& requirement : project.requirements) {
-      chosen.insert(requirement.plane_id);
-    }
-  }
-  const auto is_left_out = [&](const calc::CalcPlane& plane) { return !chosen.contains(plane.id); };
+  const auto questions = [&] {
+    std::size_t count = project.requirements.size();
+    for (const calc::Space& space : spaces) count += space.left_out.size();
+    return count;
+  };
+  const std::size_t all = questions() + project.buildings.size();
+  const std::string what_was_there = what_there_is(selection, project);
+  const Chosen chosen(selection, project);
+  std::erase_if(project.requirements,
+                [&](const rules::Requirement& requirement) { return !chosen.has(requirement); });
   for (calc::Space& space : spaces) {
-    std::erase_if(space.left_out,
-                  [&](const auto& left_out) { return is_left_out(left_out.plane); });
-    std::erase_if(space.planes, is_left_out);
+    std::erase_if(space.left_out, [&](const auto& left_out) { return !chosen.has(left_out); });
+    std::erase_if(space.planes, [&](const auto& plane) { return !chosen.has(plane); });
   }
-  std::erase_if(spaces, [](const calc::Space& space) { return space.planes.empty(); });
+  std::erase_if(spaces, [](const calc::Space& space) {
+    return space.planes.empty() && space.left_out.empty();
+  });
   project.project.buildings.clear();
   project.buildings.clear();
   const std::string words = selection_words(selection);
@@ -140,8 +187,7 @@ void select(const Selection& selection, rules::JudgedProject& project,
   if (spaces.empty()) {
     diagnostics.report(calc::DiagnosticId::nothing_selected, where, words, what_was_there);
   } else {
-    diagnostics.report(calc::DiagnosticId::part_selected, where, project.requirements.size(), all,
-                       words);
+    diagnostics.report(calc::DiagnosticId::part_selected, where, questions(), all, words);
   }
 }
 

@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -62,6 +65,12 @@ std::string read_standard_input(ProjectOptions& options) {
   std::string problem = read_all(kStandardInput, kLargestProjectBytes, bytes);
   if (!problem.empty()) return fmt::format("cannot read standard input: {}", problem);
   options.standard_input = std::move(bytes);
+  struct stat status {};
+  std::error_code unknown;  // without /proc
+  if (fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode)) {
+    options.standard_input_file =
+        std::filesystem::read_symlink("/proc/self/fd/0", unknown).string();
+  }
   return "";
 }
 

@@ -20,6 +20,7 @@ struct ProjectOptions {
   bool is_verbose = false;  // says which files are read
   bool takes_standard_input = false;
   std::optional<std::string> standard_input = {};  // its bytes, if a project is "-"
+  std::string standard_input_file = {};            // that it was sent from, if it is one; else ""
 };
 Place projects_place(ProjectOptions& options);
 // --files-from, --rules, --allow, --config, --no-config and --verbose

@@ -87,11 +87,6 @@ std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RuleP
 }
 
 void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made) {
-  for (const std::string& tag : made.tags) {
-    if (std::find(plane.tags.begin(), plane.tags.end(), tag) == plane.tags.end()) {
-      plane.tags.push_back(tag);
-    }
-  }
   for (const calc::RequirementText& text : made.requirements) {
     const auto same = std::find_if(plane.requirements.begin(), plane.requirements.end(),
                                    [&](const calc::RequirementText& other) {

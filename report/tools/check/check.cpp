@@ -244,6 +244,9 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   inputs.insert(inputs.end(), options.input.rule_files.begin(), options.input.rule_files.end());
   if (!options.baseline.empty()) inputs.push_back(options.baseline);
   if (!options.policy.empty()) inputs.push_back(options.policy);
+  if (const std::string& file = options.input.standard_input_file; !file.empty()) {
+    inputs.push_back(file);
+  }
   if (const std::string problem = check_outputs(options.output, inputs); !problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
     return kNotJudged;

@@ -135,6 +135,17 @@ std::string explain(const std::string& what, const std::vector<rules::RulePack>&
   std::optional<std::string> text;
   if (slash == std::string::npos) {
     text = explain_message(what);
+    if (!text) {
+      const rules::NamedPack found = find_pack(what, packs, diagnostics);
+      if (found.is_ambiguous()) return {};
+      if (found.pack != nullptr) {
+        diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
+                           fmt::format("'luxgate rules show {}' shows this pack; of it there are ",
+                                       found.pack->full_id()),
+                           near_names(*found.pack, ""));
+        return {};
+      }
+    }
   } else {
     const rules::NamedPack found = find_pack(what.substr(0, slash), packs, diagnostics);
     if (found.is_ambiguous()) return {};
