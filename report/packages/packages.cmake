@@ -1,5 +1,6 @@
-# What is given to people: the Debian packages luxgate (the program) and luxgate-dev (to embed it) by CPack, and the
-# program of the archive that runs from any folder. README.md beside this file says why it is so.
+# What is given to people: the Debian packages luxgate (the program), luxgate-dev (to embed it) and, where the module is
+# built, python3-luxgate by CPack, and the program of the archive that runs from any folder. README.md beside this file
+# says why it is so.
 set(LUXGATE_PACKAGE_CONTACT "luxgate maintainers <luxgate@maintainers.invalid>" CACHE STRING
   "Who answers for packages: NAME <ADDRESS>")
 set(LUXGATE_HOMEPAGE "" CACHE STRING "Address of the project in packages, or nothing")
@@ -63,4 +64,24 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 Headers, static libraries and the CMake package luxgate (luxgate::check),
 with which a C++ program of its own reads, calculates and judges projects
 without a command line.")
+
+if(TARGET luxgate_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-luxgate)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # As dh_python3 has it: the module is compiled for one version of Python, whose name is in its file's name.
+  string(REGEX MATCH "[0-9]+$" next ${LUXGATE_MODULE_PYTHON_VERSION})
+  math(EXPR next "${next} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${LUXGATE_MODULE_PYTHON_VERSION}~), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS luxgate)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"checker of lighting designs against standards, as a Python module
+Checks projects from scripts: the same calculation, verdicts and bits as the
+program luxgate has, with numpy arrays of the points of calculation planes.
+The program is not needed.")
+endif()
 include(CPack)

@@ -1,7 +1,7 @@
 # libraries.csv: which packages of Debian are in what we give away, with the licence under which they are there.
 # Included by scripts of this folder.
 
-# luxgate_packages_of(PLACE VARIABLE): names of all packages with this place (headers, archive, system).
+# luxgate_packages_of(PLACE VARIABLE): names of all packages with this place (headers, python, archive, system).
 function(luxgate_packages_of place variable)
   file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/libraries.csv lines)
   set(names "")

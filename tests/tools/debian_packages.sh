@@ -7,10 +7,11 @@ luxgate_build_packages=(
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
   libepoxy-dev libgit2-dev libcpp-httplib-dev libqpdf-dev libtomlplusplus-dev
 )
+luxgate_python_packages=(pybind11-dev python3-dev python3-numpy)  # the Python module
 luxgate_test_packages=(
+  "${luxgate_python_packages[@]}"
   libgtest-dev libgmock-dev libxml2-utils python3-jsonschema
   git python3-yaml  # revisions, and the jobs in examples/ci
-  pybind11-dev python3-dev python3-numpy  # the Python module
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
 luxgate_packaging_packages=(dpkg-dev file)  # of report/packages/build only

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # What people do with the packages of report/packages/build, in a Debian 12 that has nothing else: install, first verdict, remove.
-#   packages_in_a_clean_root.sh PACKAGES WORK [WAY...]     WAYS: deb archive container embed; all unless given
+#   packages_in_a_clean_root.sh PACKAGES WORK [WAY...]     WAYS: deb archive container embed python; all unless given
 # deb: apt install ./luxgate_*.deb. archive: the tar.gz unpacked in a folder of another name. container: the steps of the second
 # stage of the Containerfile, in a root with the settings of Debian slim; it is no run of a container. embed: luxgate-dev, and
-# examples/embed built with it. The program runs as a user without rights or network, on a root that nobody can write.
+# examples/embed built with it. python: python3-luxgate, and examples/python run with it. What people run runs as a user without rights or network, on a root that nobody can write.
 # Prints a table: seconds from nothing to the first verdict, size of what came. Says "skipped:" where root, debootstrap or a mirror
 # is missing. Ends with 1 at the first thing that is not as it should be. WORK/base is kept for the next run.
 # shellcheck disable=SC2016  # what apt, dpkg and a shell inside shall expand
@@ -21,10 +21,11 @@ mkdir -p -- "$2"
 work=$(realpath -- "$2")
 shift 2
 ways=("$@")
-[[ ${#ways[@]} -gt 0 ]] || ways=(deb archive container embed)
+[[ ${#ways[@]} -gt 0 ]] || ways=(deb archive container embed python)
 shopt -s nullglob
-program=("$packages"/luxgate_*.deb) development=("$packages"/luxgate-dev_*.deb) archive=("$packages"/luxgate-*.tar.gz)
-[[ ${#program[@]} == 1 && ${#development[@]} == 1 && ${#archive[@]} == 1 ]] || {
+program=("$packages"/luxgate_*.deb) development=("$packages"/luxgate-dev_*.deb) module=("$packages"/python3-luxgate_*.deb)
+archive=("$packages"/luxgate-*.tar.gz)
+[[ ${#program[@]} == 1 && ${#development[@]} == 1 && ${#module[@]} == 1 && ${#archive[@]} == 1 ]] || {
   echo "$packages: not one package of each kind" >&2; exit 1; }
 
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' 'Component: main' 2>/dev/null | head -n 1)
@@ -51,7 +52,7 @@ fresh_root() {
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   [[ ! -e /etc/apt/apt.conf ]] || cp /etc/apt/apt.conf "$root/etc/apt/apt.conf"
   mkdir "$root/work" "$root/packages"
-  cp "${program[0]}" "${development[0]}" "$root/packages"
+  cp "${program[0]}" "${development[0]}" "${module[0]}" "$root/packages"
 }
 
 # Everything in the root but what dpkg and apt keep for themselves.
@@ -107,26 +108,39 @@ used() {
   (cd "$root" && du -s --block-size=1 --exclude=./packages --exclude=./work --exclude=./var/lib/apt --exclude=./var/cache . | cut -f 1)
 }
 
-try_deb() {
-  fresh_root
-  local files before start took package left
-  files=$(all_files) before=$(used) start=$(seconds)
+# install NAME...: packages by apt, files of ours by /packages/FILE; packages.new: what came. Keeps what purge_all compares with.
+install() {
+  files=$(all_files)
   as_root apt-get update -qq >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; fail "apt-get update"; }
   as_root dpkg-query -W -f '${Package}\n' | sort >"$work/packages.before"
-  as_root apt-get install -y -qq --no-install-recommends "/packages/$(basename "${program[0]}")" >"$work/apt.log" 2>&1 || {
+  as_root apt-get install -y -qq --no-install-recommends "$@" >"$work/apt.log" 2>&1 || {
     cat "$work/apt.log"; fail "apt-get install"; }
-  first_verdict luxgate
-  took=$(since "$start")
   as_root dpkg-query -W -f '${Package}\n' | sort | comm -13 "$work/packages.before" - >"$work/packages.new"
-  row "$took" "$(($(used) - before))" "apt install; $(wc -l <"$work/packages.new") packages: $(tr '\n' ' ' <"$work/packages.new")"
-  other_verdicts luxgate
-  as_root dpkg --verify luxgate || fail "files differ from those of the package"
-  as_root apt-get purge -y -qq --autoremove luxgate >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; fail "apt-get purge"; }
-  for package in luxgate $(cat "$work/packages.new"); do
+}
+
+# purge_all PACKAGE NAME...: files are those of the package; once it and all it brought have gone, nothing is left.
+purge_all() {
+  local package left
+  as_root dpkg --verify "$1" >"$work/output" 2>&1 && [[ ! -s $work/output ]] || fail "files differ from those of $1: $(cat "$work/output")"
+  as_root apt-get purge -y -qq --autoremove "$@" >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; fail "apt-get purge"; }
+  for package in "$@" $(cat "$work/packages.new"); do
     ! as_root dpkg-query -W "$package" >/dev/null 2>&1 || fail "$package is still there after purge"
   done
   left=$(comm -13 <(echo "$files") <(all_files) | grep -v -e '^./etc/ld.so.cache$' || true)
   [[ -z $left ]] || fail "left after purge: $left"
+}
+
+try_deb() {
+  fresh_root
+  local before start took
+  before=$(used) start=$(seconds)
+  install "/packages/$(basename "${program[0]}")"
+  first_verdict luxgate
+  took=$(since "$start")
+  row "$took" "$(($(used) - before))" "apt install; $(wc -l <"$work/packages.new") packages: $(tr '\n' ' ' <"$work/packages.new")"
+  ! grep -e python -e '-dev$' "$work/packages.new" || fail "the program brings what it does not need"
+  other_verdicts luxgate
+  purge_all luxgate
 
   # The same by dpkg alone: it says what is missing and installs nothing that works by half.
   ! as_root dpkg -i "/packages/$(basename "${program[0]}")" >"$work/apt.log" 2>&1 || fail "dpkg -i without the libraries worked"
@@ -176,20 +190,39 @@ try_embed() {
   fresh_root
   local before start
   before=$(used) start=$(seconds)
-  as_root sh -euc 'apt-get update && apt-get install -y --no-install-recommends cmake make g++ /packages/luxgate-dev_*.deb' \
-    >"$work/apt.log" 2>&1 || { cat "$work/apt.log"; fail "apt-get install"; }
+  install cmake make g++ "/packages/$(basename "${development[0]}")"
   cp -r "$(dirname -- "${BASH_SOURCE[0]}")/../../examples/embed" "$(dirname -- "${BASH_SOURCE[0]}")/../../examples/04-office" "$root/work"
   chown -R 10001:10001 "$root/work"
   expect 0 "export TMPDIR=/work; cmake -S embed -B build && cmake --build build && ./build/embed 04-office/project.xml"
   grep -q "average: pass" "$work/output" || fail "no verdict: $(cat "$work/output")"
-  row "$(since "$start")" "$(($(used) - before))" "luxgate-dev with compiler and libraries; examples/embed built and run"
+  row "$(since "$start")" "$(($(used) - before))" "luxgate-dev with compiler and libraries, $(wc -l <"$work/packages.new") packages; examples/embed built and run"
+  purge_all luxgate-dev cmake make g++
+}
+
+try_python() {
+  fresh_root
+  local before start took check="python3 /usr/share/doc/python3-luxgate/examples/check.py"
+  before=$(used) start=$(seconds)
+  install "/packages/$(basename "${module[0]}")"
+  cp -r "$(dirname -- "${BASH_SOURCE[0]}")/../../examples/04-office" "$root/work"
+  chown -R 10001:10001 "$root/work"
+  expect 0 "$check 04-office/project.xml"
+  grep -q "project.xml: pass" "$work/output" || fail "no verdict: $(cat "$work/output")"
+  took=$(since "$start")
+  row "$took" "$(($(used) - before))" "python3-luxgate with Python and numpy, $(wc -l <"$work/packages.new") packages; examples/python run"
+  ! grep -x luxgate "$work/packages.new" || fail "the module brings the program"
+  expect 1 "$check 04-office/project.xml >bright && sed 's/at-least=\"[0-9]*\"/at-least=\"50000\"/' 04-office/project.xml >04-office/dark.xml; $check 04-office/dark.xml"
+  grep -q "dark.xml: fail" "$work/output" || fail "no other verdict: $(cat "$work/output")"
+  # By root, where Python could write bytecode: what the package made is taken, and goes with it.
+  as_root python3 -c 'import luxgate; print(luxgate.version)' >"$work/output" 2>&1 || fail "as root: $(cat "$work/output")"
+  purge_all python3-luxgate
 }
 
 table=""
 for way in "${ways[@]}"; do
   case $way in
-    deb | archive | container | embed) "try_$way" ;;
-    *) echo "$way: deb, archive, container or embed is needed" >&2; exit 2 ;;
+    deb | archive | container | embed | python) "try_$way" ;;
+    *) echo "$way: deb, archive, container, embed or python is needed" >&2; exit 2 ;;
   esac
   rm -rf -- "${work:?}/$way"
 done

@@ -1,5 +1,6 @@
 # What needs no root: which files the Debian packages have, with which rights; the archive runs from a folder of any name.
-#   cmake -DBUILD=<build folder> -DSOURCE=<tree> -DSANITIZE=<sanitizers or nothing> -DWORK=<scratch> -P run_packages.cmake
+#   cmake -DBUILD=<build folder> -DSOURCE=<tree> -DSANITIZE=<sanitizers or nothing> -DPYTHON=<of the module, or nothing>
+#     -DWORK=<scratch> -P run_packages.cmake
 # Says "skipped:" where Debian's tools are missing, or the build has sanitizers, whose libraries nobody is given.
 cmake_minimum_required(VERSION 3.25)
 
@@ -46,10 +47,15 @@ find_program(cpack cpack REQUIRED)
 run(${cpack} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/deb -D CPACK_DEBIAN_COMPRESSION_TYPE=none)
 file(GLOB program ${WORK}/deb/luxgate_*.deb)
 file(GLOB development ${WORK}/deb/luxgate-dev_*.deb)
+file(GLOB module ${WORK}/deb/python3-luxgate_*.deb)
 file(GLOB all ${WORK}/deb/*.deb)
 list(LENGTH all count)
-if(NOT count EQUAL 2)
-  message(FATAL_ERROR "two packages are expected: ${all}")
+set(expected_count 2)
+if(PYTHON)
+  set(expected_count 3)
+endif()
+if(NOT count EQUAL expected_count)
+  message(FATAL_ERROR "${expected_count} packages are expected: ${all}")
 endif()
 
 run(dpkg-deb --contents ${program})
@@ -58,17 +64,17 @@ expect_in("${output}" "-rwxr-xr-x root/root +[0-9]+ 2023-11-14 [0-9:]+ ./usr/bin
   " ./usr/share/luxgate/examples/04-office/project.xml\n" " ./usr/share/doc/luxgate/copyright\n"
   " ./usr/share/doc/luxgate/changelog.gz\n" " ./usr/share/doc/luxgate/changelog.Debian.gz\n"
   " ./usr/share/doc/luxgate/compiled-in/libglm-dev\n" " ./usr/share/lintian/overrides/luxgate\n")
-expect_none_in("${output}" "/usr/include" "\\.a\n" "\\.cmake\n" "/LICENSE\n" "/run\n" "expected_exit" "^-.......w" "^-....w"
+expect_none_in("${output}" "python3" "/usr/include" "\\.a\n" "\\.cmake\n" "/LICENSE\n" "/run\n" "expected_exit" "^-.......w" "^-....w"
   "share/man/[^\n]*[^z/]\n")
 run(dpkg-deb --contents ${development})
 expect_in("${output}" " ./usr/include/luxgate/report/check/check_project.h\n" "/luxgate/libreport_check.a\n" "/cmake/luxgate/luxgateConfig.cmake\n"
   " ./usr/share/doc/luxgate-dev/copyright\n")
-expect_none_in("${output}" "/usr/bin" "share/luxgate/" "/usr/include/luxgate/report/(shell|tools|cli|packages)/" "\\.cpp\n")
+expect_none_in("${output}" "/usr/bin" "python3" "share/luxgate/" "/usr/include/luxgate/report/(shell|tools|cli|python|packages)/" "\\.cpp\n")
 
 run(dpkg-deb --field ${program})
 expect_in("${output}" "Package: luxgate\n" "Depends: [^\n]*libembree3-3" "Depends: [^\n]*libgit2-1.5" "Suggests: [^\n]*chromium" "Section: science\n"
   "Description: checker")
-expect_none_in("${output}" "Depends: [^\n]*(chromium|-dev)")
+expect_none_in("${output}" "Depends: [^\n]*(chromium|python|-dev)")
 run(dpkg-deb --field ${development})
 expect_in("${output}" "Package: luxgate-dev\n" "Section: libdevel\n")
 # Every library that the static libraries are linked with comes along: what Debian calls the packages of the files named there.
@@ -86,6 +92,33 @@ foreach(library IN LISTS libraries)
     message(SEND_ERROR "luxgate-dev is linked with ${library} and does not depend on ${owner}")
   endif()
 endforeach()
+
+# The Python module, unpacked elsewhere and run; it stands by itself, and only under the Python it is compiled for.
+if(PYTHON)
+  run(dpkg-deb --contents ${module})
+  expect_in("${output}" " ./usr/lib/python3/dist-packages/luxgate/__init__.py\n" "/luxgate/__init__.pyi\n" "/luxgate/py.typed\n"
+    "-rw-r--r-- root/root +[0-9]+ 2023-11-14 [0-9:]+ ./usr/lib/python3/dist-packages/luxgate/_luxgate.cpython-[^\n]*.so\n"
+    " ./usr/share/doc/python3-luxgate/copyright\n" " ./usr/share/doc/python3-luxgate/compiled-in/pybind11-dev\n"
+    " ./usr/share/doc/python3-luxgate/README.md\n" " ./usr/share/doc/python3-luxgate/examples/check.py\n")
+  expect_none_in("${output}" "/usr/bin" "/usr/include" "doc/luxgate/" "__pycache__" "\\.a\n")
+  run(${PYTHON} --version)
+  if(NOT output MATCHES "Python 3\\.([0-9]+)")
+    message(FATAL_ERROR "${PYTHON} says: ${output}")
+  endif()
+  set(least 3.${CMAKE_MATCH_1})
+  math(EXPR next "${CMAKE_MATCH_1} + 1")
+  run(dpkg-deb --field ${module})
+  expect_in("${output}" "Section: python\n" "Depends: [^\n]*python3 .>= ${least}~.," "Depends: [^\n]*python3 .<< 3.${next}.,"
+    "Depends: [^\n]*python3-numpy," "Depends: [^\n]*libembree3-3")
+  expect_none_in("${output}" "Depends: [^\n]*(luxgate|-dev|chromium)")
+  run(dpkg-deb --extract ${module} ${WORK}/module)
+  file(READ ${WORK}/module/usr/share/doc/python3-luxgate/README.md page)
+  expect_in("${page}" "\\(examples/check.py\\)")
+  expect_none_in("${page}" "\\(\\.\\./")
+  run(env -i PYTHONPATH=${WORK}/module/usr/lib/python3/dist-packages ${PYTHON} -B
+    ${WORK}/module/usr/share/doc/python3-luxgate/examples/check.py ${SOURCE}/examples/04-office/project.xml)
+  expect_in("${output}" "project.xml: pass\n" "least [0-9.]+ lx at")
+endif()
 
 # The archive, unpacked elsewhere and run from a third folder with an empty environment.
 run(${CMAKE_COMMAND} -DBUILD=${BUILD} -DOUT=${WORK}/out -P ${SOURCE}/report/packages/make_archive.cmake)
