@@ -5,6 +5,7 @@
 #include "report/stream/text_list.h"
 #include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/decides.h"
 #include "report/text/known_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
@@ -90,9 +91,8 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   TableLine line;
-  const bool counts = rules::counts(rules::outcome_of(finding));
-  line.colour = counts ? verdict_colour(finding.verdict) : kDim;
-  line.cells[kVerdict] = verdict_cell(t, finding.verdict, counts);
+  line.colour = decides(finding) ? verdict_colour(finding.verdict) : kDim;
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict, decides(finding));
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kQuantity] =
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);

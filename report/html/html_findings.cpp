@@ -4,6 +4,7 @@
 #include "report/html/pass_factor.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
+#include "report/text/decides.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
@@ -322,7 +323,7 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
 }
 
 std::string html_verdict(const Texts& t, const rules::Finding& finding) {
-  const std::string html = badge(t, finding.verdict, rules::counts(rules::outcome_of(finding)));
+  const std::string html = badge(t, finding.verdict, decides(finding));
   return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
 }
 
