@@ -9,6 +9,7 @@
 #include "report/html/pass_factor.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
+#include "report/text/decides.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
@@ -229,16 +230,22 @@ bool is_all_passed(const PlanePart& plane) {
                      });
 }
 
-// What a folded card still says: one badge for each verdict that it holds, and the average.
+// What a folded card still says: one badge for each verdict that it holds, another where it decides
+// nothing, and the average.
 std::string badges(const Texts& t, const PlanePart& plane) {
   std::string html;
-  for (const rules::Verdict verdict : rules::kGravestFirst) {
+  const auto add = [&](rules::Verdict verdict, bool decides_something) {
     const auto count = std::count_if(
-        plane.findings.begin(), plane.findings.end(),
-        [verdict](const rules::Finding& finding) { return finding.verdict == verdict; });
-    if (count > 0)
-      html += badge(t, verdict) +
-              (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
+        plane.findings.begin(), plane.findings.end(), [&](const rules::Finding& finding) {
+          return finding.verdict == verdict && decides(finding) == decides_something;
+        });
+    if (count == 0) return;
+    html += badge(t, verdict, decides_something) +
+            (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
+  };
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    add(verdict, true);
+    add(verdict, false);
   }
   if (!plane.is_computed) return html;
   const auto brief = [&](const calc::Estimate& estimate, const char* unit, rules::Metric metric) {

@@ -4,7 +4,6 @@
 #include "report/html/html_markup.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
-#include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -18,18 +17,24 @@ namespace {
 
 std::string number_cell(const std::string& text) { return "<td class=\"num\">" + text + "</td>"; }
 
-// "Office 3 / Desk", of the smallest margin.
-std::string place_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
+// Of the smallest margin; none: nothing has one.
+struct Nearest {
+  std::string margin, place;  // "Office 3 / Desk" and what is required; HTML
+};
+
+Nearest nearest_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
+  if (!use.margin) return {};
   for (const SpacePart& space : project.spaces) {
     if (space.id != use.room) continue;
     for (const PlanePart& plane : space.planes) {
       if (plane.id != use.plane) continue;
       for (const rules::Finding& finding : plane.findings) {
         if (finding.requirement.id != use.requirement) continue;
-        return escape_html(std::string(title_of(space.name, space.id)) + " / " +
-                           std::string(title_of(plane.name, plane.id))) +
-               "<span class=\"note\">" + escape_html(quantity_words(t, finding.requirement)) +
-               "</span>";
+        return {escape_html(margin_words(t, finding)),
+                escape_html(std::string(title_of(space.name, space.id)) + " / " +
+                            std::string(title_of(plane.name, plane.id))) +
+                    "<span class=\"note\">" + escape_html(quantity_words(t, finding.requirement)) +
+                    "</span>"};
       }
     }
   }
@@ -42,12 +47,12 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
   const std::string verdict = is_in_part ? std::string("– ") + t[Text::asked_in_part]
                                          : fmt::format("{} {}", outcome_symbol(use.outcome),
                                                        escape_html(outcome_words(t, use.outcome)));
+  const Nearest nearest = nearest_of(t, project, use);
   return fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(clause_words(t, use.clause))) +
          number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +
          number_cell(t.say<Text::so_many_of>(use.met, use.requirements)) +
-         number_cell(t.say<Text::so_many_of>(use.whole, use.times)) +
-         number_cell(use.margin ? escape_html(format_margin(t, *use.margin)) : "") + "<td>" +
-         place_of(t, project, use) + "</td></tr>\n";
+         number_cell(t.say<Text::so_many_of>(use.whole, use.times)) + number_cell(nearest.margin) +
+         "<td>" + nearest.place + "</td></tr>\n";
 }
 
 }  // namespace

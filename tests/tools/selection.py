@@ -86,6 +86,41 @@ for more, code, says in ((["--tag", "quiet"], 0, "only 1 of 2 requirements were 
     expect(done.returncode == code and says in done.stderr, f"plan {more}: {done.returncode}, {done.stderr}")
     expect(code != 0 or "plane desk" in done.stdout and "plane far" not in done.stdout, f"plan {more}: {done.stdout}")
 
+# What a row asks of the room stands on a plane of the first workplace that asks, and goes with each of them.
+ROOM = """<luxgate version="1" name="Leases" maintenance-factor="0.8">
+<material id="light" reflectance="0.7"/><material id="dark" reflectance="0.2"/>
+<luminaire-type id="spot" photometry="spot.ies" flux-lm="20000"/>
+<room id="room" size="4 3 2.7" ceiling="light" walls="light" floor="dark">
+<luminaire-grid id="L" type="spot" origin="0 0 2.69" size="4 3" columns="2" rows="2"/>
+<workplace id="A" tags="leaseA" pack="en12464-1:2021" row="34.2" glare="table" footprint="0.4 0.6  1.6 0.6  1.6 1.3  0.4 1.3" height="0.75"/>
+<workplace id="B" tags="leaseB" pack="en12464-1:2021" row="34.2" glare="table" footprint="2.2 0.6  3.4 0.6  3.4 1.3  2.2 1.3" height="0.75">{more}</workplace>
+</room></luxgate>"""
+(WORK / "leases.xml").write_text(ROOM.format(more=""))
+
+
+def asked(*words):
+    done = subprocess.run([PROGRAM, "check", "leases.xml", *words, "--pictures", "off", "--max-paths", "64", "--format", "json"], cwd=WORK, capture_output=True, text=True,
+                          check=False)
+    return {(plane, requirement) for _, plane, requirement in findings(json.loads(done.stdout))}, done
+
+
+everything, _ = asked()
+glare = {key for key in everything if key[1].startswith("UGR-table")}
+walls = {key for key in everything if ".wall." in key[0] or ".ceiling" in key[0]}
+expect(len(glare) == 1 and walls, f"leases: {sorted(everything)}")
+for lease, other in (("A", "B"), ("B", "A")):
+    chosen, _ = asked("--tag", f"lease{lease}")
+    expect(glare | walls <= chosen, f"--tag lease{lease} leaves out {sorted((glare | walls) - chosen)}")
+    expect(not any(plane == f"{other}.task" for plane, requirement in chosen - glare), f"--tag lease{lease}: {sorted(chosen)}")
+expect(asked("--tag", "lease?")[0] == everything, "--tag of all")
+# A zone that was left out, and is not any more, counts as not judged in a part, too.
+(WORK / "leases.xml").write_text(ROOM.format(more='<without role="surround" because="x" by="me" until="2020-01-01"/>'))
+for words in (["--plane", "B.surround"], ["--plane", "B.*", "--require", "average"], ["--tag", "leaseB"]):
+    _, done = asked(*words)
+    expect(done.returncode == 2 and "B.surround" in done.stderr, f"{words}: {done.returncode}, {done.stderr}")
+expect("B.surround" not in asked("--tag", "leaseA")[1].stderr, "--tag leaseA has B's zone")
+expect(asked("--plane", "B.*", "--require", "no-such")[1].returncode == 2, "a wrong --require beside a zone that is left out")
+
 # Nor is a part what a gate wants.
 (WORK / "whole.json").write_text(json.dumps(whole))
 (WORK / "desk.json").write_text(json.dumps(desk))
