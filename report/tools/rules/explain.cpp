@@ -473,6 +473,18 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
       return "A file or folder of results cannot be written, or must not be: no right to write "
              "there, no room, a folder of that name, or it is an input of the same run. Checked "
              "before anything is calculated where that can be known. The exit code is 2.";
+    case calc::DiagnosticId::rule_needs_scene:
+      return "Emergency lighting is judged with emergency luminaires alone, at the light that "
+             "their "
+             "batteries give. Every luminaire of the room gets a group, and a scene says the level "
+             "of each group:\n\n"
+             "  <scene id=\"emergency\"><dim group=\"battery\" level=\"0.6\"/><dim group=\"mains\" "
+             "level=\"0\"/></scene>\n"
+             "  <luminaire id=\"E1\" group=\"battery\" .../> <luminaire id=\"L1\" group=\"mains\" "
+             ".../>\n"
+             "  <require pack=\"en1838\" scene=\"emergency\"/>\n\n"
+             "Level 1 is the full flux of the photometry: right where a file is of the emergency "
+             "operation. 'examples/13-escape-route' is a whole project. The exit code is 2.";
     case calc::DiagnosticId::part_selected:
       return "--space, --plane, --tag or --require chose a part of what a project requires. The "
              "rest was "
