@@ -10,6 +10,12 @@
 namespace calc::testing {
 namespace {
 
+std::string many_tags() {
+  std::string tags = "t";
+  for (int i = 0; i < 32; ++i) tags += " t";
+  return tags;
+}
+
 const std::vector<MessageCase> kCases{
     {"DuplicatePlane", in_room(R"(<plane id="task" height="1"/>)"),
      "dir/p.xml:7:8: error[duplicate-id]: the plane 'task' is given twice, also in line 5"},
@@ -18,9 +24,10 @@ const std::vector<MessageCase> kCases{
      "are "
      "the letters A-Z and a-z, digits, and _ . : -"},
     {"TagsWithoutOne", in_room(R"(<plane id="p" tags=" " height="0.8"/>)"),
+     "dir/p.xml:5:15: error[empty-attribute]: attribute 'tags' of <plane> must not be empty"},
+    {"TagsThatAreTooMany", in_room("<plane id=\"p\" tags=\"" + many_tags() + "\" height=\"0.8\"/>"),
      "dir/p.xml:5:15: error[wrong-number-count]: attribute 'tags' of <plane>: expected 1 to 32 "
-     "words "
-     "like ids, found 0"},
+     "words like ids, found 33"},
     {"PlaneThatWasOneThatIsThere", in_room(R"(<plane id="p" was="task" height="0.8"/>)"),
      "dir/p.xml:5:15: error[former-id-in-use]: was=\"task\": the plane 'task' is there, in line 7, "
      "so that no other can have been it; remove 'was' once the renaming is in every revision that "

@@ -37,7 +37,7 @@ const std::vector<MessageCase> kCases{
      "needed"},
     {"RouteWithCount", in_room(R"(<route id="p" points="0 0 0 1 0 0" width="1" count="3 3"/>)"),
      "dir/p.xml:5:46: error[unknown-attribute]: unknown attribute 'count' of <route>; allowed: "
-     "id, name, was, points, width, height or spacing"},
+     "id, name, was, tags, points, width, height or spacing"},
     {"RouteNamedAsAPlane", in_room(R"(<route id="task" points="0 0 0 1 0 0" width="1"/>)"),
      "dir/p.xml:7:8: error[duplicate-id]: the plane 'task' is given twice, also in line 5"},
 };

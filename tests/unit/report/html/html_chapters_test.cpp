@@ -88,8 +88,8 @@ TEST(HtmlFindings, WaivedOnesSayItBesideTheirVerdict) {
   EXPECT_THAT(html_plane_findings({}, plane), Not(HasSubstr("waived")));
   plane.findings[1].requirement.waiver = kOldHall;
   plane.findings[1].is_waived = true;
-  EXPECT_THAT(html_plane_findings({}, plane),
-              HasSubstr(badge({}, rules::Verdict::fail) + "<span class=\"note\">waived</span>"));
+  EXPECT_THAT(html_plane_findings({}, plane), HasSubstr(badge({}, rules::Verdict::fail, false) +
+                                                        "<span class=\"note\">waived</span>"));
 }
 
 TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {

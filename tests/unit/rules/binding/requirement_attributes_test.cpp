@@ -9,11 +9,11 @@ namespace rules {
 namespace {
 
 TEST(RequirementAttributes, WorkplaceHasItsOwnAndThoseOfRules) {
-  EXPECT_EQ(
-      calc::attribute_names(workplace_element()),
-      (calc::Names{"id",         "name",  "was",  "origin",  "size",  "footprint",     "height",
-                   "wall",       "along", "face", "heights", "lean",  "glare",         "front-wall",
-                   "task-place", "scene", "pack", "row",     "level", "level-because", "facts"}));
+  EXPECT_EQ(calc::attribute_names(workplace_element()),
+            (calc::Names{"id",        "name",   "was",           "tags",       "origin", "size",
+                         "footprint", "height", "wall",          "along",      "face",   "heights",
+                         "lean",      "glare",  "front-wall",    "task-place", "scene",  "pack",
+                         "row",       "level",  "level-because", "facts"}));
 }
 
 TEST(RequirementAttributes, NoNameTwiceAndEachWithAMeaning) {
