@@ -28,8 +28,9 @@ std::string selection_words(const Selection& selection);
 
 // Leaves in the project what is chosen: spaces, planes and requirements; if requirements are chosen
 // by their own names, only planes that have one of them. What a workplace asks has its tags, on
-// whatever plane it stands. Buildings go, since their sums are about more. Warns of how much is not judged (part_selected), or that nothing is left, with the names
-// that there are (nothing_selected).
+// whatever plane it stands. Buildings go, since their sums are about more. Warns of how much is not
+// judged (part_selected), or that nothing is left, with the names that there are
+// (nothing_selected).
 void select(const Selection& selection, rules::JudgedProject& project,
             calc::Diagnostics& diagnostics);
 
