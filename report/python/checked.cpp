@@ -13,6 +13,7 @@
 #include "report/shell/environment.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
+#include "report/shell/selection_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/checked_document.h"

@@ -160,7 +160,7 @@ def doubts_stay():
         expect(error.result.verdict == "not-judged", f"{error}")
     # A part.
     part = luxgate.check("d/a.xml", plane="desk", **FAST)
-    expect([finding.requirement for finding in part.findings] == ["mean"] and part.provenance["selection"] == "--plane desk", f"{part.findings}")
+    expect([finding.requirement for finding in part.findings] == ["mean"] and part.provenance.selection == "--plane desk", f"{part.findings}")
     expect(any(message.id == "part-selected" for message in part.messages), f"{part.messages}")
     raises(luxgate.Error, lambda: luxgate.check("d/a.xml", tag="north", **FAST), "--tag north", "chooses nothing")
     strict = luxgate.check("d/a.xml", set={"spot.flux-lm": 3000}, strict=["values-set"], **FAST)

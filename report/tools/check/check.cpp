@@ -19,6 +19,7 @@
 #include "report/shell/project_reader.h"
 #include "report/shell/recording_reader.h"
 #include "report/shell/result_input.h"
+#include "report/shell/selection_option.h"
 #include "report/text/words.h"
 #include "report/tools/check/against.h"
 #include "report/tools/check/check_setup.h"

@@ -5,6 +5,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/policy_option.h"
 #include "report/shell/print.h"
+#include "report/shell/selection_option.h"
 #include "report/text/shell_words.h"
 
 #include <fmt/format.h>
@@ -200,28 +201,6 @@ std::string complete(CheckOptions& options, const Environment& environment) {
 }
 
 }  // namespace
-
-std::vector<Option> selection_options(check::Selection& selection) {
-  return {
-      {"--space", "PATTERN",
-       "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
-       "The rest is neither calculated nor judged, which every report says",
-       one_more(selection.spaces), true},
-      {"--plane", "PATTERN", "The same of planes", one_more(selection.planes), true},
-      {"--tag", "PATTERN", "The same of planes by their tags, and by those of their spaces",
-       one_more(selection.tags), true},
-      {"--require", "PATTERN",
-       "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
-       one_more(selection.requirements), true}};
-}
-
-void print_nothing_chosen(const check::Selection& selection) {
-  print_error(calc::DiagnosticId::selection_empty, check::selection_words(selection));
-}
-
-bool is_anything_chosen(const report::ProjectPart& project) {
-  return !project.is_judged || !project.spaces.empty();
-}
 
 Option shard_option(BatchShare& share, const std::string& help) {
   return {"--shard", "I/N", help, share_of_batch(share)};

@@ -60,13 +60,6 @@ Option shard_option(BatchShare& share, const std::string& help);
 // --stored-only
 Option stored_only_option(bool& is_stored_only);
 
-// --space, --plane, --tag, --require
-std::vector<Option> selection_options(check::Selection& selection);
-// Where one fits nothing in all projects.
-void print_nothing_chosen(const check::Selection& selection);
-// Whether it fits something of this project; what is not readable may have it.
-bool is_anything_chosen(const report::ProjectPart& project);
-
 // Those of them that say how exactly is calculated.
 std::vector<Option> accuracy_options(check::Settings& settings);
 

@@ -7,7 +7,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/shell/project_reader.h"
-#include "report/tools/check/check_options.h"
+#include "report/shell/selection_option.h"
 #include "report/tools/plan/units_list.h"
 #include "rules/verdict/outcome.h"
 
@@ -33,14 +33,14 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   const std::vector<check::ProjectPlan> plans = check::plan_projects(
       options.input.projects, files, *packs, options.radiosity,
       check::day_or_today(day_of_moment(options.date)), options.budget, options.selection);
-  bool is_anything_chosen = options.selection.is_all();
+  bool has_chosen = options.selection.is_all();
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
     warnings.add(plan.diagnostics);
     if (!plan.is_planned) outcome = graver(outcome, Outcome::not_judged);
-    is_anything_chosen = is_anything_chosen || !plan.is_planned || !plan.spaces.empty();
+    has_chosen = has_chosen || !plan.is_planned || !plan.spaces.empty();
   }
-  if (!is_anything_chosen) {
+  if (!has_chosen) {
     print_nothing_chosen(options.selection);
     outcome = graver(outcome, Outcome::not_judged);
   }

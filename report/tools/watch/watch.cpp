@@ -14,6 +14,7 @@
 #include "report/shell/progress.h"
 #include "report/shell/project_reader.h"
 #include "report/shell/recording_reader.h"
+#include "report/shell/selection_option.h"
 #include "report/text/words.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/checked_document.h"
