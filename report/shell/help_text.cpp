@@ -310,8 +310,9 @@ std::string long_help(const Topic& topic) {
   for (const ExitMeaning& code : command.exit_codes) {
     add_row(out, fmt::format("{}", code.code), code.meaning, 7);
   }
-  out += "\nEnvironment variables:\n";
-  for (const EnvironmentVariable* variable : variables_of(topic)) {
+  const auto variables = variables_of(topic);
+  if (!variables.empty()) out += "\nEnvironment variables:\n";
+  for (const EnvironmentVariable* variable : variables) {
     add_row(out, std::string(variable->name), variable->meaning, kIndent);
   }
   if (!topic.part_name.empty()) {
