@@ -148,7 +148,9 @@ std::string ElementReader::id(std::string_view name) {
 
 std::vector<std::string> ElementReader::ids(std::string_view name, std::size_t most) {
   const XmlAttribute* attribute = require(name);
-  if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestText)) return {};
+  // So many of the longest, with blanks between: what the schema takes is taken.
+  const std::size_t longest = most * (kLongestId + 1);
+  if (attribute == nullptr || !is_short_enough(*this, *attribute, longest)) return {};
   const std::vector<std::string_view> words = split_words(attribute->value);
   if (words.empty() || words.size() > most) {
     report(DiagnosticId::wrong_number_count, attribute->where, name, element_.name,
