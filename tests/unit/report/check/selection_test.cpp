@@ -118,6 +118,40 @@ TEST(Selection, TagsArePlanesOwnAndThoseOfTheirSpaces) {
               HasSubstr("there are the tags upright, teaching, tenant-B"));
 }
 
+// What they asked counts as not judged once the last day is over: not known here, and not lost.
+TEST(Selection, ZonesThatAreLeftOutStay) {
+  const std::string text = R"(<luxgate version="1" maintenance-factor="0.8">
+  <material id="grey" reflectance="0.5"/>
+  <luminaire-type id="ball" photometry="ball.ies" power-w="20"/>
+  <room id="office" size="6 5 3" floor="grey" ceiling="grey" walls="grey">
+    <luminaire id="L1" type="ball" position="2 2 2.5"/>
+    <workplace id="w" pack="en12464-1:2021" row="34.2" origin="2 2" size="2 1" tags="quiet">
+      <without role="ceiling" because="b" by="m" until="2020-01-01"/>
+    </workplace>
+  </room>
+</luxgate>
+)";
+  const auto left_out = [&](const check::Selection& selection) {
+    const calc::MemoryFileReader files({{"p.xml", text}, {"ball.ies", kBall}});
+    calc::Diagnostics diagnostics, own;
+    auto judged =
+        rules::load_judged_project(files, "p.xml", rules::builtin_rule_packs(), diagnostics);
+    std::vector<std::string> ids;
+    if (!judged) return std::vector<std::string>{"not loaded"};
+    check::select(selection, *judged, own);
+    for (const calc::Space& space : judged->project.spaces) {
+      for (const calc::LeftOutPlane& one : space.left_out) ids.push_back(one.plane.id);
+    }
+    return ids;
+  };
+  EXPECT_THAT(left_out({{}, {"w.ceiling"}, {}}), ElementsAre("w.ceiling"));
+  EXPECT_THAT(left_out({{}, {}, {}, {"quiet"}}), ElementsAre("w.ceiling"));
+  EXPECT_THAT(left_out({{}, {}, {"Uo"}}), ElementsAre("w.ceiling"));
+  EXPECT_THAT(left_out({{}, {"w.task"}, {}}), IsEmpty());
+  EXPECT_THAT(left_out({{}, {}, {}, {"loud"}}), IsEmpty());
+  EXPECT_THAT(left_out({{}, {}, {"no-such"}}), IsEmpty());
+}
+
 TEST(Selection, NothingIsToldWithWhatThereIs) {
   const Chosen planes = chosen({{"office-*"}, {"dsk"}, {}});
   EXPECT_THAT(planes.names, IsEmpty());
