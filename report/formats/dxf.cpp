@@ -282,15 +282,23 @@ std::string sign_of(const std::vector<glm::dvec2>& outline_m, bool has_direction
   return dxf;
 }
 
-// Of its opening, around its place, turned back so that C0 is along +x.
+// Of its opening, around its place, turned back so that C0 is along +x. Luminaires of one look have
+// one outline: to 10 micrometres, and from the leftmost corner on.
 std::vector<glm::dvec2> own_outline(const LuminaireMark& mark, bool has_direction) {
+  constexpr double kRounding = 1e5;
   const glm::dvec2 ahead =
       has_direction ? glm::normalize(glm::dvec2(mark.c0)) : glm::dvec2(1.0, 0.0);
   std::vector<glm::dvec2> outline;
   for (const glm::dvec2& corner : mark.outline_m) {
     const glm::dvec2 aside = corner - glm::dvec2(mark.position_m);
-    outline.emplace_back(glm::dot(aside, ahead), ahead.x * aside.y - ahead.y * aside.x);
+    const glm::dvec2 own(glm::dot(aside, ahead), ahead.x * aside.y - ahead.y * aside.x);
+    outline.push_back(glm::round(own * kRounding) / kRounding);
   }
+  const auto leftmost = std::min_element(outline.begin(), outline.end(),
+                                         [](const glm::dvec2& a, const glm::dvec2& b) {
+                                           return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+                                         });
+  std::rotate(outline.begin(), leftmost, outline.end());
   return outline;
 }
 

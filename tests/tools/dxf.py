@@ -11,6 +11,7 @@ import sys
 
 try:
     import ezdxf
+    from ezdxf.lldxf.encoding import decode_dxf_unicode
 except ImportError:
     print("skipped: python3-ezdxf is not installed")
     sys.exit(0)
@@ -73,7 +74,8 @@ def read(path):
     expect(drawing.dxfversion == "AC1009", f"{path.name}: version {drawing.dxfversion}")
     audit = drawing.audit()
     for found in [*audit.errors, *audit.fixes]:
-        problems.append(f"{path.name}: {found.message}")
+        # It loses the owners of what ends polylines in blocks, in R12 files of AutoCAD, too.
+        expect(found.message.startswith("Deleted SEQEND"), f"{path.name}: {found.message}")
     return drawing
 
 
@@ -82,7 +84,7 @@ def of(drawing, kind, layer):
 
 
 def words(drawing, layer):
-    return [entity.plain_text() for entity in of(drawing, "TEXT", layer)]
+    return [decode_dxf_unicode(entity.plain_text()) for entity in of(drawing, "TEXT", layer)]
 
 
 def value_layers(drawing):
@@ -108,7 +110,7 @@ def compare(name, drawing, result):
     marks = [(number + 1, mark, room) for room in rooms for number, mark in enumerate(room["luminaires"])]
     expect(len(inserts) == len(marks), f"{name}: {len(inserts)} inserts of {len(marks)} luminaires")
     for insert, (number, mark, room) in zip(inserts, marks):
-        said = {attribute.dxf.tag: attribute.dxf.text for attribute in insert.attribs}
+        said = {attribute.dxf.tag: decode_dxf_unicode(attribute.dxf.text) for attribute in insert.attribs}
         expect(near(insert.dxf.insert, mark["position_m"]), f"{name}: luminaire {number} is at {insert.dxf.insert}")
         if math.hypot(*mark["c0"]) > 0.1:
             turn = math.degrees(math.atan2(mark["c0"][1], mark["c0"][0])) % 360
@@ -118,7 +120,7 @@ def compare(name, drawing, result):
                f"{name}: luminaire {number} says {said}")
         block = drawing.blocks.get(insert.dxf.name)
         corners = [insert.matrix44().transform(v.dxf.location) for line in block.query("POLYLINE") for v in line.vertices]
-        expect(len(corners) == len(mark["outline_m"]) and all(near(a, b, 1e-5) for a, b in zip(corners, mark["outline_m"])),
+        expect(len(corners) == len(mark["outline_m"]) and all(any(near(a, b, 2e-5) for b in mark["outline_m"]) for a in corners),
                f"{name}: luminaire {number} has another opening: {corners}")
     numbers = words(drawing, "LUX_LUMINAIRE_NUMBERS")
     expect(numbers == [str(number) for number, _, _ in marks], f"{name}: numbers {numbers}")
@@ -128,7 +130,7 @@ def compare(name, drawing, result):
     for layer in value_layers(drawing):
         for text in of(drawing, "TEXT", layer):
             place = text.dxf.align_point
-            at.setdefault(tuple(round(x, 4) for x in place), []).append(text.dxf.text)
+            at.setdefault(tuple(round(x, 6) for x in place), []).append(text.dxf.text)
     for room in rooms:
         for plane in room["planes"]:
             if not plane["is_computed"] or not is_level(plane):
@@ -136,7 +138,7 @@ def compare(name, drawing, result):
             columns = plane["points"]["columns"]
             value_at = next(i for i, column in enumerate(columns) if column in ("illuminance_lx", "ugr", "modelling", "value") or i == 8)
             for row in plane["points"]["rows"]:
-                shown = at.get(tuple(round(x, 4) for x in row[2:5]), [])
+                shown = at.get(tuple(round(x, 6) for x in row[2:5]), [])
                 if row[value_at] is None:
                     expect("-" in shown, f"{name}: {plane['id']}: a point without a value shows {shown}")
                     continue
@@ -165,6 +167,7 @@ names = words(evil, "LUX_PLANE_NAMES")
 expect(SHOWN + ": pass" in names and "over: fail" in names, f"planes: {names}")
 expect(evil.layers.get("LUX_VALUES_2").is_off() and evil.layers.get("LUX_VALUES").is_on(), "values that lie over others are not off")
 expect(len(of(evil, "TEXT", "LUX_VALUES_2")) == 24 and len(of(evil, "TEXT", "LUX_VALUES")) == 24 + 12, "the wall's values are not drawn")
+expect(len({insert.dxf.name for insert in of(evil, "INSERT", "LUX_LUMINAIRES")}) == 1, "one type has several blocks")
 for example in ("01-one-luminaire", "13-escape-route", "17-storey"):
     check(example, EXAMPLES / example / "project.xml", "--tolerance", "0.2")
 

@@ -349,7 +349,7 @@ TEST(Dxf, LuminairesAreInsertsOfABlockOfTheirType) {
   LuminaireMark turned = mark;
   turned.position_m = {3.0, 1.0, 2.6};
   turned.c0 = {0, 1, 0};
-  turned.outline_m = {{3.1, 0.7}, {3.1, 1.3}, {2.9, 1.3}, {2.9, 0.7}};
+  turned.outline_m = {{2.9, 0.7}, {3.1, 0.7}, {3.1, 1.3}, {2.9, 1.3}};
   turned.id = "L2";
   space.luminaires = {mark, turned, {{2, 1, 2.5}, "spot"}};
   const Drawing drawing = drawn(document);
