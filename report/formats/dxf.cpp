@@ -568,6 +568,8 @@ void DxfWriter::draw_values(const SpacePart& space, const PlanePart& plane, cons
 
 void DxfWriter::draw_level(const SpacePart& space, const PlanePart& plane,
                            const glm::dvec2& shift_m, double text_m) {
+  constexpr double kSmallest_m = 0.05, kSameCorner_m = 0.1;
+  constexpr double kMost = 1e15;  // what does not fit into a whole number
   const Placing placing = Placing::world(shift_m);
   draw_outlines(plane, placing);
   FlatBox box = box_of(plane);
@@ -577,21 +579,28 @@ void DxfWriter::draw_level(const SpacePart& space, const PlanePart& plane,
     for (const glm::dvec2& corner : space.footprint_m) box.add(corner);
     if (box.is_empty()) return;
   }
-  // Those of planes with one corner stand below each other.
+  const std::string quantity = dxf_text(dxf_signs(values_words(t_, plane)));
+  // Above the plane where the room goes on there, else inside; as large as it is wide.
+  const double own_m =
+      std::clamp(box.size().x / static_cast<double>(std::max(label.size(), quantity.size())),
+                 kSmallest_m, text_m);
+  FlatBox room;
+  for (const glm::dvec2& corner : space.footprint_m) room.add(corner);
+  const double lines_m = 2.0 * kLineByText * own_m;
+  const bool is_above = !room.is_empty() && box.high.y + lines_m < room.high.y;
+  // Those of planes with one corner stand below or above each other.
   const glm::dvec2 corner(box.low.x, box.high.y);
-  const glm::dvec2 place = corner / (4.0 * text_m);
-  constexpr double kMost = 1e15;
+  const glm::dvec2 place = corner / kSameCorner_m;
   int line = 0;
   if (std::abs(place.x) < kMost && std::abs(place.y) < kMost)
     line = labels_at_[{std::llround(place.x), std::llround(place.y)}]++;
-  const std::string quantity = dxf_text(dxf_signs(values_words(t_, plane)));
-  glm::dvec3 at(corner + shift_m + glm::dvec2(0.5, -1.5 - 2.0 * kLineByText * line) * text_m,
-                plane.grid.origin_m.z);
-  dxf_words(kPlaneNames, at, text_m, label, DxfAlign::start, colour_of(outcome_of_plane(plane)),
+  const double up_m = is_above ? lines_m * (line + 1) - own_m : -lines_m * line - 1.5 * own_m;
+  glm::dvec3 at(corner + shift_m + glm::dvec2(0.5 * own_m, up_m), plane.grid.origin_m.z);
+  dxf_words(kPlaneNames, at, own_m, label, DxfAlign::start, colour_of(outcome_of_plane(plane)),
             dxf_);
   if (!plane.is_computed) return;
-  at.y -= kLineByText * text_m;
-  dxf_words(kPlaneNames, at, 0.8 * text_m, quantity, DxfAlign::start, DxfColour::by_layer, dxf_);
+  at.y -= kLineByText * own_m;
+  dxf_words(kPlaneNames, at, 0.8 * own_m, quantity, DxfAlign::start, DxfColour::by_layer, dxf_);
   const std::size_t tier = tiers_.tier_of(plane);
   use_tier(tier);
   const PlaneLayers layers = layers_of_tier(tier);

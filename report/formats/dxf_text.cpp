@@ -23,6 +23,9 @@ std::string piece_of(char32_t code) {
   if (is_control(code)) return " ";
   if (code == U'\\') return "\\U+005C";
   if (code == U'^') return "^ ";
+  // The two that R12 itself has.
+  if (code == U'\u00B0') return "%%d";
+  if (code == U'\u00B1') return "%%p";
   if (code < 0x7F) return {static_cast<char>(code)};
   return code <= 0xFFFF ? fmt::format("\\U+{:04X}", static_cast<unsigned>(code))
                         : fmt::format("<U+{:04X}>", static_cast<unsigned>(code));
@@ -36,9 +39,9 @@ Pieces pieces_of(std::string_view utf8) {
     pieces.push_back(next.length == 0 ? " " : piece_of(next.code));
     left.remove_prefix(std::max<std::size_t>(next.length, 1));
   }
-  // "%%d" is a degree sign in some programs and not in others; "% %d" is what it says in all.
+  // "%%d" is a degree sign; what a name says of it is "% %d".
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (pieces[i] == "%" && pieces[i - 1].back() == '%') pieces[i] = " %";
+    if (pieces[i].front() == '%' && pieces[i - 1].back() == '%') pieces[i].insert(0, " ");
   }
   return pieces;
 }
@@ -98,7 +101,7 @@ std::vector<std::string> dxf_lines(std::string_view utf8, std::size_t columns) {
 }
 
 std::string dxf_signs(std::string_view utf8) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kSigns{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
       {{"≥", ">="},
        {"≤", "<="},
        {"−", "-"},
@@ -116,7 +119,8 @@ std::string dxf_signs(std::string_view utf8) {
        {"\u00A0", " "},
        {"\u2009", " "},
        {"\u202F", " "},
-       {"Ē", "Em"}}};
+       {"Ē", "Em"},
+       {"·", "|"}}};
   std::string text;
   while (!utf8.empty()) {
     const auto* sign = std::find_if(kSigns.begin(), kSigns.end(),

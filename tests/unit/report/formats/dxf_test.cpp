@@ -226,6 +226,8 @@ TEST(DxfText, NoNameIsAControlCode) {
   EXPECT_EQ(dxf_text("^J"), "^ J");
   EXPECT_EQ(dxf_text("50 %"), "50 %");
   EXPECT_EQ(dxf_text("%%d %%%"), "% %d % % %");
+  EXPECT_EQ(dxf_text("5 \u00B1 1\u00B0"), "5 %%p 1%%d");
+  EXPECT_EQ(dxf_text("%\u00B1%p"), "% %%p%p");
   EXPECT_EQ(dxf_text(""), "");
 }
 
