@@ -7,6 +7,7 @@ luxgate_test(report_tests
     unit/report/formats/ci_formats_test.cpp
     unit/report/formats/console_test.cpp
     unit/report/formats/csv_test.cpp
+    unit/report/formats/dxf_test.cpp
     unit/report/document/document_test.cpp
     unit/report/document/row_uses_test.cpp
     unit/report/images/exr_test.cpp

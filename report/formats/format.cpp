@@ -2,6 +2,7 @@
 
 #include "report/formats/ci_annotations.h"
 #include "report/formats/csv.h"
+#include "report/formats/dxf.h"
 #include "report/formats/junit.h"
 #include "report/formats/luminaires_csv.h"
 #include "report/formats/markdown.h"
@@ -44,6 +45,10 @@ constexpr Format kFormats[] = {
        return pdf_writer(frame, place, s.texts, s.page, s.printer);
      },
      false, true},
+    {"dxf", "a drawing for CAD", "",
+     [](Frame frame, Place place, Style s) {
+       return dxf_writer(frame, place, s.texts, s.page.scale);
+     }},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
      [](Frame frame, Place place, Style) {

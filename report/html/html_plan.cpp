@@ -439,6 +439,13 @@ std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& p
          "</figcaption></figure>\n";
 }
 
+PlanIsolux plan_isolux(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                       const PlaneScale& scale) {
+  PlanIsolux isolux;
+  isolux.levels = make_drawing(t, space, plane, scale, "plan", isolux.has_all).isolux;
+  return isolux;
+}
+
 PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane,
                            const PlaneScale& scale) {
   bool has_all = true;

@@ -2,12 +2,14 @@
 // The drawing of one plane: heat map, outlines, luminaires, and the legend that explains it.
 
 #include "report/document/document.h"
+#include "report/html/isolux.h"
 #include "report/html/shared_scale.h"
 #include "report/text/texts.h"
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace report {
 
@@ -18,6 +20,15 @@ inline constexpr std::size_t kMostSvgCells = 2500;
 // ids. Needs has_cells(plane).
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
                       const PlaneScale& scale, std::string_view anchor);
+
+// Its isolux lines alone, for other drawings of the same plane. Needs has_cells(plane) and
+// has_all_values(plane).
+struct PlanIsolux {
+  std::vector<IsoluxLevel> levels;
+  bool has_all = true;  // none was left out for too many corners
+};
+PlanIsolux plan_isolux(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                       const PlaneScale& scale);
 
 // The same two pictures for a file of their own, one below the other, and how large they are.
 struct PlanPictures {

@@ -90,13 +90,13 @@ std::vector<Option> output_options(OutputOptions& options) {
        "a folder '<name>-rooms' beside it: for hundreds of planes",
        &options.html_split},
       {"--language", "LANG",
-       "Words of html, pdf, markdown and text: " + language_names() +
+       "Words of html, pdf, dxf, markdown and text: " + language_names() +
            "; default en. All other\nformats are English, and so are messages about the input and "
            "the "
            "texts of projects and\nrule packs",
        language_choice(options.language)},
       {"--decimal", "SIGN",
-       "Decimal sign of html, pdf, markdown and text: point or comma; default as in the\n"
+       "Decimal sign of html, pdf, dxf, markdown and text: point or comma; default as in the\n"
        "language (point in English). All other formats have points",
        choice<DecimalSign>(options.decimal,
                            {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},

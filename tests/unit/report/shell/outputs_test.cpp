@@ -140,7 +140,7 @@ TEST_F(Outputs, ImageNamesAreSafeFileNames) {
 TEST_F(Outputs, LanguageIsForReadersAlone) {
   const report::Document document = report::sample_document();
   const report::Texts german(report::Language::german, true);
-  const std::set<std::string_view> for_people = {"html", "pdf", "markdown", "text"};
+  const std::set<std::string_view> for_people = {"dxf", "html", "pdf", "markdown", "text"};
   for (const report::Format& format : report::formats()) {
     const std::string in_german = format.render(document, {{}, german});
     const std::string in_english = format.render(document, {});

@@ -1,0 +1,517 @@
+#include "report/formats/dxf.h"
+
+#include "report/formats/dxf_text.h"
+#include "report/formats/format.h"
+#include "report/html/html_plan.h"
+#include "report/html/plan_layout.h"
+#include "report/text/text_numbers.h"
+#include "report/text/words.h"
+#include "tests/support/hostile_document.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+// What a strict reader makes of a file: pairs of lines and nothing else.
+struct Entity {
+  std::string kind;
+  std::vector<std::pair<int, std::string>> groups;
+
+  std::string text(int code) const {
+    const auto found = std::find_if(groups.begin(), groups.end(),
+                                    [code](const auto& group) { return group.first == code; });
+    return found == groups.end() ? "" : found->second;
+  }
+  double number(int code) const {
+    const std::string value = text(code);
+    double read = std::nan("");
+    const auto end = std::from_chars(value.data(), value.data() + value.size(), read).ptr;
+    EXPECT_EQ(end, value.data() + value.size()) << kind << " " << code << ": '" << value << "'";
+    return read;
+  }
+  glm::dvec3 point(int code) const { return {number(code), number(code + 10), number(code + 20)}; }
+  std::string layer() const { return text(8); }
+};
+
+struct Drawing {
+  std::vector<Entity> tables, blocks, entities;
+
+  std::vector<Entity> of(std::string_view kind, std::string_view layer) const {
+    std::vector<Entity> found;
+    for (const Entity& entity : entities) {
+      if (entity.kind == kind && entity.layer() == layer) found.push_back(entity);
+    }
+    return found;
+  }
+  std::vector<std::string> words(std::string_view layer) const {
+    std::vector<std::string> found;
+    for (const Entity& entity : of("TEXT", layer)) found.push_back(entity.text(1));
+    return found;
+  }
+  const Entity* layer(std::string_view name) const {
+    for (const Entity& row : tables) {
+      if (row.kind == "LAYER" && row.text(2) == name) return &row;
+    }
+    return nullptr;
+  }
+};
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find("\r\n");
+    EXPECT_NE(end, std::string_view::npos) << "the last line has no end";
+    if (end == std::string_view::npos) break;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 2);
+  }
+  return lines;
+}
+
+// Fails on everything that R12 does not allow.
+Drawing read_strictly(const std::string& dxf) {
+  Drawing drawing;
+  const std::vector<std::string> lines = lines_of(dxf);
+  EXPECT_EQ(lines.size() % 2, 0u);
+  std::vector<std::string> sections;
+  std::vector<Entity>* list = nullptr;
+  std::string section;
+  bool is_at_end = false;
+  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+    EXPECT_FALSE(is_at_end) << "line " << i << " is behind the end";
+    const std::string& value = lines[i + 1];
+    EXPECT_LE(value.size(), 255u);
+    EXPECT_TRUE(std::all_of(value.begin(), value.end(), [](char c) { return c >= ' ' && c < 127; }))
+        << value;
+    EXPECT_EQ(lines[i].size(), 3u) << "line " << i;
+    int code = -1;
+    const std::size_t digits = lines[i].find_first_not_of(' ');
+    const auto read =
+        std::from_chars(lines[i].data() + digits, lines[i].data() + lines[i].size(), code);
+    EXPECT_EQ(read.ptr, lines[i].data() + lines[i].size()) << "line " << i << ": " << lines[i];
+    if (code != 0) {
+      if (section.empty()) {
+        EXPECT_EQ(code, 2);
+        section = value;
+        sections.push_back(value);
+        list = value == "TABLES"     ? &drawing.tables
+               : value == "BLOCKS"   ? &drawing.blocks
+               : value == "ENTITIES" ? &drawing.entities
+                                     : nullptr;
+      } else if (list != nullptr) {
+        EXPECT_FALSE(list->empty());
+        if (!list->empty()) list->back().groups.emplace_back(code, value);
+      }
+      continue;
+    }
+    if (value == "SECTION") {
+      EXPECT_EQ(section, "");
+    } else if (value == "ENDSEC") {
+      section.clear();
+      list = nullptr;
+    } else if (value == "EOF") {
+      EXPECT_EQ(section, "");
+      is_at_end = true;
+    } else if (list != nullptr) {
+      list->push_back({value, {}});
+    } else {
+      ADD_FAILURE() << "line " << i << ": " << value << " in " << section;
+    }
+  }
+  EXPECT_TRUE(is_at_end);
+  EXPECT_EQ(sections, (std::vector<std::string>{"HEADER", "TABLES", "BLOCKS", "ENTITIES"}));
+
+  std::set<std::string> layers, blocks;
+  const auto is_name = [](const std::string& name) {
+    return !name.empty() && name.size() <= 31 &&
+           name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+  };
+  for (const Entity& row : drawing.tables) {
+    if (row.kind == "LAYER") {
+      EXPECT_TRUE(is_name(row.text(2))) << row.text(2);
+      EXPECT_TRUE(layers.insert(row.text(2)).second) << row.text(2);
+    }
+  }
+  for (const Entity& entity : drawing.blocks) {
+    if (entity.kind == "BLOCK") {
+      EXPECT_TRUE(is_name(entity.text(2))) << entity.text(2);
+      EXPECT_TRUE(blocks.insert(entity.text(2)).second) << entity.text(2);
+    }
+    EXPECT_TRUE(layers.contains(entity.layer())) << entity.kind << " on " << entity.layer();
+  }
+  std::string open;  // what a SEQEND ends
+  for (const Entity& entity : drawing.entities) {
+    EXPECT_TRUE(layers.contains(entity.layer())) << entity.kind << " on " << entity.layer();
+    if (entity.kind == "VERTEX") {
+      EXPECT_EQ(open, "POLYLINE");
+    } else if (entity.kind == "ATTRIB") {
+      EXPECT_EQ(open, "INSERT");
+    } else if (entity.kind == "SEQEND") {
+      EXPECT_NE(open, "");
+      open.clear();
+    } else {
+      EXPECT_EQ(open, "") << entity.kind;
+      if (entity.text(66) == "1") open = entity.kind;
+      const std::set<std::string> known{"LINE", "POLYLINE", "CIRCLE", "TEXT", "INSERT"};
+      EXPECT_TRUE(known.contains(entity.kind)) << entity.kind;
+    }
+    if (entity.kind == "INSERT") {
+      EXPECT_TRUE(blocks.contains(entity.text(2)));
+    }
+    if (entity.kind == "TEXT") {
+      EXPECT_GT(entity.number(40), 0.0);
+      EXPECT_NE(entity.text(1), "");
+    }
+    for (const auto& [code, value] : entity.groups) {
+      if (code >= 10 && code < 60) {
+        EXPECT_TRUE(std::isfinite(entity.number(code)));
+      }
+    }
+  }
+  EXPECT_EQ(open, "");
+  return drawing;
+}
+
+std::string rendered_dxf(const Document& document, const Texts& t = {}) {
+  FormatStyle style;
+  style.texts = t;
+  return find_format("dxf")->render(document, style);
+}
+
+Drawing drawn(const Document& document) { return read_strictly(rendered_dxf(document)); }
+
+// Corners of polylines on a layer, one list each.
+std::vector<std::vector<glm::dvec3>> polylines(const Drawing& drawing, std::string_view layer) {
+  std::vector<std::vector<glm::dvec3>> found;
+  bool is_open = false;
+  for (const Entity& entity : drawing.entities) {
+    if (entity.kind == "POLYLINE") {
+      is_open = entity.layer() == layer;
+      if (is_open) found.emplace_back();
+    } else if (entity.kind == "VERTEX" && is_open) {
+      found.back().push_back(entity.point(10));
+    }
+  }
+  return found;
+}
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
+  EXPECT_NEAR(a.x, b.x, 1e-6);
+  EXPECT_NEAR(a.y, b.y, 1e-6);
+  EXPECT_NEAR(a.z, b.z, 1e-6);
+}
+
+TEST(DxfText, NoNameIsAControlCode) {
+  EXPECT_EQ(dxf_text("Office 12"), "Office 12");
+  EXPECT_EQ(dxf_text("B\u00FCro \u05D0"), "B\\U+00FCro \\U+05D0");
+  EXPECT_EQ(dxf_text("\U0001F4A1"), "<U+1F4A1>");
+  EXPECT_EQ(dxf_text("a\r\n  0\r\nEOF"), "a    0  EOF");
+  EXPECT_EQ(dxf_text("\\U+000A"), "\\U+005CU+000A");
+  EXPECT_EQ(dxf_text("^J"), "^ J");
+  EXPECT_EQ(dxf_text("50 %"), "50 %");
+  EXPECT_EQ(dxf_text("%%d %%%"), "% %d % % %");
+  EXPECT_EQ(dxf_text("5 \u00B1 1\u00B0"), "5 %%p 1%%d");
+  EXPECT_EQ(dxf_text("%\u00B1%p"), "% %%p%p");
+  EXPECT_EQ(dxf_text(""), "");
+}
+
+TEST(DxfText, LongTextsAreCutBetweenCharacters) {
+  const std::string whole(kMostDxfBytes, 'x');
+  EXPECT_EQ(dxf_text(whole), whole);
+  EXPECT_EQ(dxf_text(whole + "y"), std::string(kMostDxfBytes - 3, 'x') + "...");
+  std::string umlauts;
+  for (int i = 0; i < 1000; ++i) umlauts += "\u00FC";
+  const std::string cut = dxf_text(umlauts);
+  EXPECT_EQ(cut.size() % 7, 3u);
+  EXPECT_LE(cut.size(), kMostDxfBytes);
+  EXPECT_TRUE(cut.ends_with("\\U+00FC..."));
+}
+
+TEST(DxfText, LinesAreBrokenAtBlanksAndNothingIsLost) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(dxf_lines("one two three", 8), (Lines{"one two", "three"}));
+  EXPECT_EQ(dxf_lines("  abcdefghij", 6), (Lines{"  abcd", "efghij"}));
+  EXPECT_EQ(dxf_lines("", 8), (Lines{""}));
+  std::string umlauts;
+  for (int i = 0; i < 100; ++i) umlauts += "\u00FC";
+  std::string together;
+  for (const std::string& line : dxf_lines(umlauts, 200)) {
+    EXPECT_LE(line.size(), kMostDxfBytes);
+    together += line;
+  }
+  EXPECT_EQ(together.size(), 700u);
+}
+
+TEST(DxfText, NumbersHaveAPointAndNoSignOfZero) {
+  EXPECT_EQ(dxf_number(0.0), "0.0");
+  EXPECT_EQ(dxf_number(-1e-9), "0.0");
+  EXPECT_EQ(dxf_number(-2.5), "-2.5");
+  EXPECT_EQ(dxf_number(100), "100.0");
+  EXPECT_EQ(dxf_number(1.0 / 3.0), "0.333333");
+  EXPECT_EQ(dxf_number(1e300), "1e+300");
+  EXPECT_EQ(dxf_number(4e9), "4e+09");
+  EXPECT_EQ(dxf_number(std::nan("")), "0.0");
+}
+
+TEST(DxfText, NamesOfBlocks) {
+  EXPECT_EQ(dxf_name("LUX_1_", "panel 600\n\u00FC"), "LUX_1_PANEL_600__");
+  EXPECT_EQ(dxf_name("LUX_1_", std::string(100, 'x')).size(), 31u);
+}
+
+TEST(Dxf, IsReadStrictly) {
+  for (const Document& document : {small_document(), sample_document(), Document{}}) {
+    drawn(document);
+  }
+  EXPECT_THAT(rendered_dxf(small_document()), HasSubstr("AC1009"));
+}
+
+TEST(Dxf, NoNameStartsAGroup) { drawn(hostile_document()); }
+
+TEST(Dxf, ValuesAreAsInHtmlAndAtTheirPlaces) {
+  const Document document = sample_document();
+  const PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  const Drawing drawing = drawn(document);
+  std::map<std::pair<long long, long long>, std::string> at;  // in millimetres
+  for (const Entity& text : drawing.of("TEXT", "LUX_VALUES")) {
+    const glm::dvec3 place = text.point(11);
+    if (place.z == plane.grid.origin_m.z)
+      at[{std::llround(place.x * 1000), std::llround(place.y * 1000)}] = text.text(1);
+  }
+  ASSERT_FALSE(plane.points.empty());
+  for (const PointRow& point : plane.points) {
+    const auto found =
+        at.find({std::llround(point.position_m.x * 1000), std::llround(point.position_m.y * 1000)});
+    ASSERT_NE(found, at.end());
+    EXPECT_EQ(found->second, format_cell(point.measured.value, point_thresholds(plane)));
+  }
+}
+
+TEST(Dxf, PointsThatWereLeftOutAreMarkedAndCounted) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].grid.dropped = {
+      {{3.5, 1.0, 0.8}, 1, 0, calc::DropReason::inside_solid, "box"}};
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_VALUES"), Contains("x"));
+  EXPECT_THAT(drawing.words("LUX_LEGEND"),
+              Contains("Office / Work plane: points left out: 1 inside a solid"));
+  EXPECT_THAT(drawn(small_document()).words("LUX_VALUES"), Not(Contains("x")));
+}
+
+TEST(Dxf, AValueThatIsNoneIsMarked) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].points[0].measured = no_estimate();
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_VALUES"), Contains("-"));
+  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("no isolux lines")));
+}
+
+TEST(Dxf, RoomsAreClosedAndInTheirPlaces) {
+  Document document = small_document();
+  document.projects[0].spaces[0].floor_z_m = 3.25;
+  const Drawing drawing = drawn(document);
+  const std::vector<Entity> rooms = drawing.of("POLYLINE", "LUX_ROOMS");
+  ASSERT_EQ(rooms.size(), 1u);
+  EXPECT_EQ(rooms[0].text(70), "1");
+  EXPECT_EQ(rooms[0].number(30), 3.25);
+  const auto corners = polylines(drawing, "LUX_ROOMS").at(0);
+  const std::vector<glm::dvec2>& wanted = document.projects[0].spaces[0].footprint_m;
+  ASSERT_EQ(corners.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) expect_near(corners[i], {wanted[i], 3.25});
+  EXPECT_THAT(drawing.words("LUX_ROOM_NAMES"), Contains("Office"));
+}
+
+TEST(Dxf, LuminairesAreInsertsOfABlockOfTheirType) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  LuminaireRow type;
+  type.type_id = "panel";
+  type.maker = "Maker";
+  type.flux_lm = 3600;
+  document.projects[0].luminaires = {type};
+  LuminaireMark mark{{1.0, 1.0, 2.5}, "panel"};
+  mark.axis = {0, 0, -1};
+  mark.c0 = {1, 0, 0};
+  mark.outline_m = {{0.7, 0.9}, {1.3, 0.9}, {1.3, 1.1}, {0.7, 1.1}};
+  LuminaireMark turned = mark;
+  turned.position_m = {3.0, 1.0, 2.6};
+  turned.c0 = {0, 1, 0};
+  turned.outline_m = {{2.9, 0.7}, {3.1, 0.7}, {3.1, 1.3}, {2.9, 1.3}};
+  turned.id = "L2";
+  space.luminaires = {mark, turned, {{2, 1, 2.5}, "spot"}};
+  const Drawing drawing = drawn(document);
+  const std::vector<Entity> inserts = drawing.of("INSERT", "LUX_LUMINAIRES");
+  ASSERT_EQ(inserts.size(), 3u);
+  for (std::size_t i = 0; i < inserts.size(); ++i)
+    expect_near(inserts[i].point(10), space.luminaires[i].position_m);
+  EXPECT_EQ(inserts[0].number(50), 0.0);
+  EXPECT_EQ(inserts[1].number(50), 90.0);
+  EXPECT_EQ(inserts[0].text(2), inserts[1].text(2));  // one block for both
+  EXPECT_NE(inserts[0].text(2), inserts[2].text(2));
+  EXPECT_THAT(inserts[0].text(2), HasSubstr("PANEL"));
+  EXPECT_THAT(drawing.words("LUX_LUMINAIRE_NUMBERS"), testing::ElementsAre("1", "2", "3"));
+  std::vector<std::map<std::string, std::string>> attributes;
+  for (const Entity& entity : drawing.entities) {
+    if (entity.kind == "INSERT") attributes.emplace_back();
+    if (entity.kind == "ATTRIB") attributes.back()[entity.text(2)] = entity.text(1);
+  }
+  EXPECT_EQ(attributes[1]["NUMBER"], "2");
+  EXPECT_EQ(attributes[1]["ID"], "L2");
+  EXPECT_EQ(attributes[1]["TYPE"], "panel");
+  EXPECT_EQ(attributes[1]["MAKER"], "Maker");
+  EXPECT_EQ(attributes[1]["FLUX_LM"], "3600");
+  EXPECT_EQ(attributes[1]["HEIGHT_M"], "2.6");
+  EXPECT_EQ(attributes[2]["FLUX_LM"], "");  // not known
+}
+
+TEST(Dxf, VerdictsAreColoursAndWords) {
+  const auto label_of = [](const Document& document) {
+    const Drawing drawing = drawn(document);
+    const std::vector<Entity> labels = drawing.of("TEXT", "LUX_PLANE_NAMES");
+    EXPECT_FALSE(labels.empty());
+    const std::vector<Entity> outlines = drawing.of("POLYLINE", "LUX_PLANES");
+    if (!outlines.empty()) {
+      EXPECT_EQ(outlines[0].text(62), labels[0].text(62));
+    }
+    return labels[0].text(1) + ", " + labels[0].text(62);
+  };
+  Document document = small_document();
+  EXPECT_EQ(label_of(document), "Work plane: fail, 1");
+  std::vector<rules::Finding>& findings = document.projects[0].spaces[0].planes[0].findings;
+  findings[1].requirement.limit = 424.0;
+  judge_again(findings[1]);
+  EXPECT_EQ(label_of(document), "Work plane: undecided, 30");
+  findings.pop_back();
+  EXPECT_EQ(label_of(document), "Work plane: pass, 3");
+  findings.clear();
+  EXPECT_EQ(label_of(document), "Work plane: nothing was asked, 8");
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.unseen_points = 1;
+  EXPECT_EQ(label_of(document), "Work plane: nothing was asked (Doubt), 8");
+}
+
+TEST(Dxf, WhatWasNotComputedIsNamedAndHasNoValues) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  PlanePart none;
+  none.id = plane.id;
+  none.name = plane.name;
+  none.reason = "no point of the grid is left";
+  plane = none;
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"),
+              testing::ElementsAre("Work plane: not judged, not computed"));
+  EXPECT_TRUE(drawing.words("LUX_VALUES").empty());
+  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("no point of the grid is left")));
+}
+
+TEST(Dxf, IsoluxLinesAreThoseOfHtml) {
+  const Document document = sample_document();
+  const SpacePart& space = document.projects[0].spaces[0];
+  const PlanePart& plane = space.planes[0];
+  const ColourScales scales(document.projects[0], ScaleSharing::project);
+  const PlanIsolux isolux = plan_isolux({}, space, plane, scales.of(space, plane));
+  const Drawing drawing = drawn(document);
+  auto lines = polylines(drawing, "LUX_ISOLUX");
+  const auto limits = polylines(drawing, "LUX_ISOLUX_LIMITS");
+  lines.insert(lines.end(), limits.begin(), limits.end());
+  std::size_t count = 0;
+  for (const IsoluxLevel& level : isolux.levels) {
+    for (const IsoluxLine& line : level.lines) {
+      ++count;
+      const glm::dvec2& first = line.points_m.front();
+      const glm::dvec3 start =
+          plane.grid.origin_m + first.x * plane.grid.u + first.y * plane.grid.v;
+      EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const auto& corners) {
+        return glm::distance(corners.front(), start) < 1e-5 &&
+               corners.size() == line.points_m.size() - (line.is_closed ? 1 : 0);
+      }));
+    }
+    if (!level.lines.empty()) {
+      EXPECT_THAT(drawing.words("LUX_ISOLUX_LABELS"), Contains(format_shortest(level.value)));
+    }
+  }
+  EXPECT_GT(count, 3u);
+}
+
+// The numbers of one would be mixed with those of the other.
+TEST(Dxf, ValuesOverOthersAreOnLayersThatAreOffAndSaidToBe) {
+  Document document = small_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes.push_back(planes[0]);
+  planes[1].id = planes[1].name = "Faces";
+  for (PointRow& point : planes[1].points) point.position_m.z = 1.2;
+  planes[1].grid.origin_m.z = 1.2;
+  const Drawing drawing = drawn(document);
+  EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES").size(), 2u);
+  EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES_2").size(), 2u);
+  ASSERT_NE(drawing.layer("LUX_VALUES_2"), nullptr);
+  EXPECT_LT(drawing.layer("LUX_VALUES_2")->number(62), 0.0);
+  EXPECT_GT(drawing.layer("LUX_VALUES")->number(62), 0.0);
+  EXPECT_THAT(drawing.words("LUX_LEGEND"),
+              Contains("Office / Faces: its values lie over those of another plane. They are on "
+                       "layers that are off: LUX_VALUES_2."));
+  EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"), Contains("Faces: fail"));  // on a layer that is on
+  EXPECT_EQ(drawn(small_document()).layer("LUX_VALUES_2"), nullptr);
+}
+
+TEST(Dxf, UprightPlanesAreDrawnBesideThePlan) {
+  const Document document = sample_document();
+  const PlanePart& board = document.projects[0].spaces[0].planes[1];
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("Planes that are not level")));
+  std::vector<std::string> values;
+  for (const Entity& text : drawing.of("TEXT", "LUX_VALUES")) {
+    if (text.point(11).y < 0.0) values.push_back(text.text(1));
+  }
+  ASSERT_EQ(values.size(), board.points.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_EQ(values[i], format_cell(board.points[i].measured.value, point_thresholds(board)));
+  // In place as a line in space, and flat.
+  std::size_t in_place = 0;
+  for (const Entity& outline : drawing.of("POLYLINE", "LUX_PLANES"))
+    in_place += outline.text(70) == "9" ? 1u : 0u;
+  EXPECT_EQ(in_place, 1u);
+}
+
+TEST(Dxf, ProjectsLieBesideEachOther) {
+  Document document = small_document();
+  document.projects.push_back(document.projects[0]);
+  const Drawing drawing = drawn(document);
+  const auto rooms = polylines(drawing, "LUX_ROOMS");
+  ASSERT_EQ(rooms.size(), 2u);
+  expect_near(rooms[1][0], {5.0, 0.0, 0.0});  // the first is 4 m long
+  EXPECT_THAT(
+      drawing.words("LUX_LEGEND"),
+      Contains("Small office: drawn 5.00 m further in x than it is, so that it does not lie "
+               "over the project before it."));
+}
+
+TEST(Dxf, TheLegendHasTheTableAndSpeaksTheLanguage) {
+  const std::vector<std::string> legend = drawn(small_document()).words("LUX_LEGEND");
+  EXPECT_THAT(legend, Contains(HasSubstr("metres")));
+  EXPECT_THAT(legend, Contains(HasSubstr("95 %")));
+  EXPECT_THAT(legend, Contains(HasSubstr("average   >= 500 lx  512.5")));
+  EXPECT_THAT(legend, Contains(HasSubstr("2 requirements: 1 pass, 1 fail")));
+  const Drawing german =
+      read_strictly(rendered_dxf(sample_document(), Texts(Language::german, true)));
+  EXPECT_THAT(german.words("LUX_LEGEND"), Contains(HasSubstr("Metern")));
+}
+
+}  // namespace
+}  // namespace report
