@@ -29,6 +29,11 @@ namespace {
 
 constexpr int kWrapFrom = 30;  // columns as wide as that hold sentences
 
+ColumnRole role_of(std::string_view name) {
+  if (name == "verdict") return ColumnRole::verdict;
+  return name == "counts" ? ColumnRole::counts : ColumnRole::other;
+}
+
 // Of a table, in an order for people: `first`, and after them all others as they come.
 class SheetOrder {
  public:
@@ -40,7 +45,7 @@ class SheetOrder {
     for (const std::size_t place : places_) {
       const TableColumn& column = columns[place];
       head_.push_back({std::string(column.heading), column.width, column.decimals,
-                       column.width >= kWrapFrom, column.name == "verdict"});
+                       column.width >= kWrapFrom, role_of(column.name)});
     }
     row_.resize(places_.size());
   }
@@ -67,7 +72,7 @@ TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
 // --- Projects ------------------------------------------------------------------------------------
 
 std::vector<SheetColumn> project_columns() {
-  return {{"Verdict", 15, kOfColumn, false, true},
+  return {{"Verdict", 15, kOfColumn, false, ColumnRole::verdict},
           {"Project", 30, kOfColumn, true},
           {"Name", 24},
           {"Pass", 9},
@@ -163,7 +168,7 @@ std::vector<TableCell> type_totals(const ProjectPart& project) {
 // --- Warnings ------------------------------------------------------------------------------------
 
 std::vector<SheetColumn> warning_columns() {
-  return {{"Kind", 18, kOfColumn, false, true},
+  return {{"Kind", 18, kOfColumn, false, ColumnRole::verdict},
           {"Project", 24},
           {"Where", 30, kOfColumn, true},
           {"Message", 90, kOfColumn, true},
@@ -440,8 +445,8 @@ void XlsxWriter::write_remarks(SheetSeries& summary) const {
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries summary("Summary", {{"", 34}, {"", 100, kOfColumn, true, true}}, place_,
-                      kMostSheetRows, SheetHead::without);
+  SheetSeries summary("Summary", {{"", 34}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
+                      place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;
   if (frame_.revised != nullptr) {
     results_of_revision(*frame_.revised, [&](std::span<const TableCell> row) {

@@ -57,11 +57,11 @@ int style_of(TextLook look, bool is_quoted) {
 }
 
 struct VerdictColour {
-  std::string_view word, text, fill;  // colours: RRGGBB
+  std::string_view text, fill;  // colours: RRGGBB
 };
-constexpr VerdictColour kGood{"", "006100", "C6EFCE"}, kBad{"", "9C0006", "FFC7CE"},
-    kUnsure{"", "7F6000", "FFEB9C"}, kUnjudged{"", "5B2C83", "E4D7F1"};
-constexpr std::array kColours{kGood, kBad, kUnsure, kUnjudged};
+constexpr VerdictColour kGood{"006100", "C6EFCE"}, kBad{"9C0006", "FFC7CE"},
+    kUnsure{"7F6000", "FFEB9C"}, kUnjudged{"5B2C83", "E4D7F1"}, kNotCounting{"7F7F7F", "FFFFFF"};
+constexpr std::array kColours{kGood, kBad, kUnsure, kUnjudged, kNotCounting};
 struct VerdictWord {
   std::string_view word;
   std::size_t colour;  // place in kColours
@@ -204,13 +204,20 @@ bool begins_like_a_formula(std::string_view text) {
   return !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
 }
 
-std::string conditional_colours(std::string_view range) {
+// counts: the first cell of the column that says whether a verdict counts; "" = there is none.
+std::string conditional_colours(std::string_view range, std::string_view counts) {
   std::string rules;
+  if (!counts.empty()) {
+    rules = fmt::format(
+        "<cfRule type=\"expression\" dxfId=\"{}\" priority=\"1\" "
+        "stopIfTrue=\"1\"><formula>LEFT(${},2)=\"no\"</formula></cfRule>",
+        kColours.size() - 1, counts);
+  }
   for (std::size_t i = 0; i < kVerdictWords.size(); ++i) {
     rules += fmt::format(
         "<cfRule type=\"cellIs\" dxfId=\"{}\" priority=\"{}\" "
         "operator=\"equal\"><formula>\"{}\"</formula></cfRule>",
-        kVerdictWords[i].colour, i + 1, kVerdictWords[i].word);
+        kVerdictWords[i].colour, i + 2, kVerdictWords[i].word);
   }
   return fmt::format("<conditionalFormatting sqref=\"{}\">{}</conditionalFormatting>", range,
                      rules);
@@ -266,8 +273,14 @@ void SheetSeries::end_part() {
   std::string xml = "</sheetData>";
   if (has_head_) xml += fmt::format("<autoFilter ref=\"{}\"/>", range(0, columns_.size() - 1, 1));
   const std::size_t first = has_head_ ? 2 : 1;
+  std::string counts;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].has_verdicts && last >= first) xml += conditional_colours(range(i, i, first));
+    if (columns_[i].role == ColumnRole::counts)
+      counts = fmt::format("{}{}", column_letters(i), first);
+  }
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].role == ColumnRole::verdict && part.rows >= first)
+      xml += conditional_colours(range(i, i, first), counts);
   }
   xml +=
       "<pageMargins left=\"0.5\" right=\"0.5\" top=\"0.6\" bottom=\"0.6\" header=\"0.3\" "

@@ -19,12 +19,15 @@ inline constexpr std::size_t kMostSheetRows =
     1'048'576;  // of every spreadsheet, the head with them
 inline constexpr std::size_t kMostCellCharacters = 32'767;  // UTF-16 units
 
+// Verdicts get a colour beside their word, but where the row's cell of `counts` begins with "no".
+enum class ColumnRole { other, verdict, counts };
+
 struct SheetColumn {
   std::string heading;
-  int width = 10;             // characters
-  int decimals = kOfColumn;   // of numbers that do not say it
-  bool is_wrapped = false;    // long texts: in several lines
-  bool has_verdicts = false;  // words that get a colour, too
+  int width = 10;            // characters
+  int decimals = kOfColumn;  // of numbers that do not say it
+  bool is_wrapped = false;   // long texts: in several lines
+  ColumnRole role = ColumnRole::other;
 };
 
 // The first row: it stays in sight, and filters the others.
