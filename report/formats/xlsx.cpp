@@ -391,9 +391,9 @@ void XlsxWriter::write_provenance(SheetSeries& summary, const Provenance& proven
   summary.add_pair("Backend", provenance.backend);
   add_words("Method", provenance.method);
   summary.add_pair("Seed", fmt::format("{}", provenance.seed));
-  summary.add_pair("Confidence", TableNumber{100.0 * provenance.confidence});
+  summary.add_pair("Confidence", format_percent(provenance.confidence));
   summary.add_pair("Goal", std::string(calc::name_of(provenance.goal)));
-  summary.add_pair("Relative half-width aimed at", TableNumber{provenance.tolerance});
+  summary.add_pair("Relative half-width aimed at", format_percent(provenance.tolerance));
   summary.add_pair("Light paths at most, of a plane and replicate",
                    static_cast<std::int64_t>(provenance.max_paths));
   summary.add_pair("Replicates", count_cell(provenance.replicates));
@@ -405,8 +405,8 @@ void XlsxWriter::write_reading(SheetSeries& summary, const Provenance& provenanc
   summary.add_pair(
       "Low and high",
       fmt::format(
-          "The value lies between them, with {} over all looks of a plane. Pass and fail are "
-          "said only where the whole interval is on one side of the limit.",
+          "The value lies between them, with {} over all looks of a plane. A verdict looks at "
+          "the whole interval, unless the notes of its requirement say something else.",
           format_percent(provenance.confidence)));
   summary.add_pair("Empty cells",
                    std::string("There is no value: not asked, not stated, not known or not "

@@ -123,16 +123,16 @@ def hold_against(csv_file, sheet, rows):
     return len(lines) - 1
 
 
-def both(name, *projects, code, options=()):
+def both(name, *projects, code, options=(), more=()):
     """Runs a check into all of them; the sheets."""
     run("check", *projects, "--pictures", "off", *options, "--format", f"xlsx={name}.xlsx", "--format", f"csv={name}-results.csv", "--format",
         f"points-csv={name}-points.csv", "--format", f"luminaires-csv={name}-luminaires.csv", "--format", f"json={name}.json", code=code)
     sheets, roots, core = read(WORK / f"{name}.xlsx")
-    expect(list(sheets) == SHEETS, f"{name}: sheets {list(sheets)}")
+    expect(list(sheets) == SHEETS + list(more), f"{name}: sheets {list(sheets)}")
     for kind, sheet in (("results", "Requirements"), ("points", "Points"), ("luminaires", "Luminaires")):
         expect(hold_against(WORK / f"{name}-{kind}.csv", sheet, sheets[sheet]), f"{name}: nothing was compared in {sheet}")
     for sheet, root in roots.items():
-        if sheet == "Summary":
+        if sheet in ("Summary", "Revision"):
             continue
         expect(root.find(f"{MAIN}sheetViews/{MAIN}sheetView/{MAIN}pane").get("state") == "frozen", f"{sheet}: the head does not stay")
         reach = root.find(MAIN + "autoFilter").get("ref")
@@ -201,6 +201,12 @@ expect("part-selected" in column(sheets["Warnings"], "Id"), "part-selected is no
 (WORK / "broken.xml").write_text("<luxgate")
 sheets, _ = both("broken", "broken.xml", design, code=2, options=["--max-paths", "256"])
 expect("not judged" in column(sheets["Projects"], "Verdict") and "error" in column(sheets["Warnings"], "Kind"), "a broken project looks judged")
+
+# Against an earlier result: what is asked less.
+weaker = small_designs.write(WORK / "doubts.xml", far_waiver=small_designs.WAIVER, limit="80")
+sheets, _ = both("revised", weaker, code=0, options=["--max-paths", "256", "--baseline", "doubts.json"], more=["Revision"])
+expect("asks less" in str(sheets["Revision"]) and "≥ 80 lx" in str(sheets["Revision"]), "the revision is not told")
+expect("weaker question" in column(sheets["Requirements"], "Verdict"), "a weaker question is no row")
 
 # Somebody else's reader takes it.
 if sys.argv[4:] == ["openpyxl"]:
