@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -147,7 +148,8 @@ std::string column_letters(std::size_t column) {
 std::size_t utf16_units(std::string_view character) { return character.size() == 4 ? 2 : 1; }
 
 // At most so many as a cell may have, and then says so.
-std::string cut_to_cell(std::string text, std::size_t& cut_texts) {
+std::string cut_to_cell(std::string text, bool& is_cut) {
+  is_cut = false;
   if (text.size() <= kMostCellCharacters) return text;  // bytes are never fewer
   constexpr std::string_view kSays = " [cut: longer than a cell may be]";
   std::size_t units = 0, end_of_short = 0;
@@ -159,7 +161,7 @@ std::string cut_to_cell(std::string text, std::size_t& cut_texts) {
     if (units <= kMostCellCharacters - kSays.size()) end_of_short = at;
   }
   if (units <= kMostCellCharacters) return text;
-  ++cut_texts;
+  is_cut = true;
   text.resize(end_of_short);
   return text.append(kSays);
 }
@@ -231,9 +233,11 @@ SheetSeries::SheetSeries(std::string name, std::vector<SheetColumn> columns,
       columns_(std::move(columns)),
       place_(place),
       most_rows_(most_rows),
-      has_head_(head == SheetHead::with) {
+      has_head_(head == SheetHead::with),
+      last_texts_(columns_.size()) {
   if (most_rows_ < 2 || most_rows_ > kMostSheetRows)
     throw std::logic_error("a sheet of so many rows is not possible");
+  for (std::size_t i = 0; i < columns_.size(); ++i) letters_.push_back(column_letters(i));
   begin_part();
 }
 
@@ -285,7 +289,8 @@ void SheetSeries::end_part() {
   xml +=
       "<pageMargins left=\"0.5\" right=\"0.5\" top=\"0.6\" bottom=\"0.6\" header=\"0.3\" "
       "footer=\"0.3\"/><pageSetup paperSize=\"9\" orientation=\"landscape\" fitToHeight=\"0\"/>"
-      "<headerFooter><oddFooter>&amp;C&amp;A, &amp;P / &amp;N</oddFooter></headerFooter></worksheet>\n";
+      "<headerFooter><oddFooter>&amp;C&amp;A, &amp;P / "
+      "&amp;N</oddFooter></headerFooter></worksheet>\n";
   part.file->write(xml);
   part.file->finish();
 }
@@ -298,13 +303,20 @@ void SheetSeries::begin_row() {
 
 void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook look) {
   const auto begin = [&](int style, std::string_view more) {
-    row_ += fmt::format("<c r=\"{}{}\" s=\"{}\"{}>", column_letters(column), parts_.back().rows,
-                        style, more);
+    fmt::format_to(std::back_inserter(row_), "<c r=\"{}{}\" s=\"{}\"{}>", letters_[column],
+                   parts_.back().rows, style, more);
   };
   if (const auto* text = std::get_if<std::string>(&cell); text != nullptr && !text->empty()) {
-    const std::string safe = cut_to_cell(printable(*text), cut_texts_);
-    begin(style_of(look, begins_like_a_formula(safe)), " t=\"inlineStr\"");
-    row_ += "<is><t xml:space=\"preserve\">" + xlsx_text(safe) + "</t></is></c>";
+    LastText& last = last_texts_[column];
+    if (last.text != *text || last.xml.empty()) {  // a column often repeats itself
+      const std::string safe = cut_to_cell(printable(*text), last.is_cut);
+      last.text = *text;
+      last.is_quoted = begins_like_a_formula(safe);
+      last.xml = "<is><t xml:space=\"preserve\">" + xlsx_text(safe) + "</t></is></c>";
+    }
+    if (last.is_cut) ++cut_texts_;
+    begin(style_of(look, last.is_quoted), " t=\"inlineStr\"");
+    row_ += last.xml;
   } else if (const auto* number = std::get_if<TableNumber>(&cell)) {
     if (!std::isfinite(number->value)) return;
     const int decimals =

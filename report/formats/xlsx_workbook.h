@@ -74,6 +74,12 @@ class SheetSeries {
   SpillPlace place_;
   std::size_t most_rows_;
   bool has_head_;
+  struct LastText {
+    std::string text, xml;
+    bool is_quoted = false, is_cut = false;
+  };
+  std::vector<LastText> last_texts_;  // of each column
+  std::vector<std::string> letters_;
   std::deque<Part> parts_;
   std::string row_;  // that is being written
   std::size_t rows_ = 0, cut_texts_ = 0;

@@ -140,9 +140,8 @@ TEST(Xlsx, ATableThatIsTooLongGoesOnAndTheSummarySaysSo) {
 TEST(Xlsx, HostileNamesAreTextInEveryCell) {
   const Book book(render_xlsx(hostile_document()));
   for (const auto& [name, xml] : book.texts()) {
-    EXPECT_THAT(xml, Not(HasSubstr("<script"))) << name;
-    EXPECT_THAT(xml, Not(HasSubstr("<f>"))) << name;
-    EXPECT_THAT(xml, Not(HasSubstr("hyperlink"))) << name;
+    for (const char* part : {"<script", "<f>", "hyperlink"})
+      EXPECT_EQ(xml.find(part), std::string::npos) << name << ": " << part;
   }
 }
 
