@@ -63,9 +63,9 @@ class SheetOrder {
   std::vector<TableCell> row_;
 };
 
-constexpr std::array<std::string_view, 16> kResultsFirst{
-    "verdict", "project", "space", "plane",  "requirement", "quantity", "required", "value",
-    "low",     "high",    "unit",  "margin", "counts",      "reason",   "clause",   "note"};
+constexpr std::array<std::string_view, 17> kResultsFirst{
+    "verdict", "project", "space",  "plane",  "requirement", "quantity", "required", "value", "low",
+    "high",    "unit",    "margin", "counts", "reason",      "clause",   "waiver",   "note"};
 
 TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
 
@@ -445,7 +445,7 @@ void XlsxWriter::write_remarks(SheetSeries& summary) const {
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries summary("Summary", {{"", 34}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
+  SheetSeries summary("Summary", {{"", 46}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
                       place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;
   if (frame_.revised != nullptr) {

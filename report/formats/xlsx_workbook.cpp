@@ -104,7 +104,8 @@ std::string styles_xml() {
         "<xf numFmtId=\"0\" fontId=\"{}\" fillId=\"{}\" borderId=\"0\" xfId=\"0\"{} "
         "applyFont=\"1\" applyFill=\"1\" applyAlignment=\"1\"><alignment "
         "vertical=\"top\"{}/></xf>",
-        font, fill, is_quoted ? " quotePrefix=\"1\"" : "", wraps ? " wrapText=\"1\"" : "");
+        font, fill, is_quoted ? " quotePrefix=\"1\"" : "",
+        wraps ? " horizontal=\"left\" wrapText=\"1\"" : "");
   };
   // In the order of XlsxStyle.
   const std::string styles = text_style(0, 0, false, false) + text_style(0, 0, true, false) +
@@ -206,6 +207,12 @@ bool begins_like_a_formula(std::string_view text) {
   return !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
 }
 
+// Words break earlier than at the last character of a line.
+std::size_t estimated_lines(std::string_view text, int width) {
+  const auto in_line = static_cast<std::size_t>(std::max(width * 9 / 10, 1));
+  return 1 + text.size() / in_line;
+}
+
 // counts: the first cell of the column that says whether a verdict counts; "" = there is none.
 std::string conditional_colours(std::string_view range, std::string_view counts) {
   std::string rules;
@@ -265,7 +272,7 @@ void SheetSeries::begin_part() {
   begin_row();
   for (std::size_t i = 0; i < columns_.size(); ++i)
     add_cell(i, columns_[i].heading, TextLook::head);
-  part.file->write(row_ + "</row>");
+  end_row();
 }
 
 void SheetSeries::end_part() {
@@ -296,9 +303,18 @@ void SheetSeries::end_part() {
 }
 
 void SheetSeries::begin_row() {
-  Part& part = parts_.back();
-  ++part.rows;
-  row_ = fmt::format("<row r=\"{}\">", part.rows);
+  ++parts_.back().rows;
+  row_.clear();
+  lines_ = 1;
+}
+
+// Programs do not agree on whether they make a row as high as its text when they open a file.
+void SheetSeries::end_row() {
+  constexpr std::size_t kLine_pt = 15, kMost_pt = 405;
+  std::string begin = fmt::format("<row r=\"{}\"", parts_.back().rows);
+  if (lines_ > 1)
+    begin += fmt::format(" ht=\"{}\" customHeight=\"1\"", std::min(lines_ * kLine_pt, kMost_pt));
+  parts_.back().file->write(begin + ">" + row_ + "</row>");
 }
 
 void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook look) {
@@ -317,6 +333,8 @@ void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook l
     if (last.is_cut) ++cut_texts_;
     begin(style_of(look, last.is_quoted), " t=\"inlineStr\"");
     row_ += last.xml;
+    if (look != TextLook::plain && look != TextLook::title)
+      lines_ = std::max(lines_, estimated_lines(*text, columns_[column].width));
   } else if (const auto* number = std::get_if<TableNumber>(&cell)) {
     if (!std::isfinite(number->value)) return;
     const int decimals =
@@ -328,7 +346,7 @@ void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook l
           "");
     row_ += "<v>" + format_shortest(number->value) + "</v></c>";
   } else if (const auto* count = std::get_if<std::int64_t>(&cell)) {
-    begin(kPlainStyle, "");
+    begin(look == TextLook::wrapped ? kWrappedStyle : kPlainStyle, "");
     row_ += fmt::format("<v>{}</v></c>", *count);
   }
 }
@@ -355,8 +373,7 @@ void SheetSeries::add_row(std::span<const TableCell> row, LookOf look_of) {
   if (parts_.back().rows == most_rows_) begin_part();
   begin_row();
   for (std::size_t i = 0; i < row.size(); ++i) add_cell(i, row[i], look_of(i));
-  row_ += "</row>";
-  parts_.back().file->write(row_);
+  end_row();
   ++rows_;
 }
 

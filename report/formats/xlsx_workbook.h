@@ -67,6 +67,7 @@ class SheetSeries {
   template <class LookOf>
   void add_row(std::span<const TableCell> row, LookOf look_of);
   void begin_row();
+  void end_row();
   void add_cell(std::size_t column, const TableCell& cell, TextLook look);
 
   std::string name_;
@@ -81,7 +82,8 @@ class SheetSeries {
   std::vector<LastText> last_texts_;  // of each column
   std::vector<std::string> letters_;
   std::deque<Part> parts_;
-  std::string row_;  // that is being written
+  std::string row_;        // that is being written
+  std::size_t lines_ = 1;  // of text in the row that is being written
   std::size_t rows_ = 0, cut_texts_ = 0;
 };
 
