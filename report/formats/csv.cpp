@@ -35,7 +35,7 @@ void add_line(std::span<const TableColumn> columns, std::string& csv, Add add) {
 
 class TableCsvWriter : public FormatWriter {
  public:
-  TableCsvWriter(const Table& table, const SpillPlace& place) : table_(table), csv_(place) {
+  TableCsvWriter(const DocumentTable& table, const SpillPlace& place) : table_(table), csv_(place) {
     std::string line;
     add_line(table_.columns, line, [&](std::size_t i) { line += table_.columns[i].name; });
     csv_.write(line);
@@ -60,7 +60,7 @@ class TableCsvWriter : public FormatWriter {
   }
 
  private:
-  const Table& table_;
+  const DocumentTable& table_;
   Spill csv_;
 };
 

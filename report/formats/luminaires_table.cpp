@@ -78,10 +78,10 @@ void visit_luminaires(const ProjectPart& project, const VisitRow& visit) {
   }
 }
 
-constexpr Table kLuminairesTable{kLuminaireColumns, visit_luminaires};
+constexpr DocumentTable kLuminairesTable{kLuminaireColumns, visit_luminaires};
 
 }  // namespace
 
-const Table& luminaires_table() { return kLuminairesTable; }
+const DocumentTable& luminaires_table() { return kLuminairesTable; }
 
 }  // namespace report

@@ -70,10 +70,10 @@ void visit_points(const ProjectPart& project, const VisitRow& visit) {
   }
 }
 
-constexpr Table kPointsTable{kPointColumns, visit_points};
+constexpr DocumentTable kPointsTable{kPointColumns, visit_points};
 
 }  // namespace
 
-const Table& points_table() { return kPointsTable; }
+const DocumentTable& points_table() { return kPointsTable; }
 
 }  // namespace report

@@ -247,7 +247,7 @@ void visit_results(const ProjectPart& project, const VisitRow& visit) {
   }
 }
 
-constexpr Table kResultsTable{kResultColumns, visit_results};
+constexpr DocumentTable kResultsTable{kResultColumns, visit_results};
 
 }  // namespace
 
@@ -258,7 +258,7 @@ std::size_t column_of(std::span<const TableColumn> columns, std::string_view nam
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-const Table& results_table() { return kResultsTable; }
+const DocumentTable& results_table() { return kResultsTable; }
 
 void results_of_revision(const Document& document, const VisitRow& visit) {
   for (const CiChange& change : ci_changes(document)) {

@@ -37,7 +37,7 @@ using TableCell = std::variant<std::monostate, std::string, TableNumber, std::in
 // In the order of the columns, as many as these; valid during the call.
 using VisitRow = std::function<void(std::span<const TableCell>)>;
 
-struct Table {
+struct DocumentTable {
   std::span<const TableColumn> columns;  // new ones of CSV come at the end
   void (*rows)(const ProjectPart& project, const VisitRow& visit);
 };
@@ -45,18 +45,18 @@ struct Table {
 // One row per requirement, and one (no requirement, verdict "not judged") per project that could
 // not be judged, so that nothing unchecked is missed; then rows whose verdict is "in part", "left
 // out", "warning" or "strict warning": what must be read with the others.
-const Table& results_table();
+const DocumentTable& results_table();
 // Rows of the same table for what a revision made worse, or asks less; document: with a revision.
 void results_of_revision(const Document& document, const VisitRow& visit);
 
 // One row per calculation point of every computed plane.
-const Table& points_table();
+const DocumentTable& points_table();
 
 // One row per luminaire: project, space, its number in the plans of the space, id, type, maker and
 // article of its photometry file, group, position of the centre of its opening (world, m), height
 // above the floor (m; none in the open), tilt, heading and turn (degrees, see LuminaireAim), flux
 // (lm, new), power (W) and maintenance factor. What is not stated or not known is not there.
-const Table& luminaires_table();
+const DocumentTable& luminaires_table();
 
 // Place of a column by its name, or else std::logic_error.
 std::size_t column_of(std::span<const TableColumn> columns, std::string_view name);
