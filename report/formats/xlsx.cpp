@@ -189,7 +189,7 @@ std::string place_text(const calc::SourceLocation& where) {
 
 void add_plane_remarks(const std::string& room, const PlanePart& plane,
                        std::vector<Remark>& remarks) {
-  const std::string where = room + " / " + std::string(title_of(plane.name, plane.id));
+  const std::string where = room + " / " + std::string(report::title_of(plane.name, plane.id));
   if (!plane.is_computed) remarks.push_back({"not computed", where, plane.reason});
   if (!plane.changed.empty())
     remarks.push_back({"changed", where, changed_words({}, plane.changed)});
@@ -214,7 +214,7 @@ std::vector<Remark> remarks_of(const ProjectPart& project) {
                        std::string(calc::diagnostic_name(message.id))});
   }
   for (const SpacePart& space : project.spaces) {
-    const std::string room(title_of(space.name, space.id));
+    const std::string room(report::title_of(space.name, space.id));
     for (const std::string& note : space.notes) remarks.push_back({"note", room, note});
     for (const rules::RowCoverage& row : space.coverage) {
       if (!row.is_whole()) remarks.push_back({"in part", room, coverage_words({}, row)});
