@@ -92,7 +92,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf levels)
+foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf levels xlsx)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)
@@ -101,6 +101,15 @@ foreach(script completions tutorial selection config streams revision_gate revis
   endif()
   set_tests_properties(cli.${script} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 endforeach()
+
+# The same, read by openpyxl, too.
+if(LUXGATE_PYTHON AND EXISTS /usr/lib/python3/dist-packages/openpyxl)
+  add_test(NAME cli.xlsx_openpyxl COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/xlsx.py
+    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/xlsx_openpyxl ${PROJECT_SOURCE_DIR}/examples openpyxl)
+else()
+  add_test(NAME cli.xlsx_openpyxl COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-openpyxl is not installed")
+endif()
+set_tests_properties(cli.xlsx_openpyxl PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 
 # Chromium lays out pages with other bytes now and then where the machine is busy; that is its own test to come.
 set_tests_properties(cli.pdf PROPERTIES RUN_SERIAL ON)

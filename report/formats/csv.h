@@ -1,7 +1,7 @@
 #pragma once
 // Tidy tables for spreadsheets and scripts. RFC 4180: CRLF line ends, fields quoted where needed;
 // UTF-8; numbers with '.' in the shortest form that reads back to the same bits; an empty field
-// means "none".
+// means "none". The first line has the names of the columns; table.h says what is in the rows.
 
 #include "report/document/document.h"
 #include "report/stream/format_writer.h"
@@ -11,15 +11,19 @@
 
 namespace report {
 
-// One row per requirement, and one row (no requirement, verdict "not judged") per project that
-// could not be judged, so that nothing unchecked is missed. Columns: see the first line.
+// results_table(), and what a revision made worse.
 std::string render_results_csv(const Document& document);
 std::unique_ptr<FormatWriter> results_csv_writer(const DocumentFrame& frame,
                                                  const SpillPlace& place);
 
-// One row per calculation point of every computed plane. Columns: see the first line.
+// points_table()
 std::string render_points_csv(const Document& document);
 std::unique_ptr<FormatWriter> points_csv_writer(const DocumentFrame& frame,
                                                 const SpillPlace& place);
+
+// luminaires_table()
+std::string render_luminaires_csv(const Document& document);
+std::unique_ptr<FormatWriter> luminaires_csv_writer(const DocumentFrame& frame,
+                                                    const SpillPlace& place);
 
 }  // namespace report

@@ -34,7 +34,7 @@ namespace {
 constexpr double kGap_m = 1.0;       // between parts of the drawing
 constexpr double kLineByText = 1.6;  // from base line to base line
 constexpr double kLeastText_m = 0.02;
-constexpr std::size_t kColumns = 200;  // characters of the legend
+constexpr std::size_t kLegendSigns = 200;  // characters of the legend
 
 // Layers, from which an office takes what it needs.
 constexpr const char* kRooms = "LUX_ROOMS";
@@ -698,7 +698,7 @@ void DxfWriter::write_legend(const DocumentEnd& end, Spill& legend) {
   const glm::dvec2 corner(extent_.high.x + kGap_m, extent_.high.y);
   std::size_t count = 0;
   const auto add = [&](std::string_view words, DxfColour colour = DxfColour::by_layer) {
-    for (const std::string& line : dxf_lines(dxf_signs(words), kColumns)) {
+    for (const std::string& line : dxf_lines(dxf_signs(words), kLegendSigns)) {
       const double down = kLineByText * text_m * static_cast<double>(++count);
       const glm::dvec2 at = corner - glm::dvec2(0.0, down);
       std::string dxf;

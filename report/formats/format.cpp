@@ -4,10 +4,10 @@
 #include "report/formats/csv.h"
 #include "report/formats/dxf.h"
 #include "report/formats/junit.h"
-#include "report/formats/luminaires_csv.h"
 #include "report/formats/markdown.h"
 #include "report/formats/pdf.h"
 #include "report/formats/sarif.h"
+#include "report/formats/xlsx.h"
 #include "report/html/html.h"
 #include "report/result_file/json.h"
 
@@ -33,6 +33,8 @@ constexpr Format kFormats[] = {
     {"luminaires-csv", "", "luminaires.csv",
      [](Frame frame, Place place, Style) { return luminaires_csv_writer(frame, place); }, false,
      false, true},
+    {"xlsx", "a workbook", "",
+     [](Frame frame, Place place, Style) { return xlsx_writer(frame, place); }},
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",

@@ -1,5 +1,6 @@
 #include "report/html/html_project.h"
 
+#include "report/document/luminaire_totals.h"
 #include "report/html/html_convergence.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_polar.h"
@@ -74,20 +75,12 @@ std::string luminaire_row(const Texts& t, const LuminaireRow& row) {
 }
 
 std::string total_row(const Texts& t, const ProjectPart& project) {
-  int count = 0;
-  double flux_lm = 0.0, power_w = 0.0;
-  bool is_power_known = true;
-  for (const LuminaireRow& row : project.luminaires) {
-    count += row.count;
-    flux_lm += row.count * row.flux_lm;
-    power_w += row.count * row.power_w;
-    if (row.count > 0 && !(row.power_w > 0.0)) is_power_known = false;
-  }
+  const LuminaireTotals totals = totals_of(project.luminaires);
   return fmt::format(
       "<tr class=\"total\"><th scope=\"row\">{}</th><td></td><td class=\"num\">{}</td>"
       "<td class=\"num\">{} lm</td><td class=\"num\">{}</td><td></td><td></td><td></td></tr>\n",
-      t[Text::all_luminaires], count, format_lumens(t, flux_lm),
-      is_power_known ? format_watts(t, power_w) + " W" : "");
+      t[Text::all_luminaires], totals.count, format_lumens(t, totals.flux_lm),
+      totals.is_power_known ? format_watts(t, totals.power_w) + " W" : "");
 }
 
 std::string balance_row(const Texts& t, const SpacePart& space) {

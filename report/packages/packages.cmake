@@ -56,7 +56,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 # What luxgateConfig.cmake looks for, what the headers include and what the static libraries are linked with.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libembree-dev libepoxy-dev libfmt-dev libglm-dev libopenexr-dev libpng-dev libpugixml-dev libsleef-dev
-  libssl-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libzip-dev nlohmann-json3-dev)
+  libssl-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libzip-dev nlohmann-json3-dev zlib1g-dev)
 list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS luxgate)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION

@@ -1,6 +1,7 @@
 #include "report/text/number_format.h"
 
 #include "calc/base/elementary.h"
+#include "report/text/shown_decimals.h"
 #include "report/text/words.h"
 #include "rules/catalogue/compare.h"
 
@@ -186,6 +187,24 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
       format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
 }
 
+int interval_decimals(const calc::Estimate& estimate, std::string_view unit,
+                      const Thresholds& thresholds) {
+  if (!std::isfinite(estimate.value)) return 0;
+  const double spread = spread_of(estimate);
+  int decimals = plain_decimals(estimate.value, std::isfinite(spread) ? spread : 0.0, unit);
+  // A spreadsheet rounds what it has first rounded to 15 digits: a last bit may tip it over.
+  constexpr double kLastDigit = 1e-14;
+  const auto is_true = [&](double value) {
+    return !std::isfinite(value) ||
+           (are_alike(rounded(value * (1.0 - kLastDigit), decimals), value, thresholds) &&
+            are_alike(rounded(value * (1.0 + kLastDigit), decimals), value, thresholds));
+  };
+  while (!is_true(estimate.value) || !is_true(estimate.low) || !is_true(estimate.high)) {
+    if (++decimals > kMostDecimals) return kMostDecimals;
+  }
+  return decimals;
+}
+
 std::string format_cell(double value, const Thresholds& thresholds) {
   if (!std::isfinite(value)) return kNoNumber;
   int decimals = std::min(decimals_for(value, 3), 3);
@@ -230,6 +249,10 @@ std::string signed_amount(double amount) {
 }
 
 }  // namespace
+
+int margin_decimals(double margin) {
+  return std::isfinite(margin) ? decimals_of(signed_amount(margin * 100.0)) : 0;
+}
 
 std::string format_margin(double margin) {
   if (!std::isfinite(margin)) return kNoNumber;

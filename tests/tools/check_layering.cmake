@@ -30,6 +30,7 @@ set(owned_libraries
   "httplib|report/tools/watch/report_server\\.cpp"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
+  "zlib\\.h|report/formats/xlsx_container\\.cpp"
   "png\\.h|report/"
   "OpenEXR/|report/")
 

@@ -22,7 +22,7 @@ function(check where expected output)
     --format csv=${output}/results.csv --format points-csv=${output}/points.csv --format json=${output}/result.json
     --format html=${output}/report.html --format junit=${output}/junit.xml --format sarif=${output}/problems.sarif
     --format sarif-all=${output}/all.sarif --format github=${output}/github.txt --format gitlab=${output}/gitlab.json
-    --format markdown=${output}/summary.md
+    --format markdown=${output}/summary.md --format xlsx=${output}/result.xlsx
     WORKING_DIRECTORY ${where} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT code EQUAL expected)
     list(JOIN ARGN " " words)
@@ -34,8 +34,8 @@ endfunction()
 function(expect_equal a b)
   file(GLOB names RELATIVE ${a} ${a}/*)
   list(LENGTH names count)
-  if(NOT count EQUAL 11)
-    message(SEND_ERROR "${a} has ${count} files, 11 formats were asked for")
+  if(NOT count EQUAL 12)
+    message(SEND_ERROR "${a} has ${count} files, 12 formats were asked for")
   endif()
   foreach(name ${names})
     file(SHA256 ${a}/${name} one)

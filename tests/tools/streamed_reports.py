@@ -14,7 +14,7 @@ import time
 import small_designs
 
 PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-FORMATS = ["text", "csv", "points-csv", "json", "html", "junit", "sarif", "sarif-all", "github", "gitlab", "markdown"]
+FORMATS = ["text", "csv", "points-csv", "json", "html", "junit", "sarif", "sarif-all", "github", "gitlab", "markdown", "xlsx"]
 FAST = ["--quiet", "--pictures", "off", "--max-paths", "64", "--jobs", "1"]
 problems = []
 

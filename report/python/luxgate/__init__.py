@@ -127,8 +127,12 @@ class Result:
         return self._run_messages + tuple(message for project in self.projects for message in project.diagnostics)
 
     def render(self, format, **style):
-        """The text of a report; format is one of formats()."""
-        return self._bytes("render", format, style).decode("utf-8")
+        """The text of a report; format is one of formats(), but "xlsx", which is no text: write() writes it."""
+        rendered = self._bytes("render", format, style)
+        try:
+            return rendered.decode("utf-8")
+        except UnicodeDecodeError:
+            raise SettingError(f"format '{format}': this is no text; write() writes it") from None
 
     def write(self, format, path, **style):
         """Writes a report, whole or not at all; format is one of formats(). OSError where it cannot be written."""

@@ -1,4 +1,4 @@
-#include "report/formats/luminaires_csv.h"
+#include "report/formats/csv.h"
 
 #include "report/text/luminaire_aim.h"
 #include "tests/support/sample_document.h"

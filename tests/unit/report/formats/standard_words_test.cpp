@@ -5,6 +5,7 @@
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "rules/verdict/waiver.h"
+#include "tests/support/legible.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +40,7 @@ Document deviating() {
 TEST(StandardWords, ADeviationIsInEveryFormatButPoints) {
   for (const Format& format : formats()) {
     if (format.is_table) continue;
-    const std::string text = format.render(deviating(), {});
+    const std::string text = legible(format, deviating());
     EXPECT_THAT(text, HasSubstr("4 points where 54 are asked for")) << format.name;
     EXPECT_THAT(text, HasSubstr("A. Meier")) << format.name;
     EXPECT_THAT(text, HasSubstr("2027-01-31")) << format.name;
@@ -51,11 +52,11 @@ TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
                                            "gitlab",     "sarif",          "sarif-all"};
   for (const Format& format : formats()) {
     if (without.contains(format.name)) continue;
-    const std::string text = format.render(deviating(), {});
+    const std::string text = legible(format, deviating());
     EXPECT_THAT(text, HasSubstr("observer")) << format.name;
     Document whole = deviating();
     whole.projects[0].spaces[0].coverage[0].roles.pop_back();
-    EXPECT_THAT(format.render(whole, {}), Not(HasSubstr("observer"))) << format.name;
+    EXPECT_THAT(legible(format, whole), Not(HasSubstr("observer"))) << format.name;
   }
   EXPECT_THAT(find_format("github")->render(deviating(), {}), HasSubstr("asked in part only"));
 }
@@ -72,7 +73,7 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
                      {{"wall", rules::RoleState::met, "", {}, {{"wall.1", by, false}}}}}};
   for (const Format& format : formats()) {
     if (format.is_table) continue;
-    const std::string text = format.render(document, {});
+    const std::string text = legible(format, document);
     for (const char* words : {"wall.1", "window wall", "B. Roe", "2027-03-31"}) {
       EXPECT_THAT(text, HasSubstr(words)) << format.name;
     }
@@ -87,7 +88,7 @@ TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
   rules::apply_waiver(finding, "2027-01-01");
   for (const Format& format : formats()) {
     if (format.is_table) continue;
-    const std::string text = format.render(document, {});
+    const std::string text = legible(format, document);
     EXPECT_THAT(text, HasSubstr("C. Poe")) << format.name;
     EXPECT_THAT(text, HasSubstr("2027-04-30")) << format.name;
   }

@@ -4,6 +4,7 @@
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
+#include "tests/support/legible.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -49,7 +50,7 @@ std::string rendered(const Document& document, std::string_view format) {
 TEST(Warnings, AreInEveryFormatButPoints) {
   for (const Format& format : formats()) {
     if (format.is_table) continue;
-    const std::string text = format.render(warned(), {});
+    const std::string text = legible(format, warned());
     for (const char* part : {"light-leaves-room", "luminaires-coincide", "16 % of the light",
                              "12 % of the light", "pasted twice?"}) {
       std::string found = text;

@@ -1,0 +1,17 @@
+#pragma once
+// What a schedule of luminaires adds up to.
+
+#include "report/document/document.h"
+
+namespace report {
+
+// Of all types of a project together.
+struct LuminaireTotals {
+  int count = 0;
+  double flux_lm = 0, power_w = 0;
+  bool is_power_known = true;  // of every type that is used
+};
+
+LuminaireTotals totals_of(const std::vector<LuminaireRow>& luminaires);
+
+}  // namespace report

@@ -1,0 +1,274 @@
+#include "report/formats/ci_revision.h"
+#include "report/formats/table.h"
+#include "report/text/aggregate_words.h"
+#include "report/text/number_format.h"
+#include "report/text/shown_decimals.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace report {
+namespace {
+
+constexpr std::array kResultColumns{
+    TableColumn{"project", "Project", 18},
+    TableColumn{"space", "Space", 14},
+    TableColumn{"plane", "Plane", 16},
+    TableColumn{"requirement", "Requirement", 18},
+    TableColumn{"quantity", "Quantity", 18},
+    TableColumn{"percent", "Percentile (%)", 11},
+    TableColumn{"unit", "Unit", 9},
+    TableColumn{"scene", "Scene", 10},
+    TableColumn{"state", "State", 12},
+    TableColumn{"clause", "Clause", 24},
+    TableColumn{"comparison", "Comparison", 12},
+    TableColumn{"limit", "Limit (in the unit)", 12},
+    TableColumn{"value", "Measured (in the unit)", 12},
+    TableColumn{"low", "Low (in the unit)", 12},
+    TableColumn{"high", "High (in the unit)", 12},
+    TableColumn{"margin", "Margin (% of the limit)", 12},
+    TableColumn{"verdict", "Verdict", 15},
+    TableColumn{"reason", "Reason", 45},
+    TableColumn{"place_x_m", "Place x (m)", 10, 3},
+    TableColumn{"place_y_m", "Place y (m)", 10, 3},
+    TableColumn{"place_z_m", "Place z (m)", 10, 3},
+    TableColumn{"pack", "Rule pack", 16},
+    TableColumn{"row", "Row", 10},
+    TableColumn{"check", "Check", 14},
+    TableColumn{"severity", "Severity", 12},
+    TableColumn{"waiver", "Waived by", 30},
+    TableColumn{"note", "Notes (also trust in the requirement)", 45},
+    TableColumn{"required", "Required", 14, kOfColumn, false},
+    TableColumn{"counts", "Counts", 12, kOfColumn, false},
+    TableColumn{"close", "Close to the limit", 30, kOfColumn, false}};
+
+// What is not set is not there.
+class ResultRow {
+ public:
+  // column: a name of kResultColumns, or else std::logic_error.
+  void set(std::string_view column, std::string_view text) { put(column, std::string(text)); }
+  void set(std::string_view column, double value) { put(column, TableNumber{value}); }
+  void set(std::string_view column, const TableNumber& number) { put(column, number); }
+  void visit_with(const VisitRow& visit) const { visit(cells_); }
+
+ private:
+  void put(std::string_view column, TableCell cell) {
+    cells_[column_of(kResultColumns, column)] = std::move(cell);
+  }
+
+  std::array<TableCell, kResultColumns.size()> cells_;
+};
+
+// "A. Meier until 2027-01-31: temporary"
+std::string waiver_text(const rules::Waiver& waiver) {
+  return fmt::format("{} until {}: {}", waiver.owner, waiver.until, waiver.reason);
+}
+
+// "" without a waiver.
+std::string waiver_words(const rules::Finding& finding) {
+  const std::optional<rules::Waiver>& waiver = finding.requirement.waiver;
+  if (!waiver) return {};
+  return waiver_text(*waiver) + (finding.is_waived ? "" : " (does not apply)");
+}
+
+// Whether it sets the exit code, or why not.
+const char* counts_words(const rules::Finding& finding) {
+  if (finding.is_waived) return "no: waived";
+  switch (finding.requirement.severity) {
+    case rules::Severity::advice:
+      return "no: advice";
+    case rules::Severity::in_aggregate:
+      return "in aggregates";
+    case rules::Severity::shall:
+      break;
+  }
+  return "yes";
+}
+
+// What is required, and of what; space_id and plane_id may be "".
+ResultRow row_of(const ProjectPart& project, const std::string& space_id,
+                 const std::string& plane_id, const std::string& id, std::string_view quantity) {
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("space", space_id);
+  row.set("plane", plane_id);
+  row.set("requirement", id);
+  row.set("quantity", quantity);
+  return row;
+}
+
+void add_numbers(const rules::Finding& finding, ResultRow& row) {
+  const rules::Requirement& requirement = finding.requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  const int decimals = interval_decimals(finding.measured, rules::unit_of(requirement), threshold);
+  row.set("value", TableNumber{finding.measured.value, decimals});
+  row.set("low", TableNumber{finding.measured.low, decimals});
+  row.set("high", TableNumber{finding.measured.high, decimals});
+  row.set("margin", TableNumber{finding.margin, margin_decimals(finding.margin), true});
+  if (finding.place_m) {
+    row.set("place_x_m", finding.place_m->x);
+    row.set("place_y_m", finding.place_m->y);
+    row.set("place_z_m", finding.place_m->z);
+  }
+}
+
+void add_finding(ResultRow row, const rules::Finding& finding, const VisitRow& visit) {
+  const rules::Requirement& requirement = finding.requirement;
+  if (requirement.metric == rules::Metric::percentile) row.set("percent", requirement.percent);
+  row.set("unit", rules::unit_of(requirement));
+  row.set("scene", requirement.scene);
+  row.set("state", calc::name_of(requirement.state));
+  row.set("clause", requirement.clause);
+  row.set("comparison", calc::name_of(requirement.comparison));
+  if (!std::isnan(requirement.limit)) row.set("limit", requirement.limit);
+  if (finding.verdict != rules::Verdict::not_judged) add_numbers(finding, row);
+  row.set("verdict", rules::verdict_name(finding.verdict));
+  row.set("reason", finding.reason);
+  row.set("pack", requirement.origin.pack);
+  row.set("row", requirement.origin.row);
+  row.set("check", requirement.origin.check);
+  row.set("severity", calc::name_of(requirement.severity));
+  row.set("waiver", waiver_words(finding));
+  row.set("note", note_words(finding));
+  row.set("required", format_required({requirement.limit, requirement.comparison},
+                                      rules::unit_of(requirement)));
+  row.set("counts", counts_words(finding));
+  row.set("close", close_words(finding));
+  row.visit_with(visit);
+}
+
+void add_unjudged_project(const ProjectPart& project, const VisitRow& visit) {
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("verdict", rules::verdict_name(rules::Verdict::not_judged));
+  row.set("reason", "could not be read or calculated");
+  row.visit_with(visit);
+}
+
+// Of a building: a row as those of planes have, with "building ID" for a space, which no id can be.
+// Else without numbers: what is asked for and what was found are words.
+void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
+                   const VisitRow& visit) {
+  if (finding.kind == rules::AggregateKind::building) {
+    const rules::Requirement& requirement = finding.sum->requirement;
+    return add_finding(row_of(project, "building " + finding.building_id, "", requirement.id,
+                              calc::name_of(requirement.metric)),
+                       *finding.sum, visit);
+  }
+  const std::string required = aggregate_required({}, finding);
+  std::string words = required + ": " + aggregate_measured({}, finding);
+  if (!finding.reason.empty()) words += "; " + finding.reason;
+  ResultRow row =
+      row_of(project, finding.space_id, finding.plane_id, finding.id, calc::name_of(finding.kind));
+  row.set("clause", finding.clause);
+  row.set("verdict", rules::verdict_name(finding.verdict));
+  row.set("reason", words);
+  row.set("required", required);
+  row.visit_with(visit);
+}
+
+// A row like any other, so that a table shows it and a filter finds it: "warning" for a verdict.
+void add_warning(const ProjectPart& project, const calc::Diagnostic& warning,
+                 const VisitRow& visit) {
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("requirement", calc::diagnostic_name(warning.id));
+  row.set("verdict", is_strict_warning(project, warning) ? "strict warning" : "warning");
+  row.set("reason", calc::format_diagnostic(warning));
+  row.visit_with(visit);
+}
+
+// What of a row of a standard was never asked is a doubt, too.
+void add_row_in_part(const ProjectPart& project, const SpacePart& space,
+                     const rules::RowCoverage& coverage, const VisitRow& visit) {
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("space", space.id);
+  row.set("requirement", coverage.workplace);
+  row.set("clause", coverage.clause);
+  row.set("verdict", "in part");
+  row.set("reason", coverage_words({}, coverage));
+  row.visit_with(visit);
+}
+
+// What somebody leaves out of a row is to be read with it.
+void add_left_out(const ProjectPart& project, const SpacePart& space,
+                  const rules::RowCoverage& coverage, const rules::LeftOutZone& zone,
+                  const VisitRow& visit) {
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("space", space.id);
+  row.set("plane", coverage.workplace + "." + zone.zone);
+  row.set("clause", coverage.clause);
+  row.set("verdict", "left out");
+  row.set("waiver", waiver_text(zone.by));
+  row.visit_with(visit);
+}
+
+void add_coverage(const ProjectPart& project, const SpacePart& space, const VisitRow& visit) {
+  for (const rules::RowCoverage& row : space.coverage) {
+    if (!row.is_whole()) add_row_in_part(project, space, row, visit);
+    for (const rules::RoleCoverage& role : row.roles) {
+      for (const rules::LeftOutZone& zone : role.left_out) {
+        if (!zone.has_ended) add_left_out(project, space, row, zone, visit);
+      }
+    }
+  }
+}
+
+void visit_results(const ProjectPart& project, const VisitRow& visit) {
+  if (!project.is_judged) add_unjudged_project(project, visit);
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        const rules::Requirement& requirement = finding.requirement;
+        add_finding(
+            row_of(project, space.id, plane.id, requirement.id, calc::name_of(requirement.metric)),
+            finding, visit);
+      }
+    }
+  }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    add_aggregate(project, finding, visit);
+  }
+  for (const SpacePart& space : project.spaces) add_coverage(project, space, visit);
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    if (is_warning(diagnostic)) add_warning(project, diagnostic, visit);
+  }
+}
+
+constexpr DocumentTable kResultsTable{kResultColumns, visit_results};
+
+}  // namespace
+
+std::size_t column_of(std::span<const TableColumn> columns, std::string_view name) {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const TableColumn& column) { return column.name == name; });
+  if (found == columns.end()) throw std::logic_error("this table has no such column");
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+const DocumentTable& results_table() { return kResultsTable; }
+
+void results_of_revision(const Document& document, const VisitRow& visit) {
+  for (const CiChange& change : ci_changes(document)) {
+    ResultRow row;
+    row.set("project", change.project);
+    row.set("requirement", change.key);
+    row.set("verdict", change.rule == "worse" ? "worse" : "weaker question");
+    row.set("reason", change.message);
+    row.visit_with(visit);
+  }
+}
+
+}  // namespace report

@@ -1,0 +1,489 @@
+#include "report/formats/xlsx.h"
+
+#include "report/document/luminaire_totals.h"
+#include "report/formats/ci_finding.h"
+#include "report/formats/table.h"
+#include "report/revision/gate.h"
+#include "report/revision/revision_tables.h"
+#include "report/text/about_words.h"
+#include "report/text/known_words.h"
+#include "report/text/number_format.h"
+#include "report/text/sentences.h"
+#include "report/text/words.h"
+#include "rules/verdict/waiver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+constexpr int kWrapFrom = 30;  // columns as wide as that hold sentences
+
+ColumnRole role_of(std::string_view name) {
+  if (name == "verdict") return ColumnRole::verdict;
+  return name == "counts" ? ColumnRole::counts : ColumnRole::other;
+}
+
+// Of a table, in an order for people: `first`, and after them all others as they come.
+class SheetOrder {
+ public:
+  SheetOrder(std::span<const TableColumn> columns, std::span<const std::string_view> first) {
+    for (const std::string_view name : first) places_.push_back(column_of(columns, name));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (std::find(places_.begin(), places_.end(), i) == places_.end()) places_.push_back(i);
+    }
+    for (const std::size_t place : places_) {
+      const TableColumn& column = columns[place];
+      head_.push_back({std::string(column.heading), column.width, column.decimals,
+                       column.width >= kWrapFrom, role_of(column.name)});
+    }
+    row_.resize(places_.size());
+  }
+
+  const std::vector<SheetColumn>& head() const { return head_; }
+  // Valid until the next call.
+  std::span<const TableCell> row(std::span<const TableCell> cells) {
+    for (std::size_t i = 0; i < places_.size(); ++i) row_[i] = cells[places_[i]];
+    return row_;
+  }
+
+ private:
+  std::vector<std::size_t> places_;
+  std::vector<SheetColumn> head_;
+  std::vector<TableCell> row_;
+};
+
+constexpr std::array<std::string_view, 17> kResultsFirst{
+    "verdict", "project", "space",  "plane",  "requirement", "quantity", "required", "value", "low",
+    "high",    "unit",    "margin", "counts", "reason",      "clause",   "waiver",   "note"};
+
+TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
+
+// --- Projects ------------------------------------------------------------------------------------
+
+std::vector<SheetColumn> project_columns() {
+  return {{"Verdict", 15, kOfColumn, false, ColumnRole::verdict},
+          {"Project", 30, kOfColumn, true},
+          {"Name", 24},
+          {"Pass", 9},
+          {"Fail", 9},
+          {"Undecided", 11},
+          {"Not judged", 11},
+          {"Waived", 9},
+          {"With a deviation", 11},
+          {"Warnings", 10},
+          {"That count", 10},
+          {"Client and author", 50, kOfColumn, true}};
+}
+
+std::vector<TableCell> project_row(const ProjectPart& project) {
+  const VerdictCounts counts = count_verdicts(project);
+  const WarningCounts warnings = count_warnings(project);
+  return {std::string(outcome_words(outcome_of(project))),
+          project.path,
+          project.name,
+          count_cell(counts.pass),
+          count_cell(counts.fail),
+          count_cell(counts.undecided),
+          count_cell(counts.not_judged),
+          count_cell(counts.waived),
+          count_cell(counts.deviating),
+          count_cell(warnings.all),
+          count_cell(warnings.strict),
+          about_line({}, project.about)};
+}
+
+// --- Types ---------------------------------------------------------------------------------------
+
+std::vector<SheetColumn> type_columns() {
+  return {{"Project", 18},
+          {"Type", 16},
+          {"Name", 24},
+          {"Maker", 18},
+          {"Article number", 18},
+          {"Lamp", 18},
+          {"Colour temperature", 12},
+          {"Colour rendering", 12},
+          {"Count", 8},
+          {"Luminous flux of one, new (lm)", 14},
+          {"Power of one (W)", 12},
+          {"Efficacy (lm/W)", 11, 0},
+          {"Luminous flux of all, new (lm)", 14},
+          {"Power of all (W)", 12},
+          {"Highest intensity (cd)", 12, 0},
+          {"Maintenance factor", 13},
+          {"Photometry file", 24},
+          {"Format", 14},
+          {"SHA-256 of the file", 20}};
+}
+
+TableCell stated(double value, bool is_stated) {
+  return is_stated ? TableCell(TableNumber{value}) : TableCell();
+}
+
+std::vector<TableCell> type_row(const ProjectPart& project, const LuminaireRow& row) {
+  const bool has_power = row.power_w > 0.0;
+  return {project.path,
+          row.type_id,
+          row.name,
+          row.maker,
+          row.article_number,
+          row.lamp,
+          row.colour_temperature,
+          row.colour_rendering,
+          count_cell(row.count),
+          TableNumber{row.flux_lm},
+          stated(row.power_w, has_power),
+          stated(row.flux_lm / row.power_w, has_power),
+          TableNumber{row.count * row.flux_lm},
+          stated(row.count * row.power_w, has_power || row.count == 0),
+          TableNumber{row.max_intensity_cd},
+          TableNumber{row.maintenance_factor},
+          row.photometry_file,
+          row.format,
+          row.sha256};
+}
+
+std::vector<TableCell> type_totals(const ProjectPart& project) {
+  const LuminaireTotals totals = totals_of(project.luminaires);
+  std::vector<TableCell> row(type_columns().size());
+  row[0] = project.path;
+  row[1] = std::string("All luminaires");
+  row[8] = count_cell(totals.count);
+  row[12] = TableNumber{totals.flux_lm};
+  row[13] = stated(totals.power_w, totals.is_power_known);
+  return row;
+}
+
+// --- Warnings ------------------------------------------------------------------------------------
+
+std::vector<SheetColumn> warning_columns() {
+  return {{"Kind", 18, kOfColumn, false, ColumnRole::verdict},
+          {"Project", 24},
+          {"Where", 30, kOfColumn, true},
+          {"Message", 90, kOfColumn, true},
+          {"Id", 24}};
+}
+
+// What must be read with the verdicts.
+struct Remark {
+  std::string kind, where, words, id = {};
+};
+
+std::string place_text(const calc::SourceLocation& where) {
+  std::string text = where.file;
+  if (where.line > 0) text += fmt::format(":{}", where.line);
+  if (where.column > 0) text += fmt::format(":{}", where.column);
+  return text;
+}
+
+void add_plane_remarks(const std::string& room, const PlanePart& plane,
+                       std::vector<Remark>& remarks) {
+  const std::string where = room + " / " + std::string(report::title_of(plane.name, plane.id));
+  if (!plane.is_computed) remarks.push_back({"not computed", where, plane.reason});
+  if (!plane.changed.empty())
+    remarks.push_back({"changed", where, changed_words({}, plane.changed)});
+  for (const std::string& remark : plane.remarks) remarks.push_back({"note", where, remark});
+  if (const std::string doubt = doubt_words(plane); !doubt.empty())
+    remarks.push_back({"doubt", where, doubt});
+  for (const rules::Finding& finding : plane.findings) {
+    const std::string place = where + " / " + finding.requirement.id;
+    if (finding.is_close) remarks.push_back({"close", place, close_words(finding)});
+    if (finding.is_waived)
+      remarks.push_back({"waived", place, rules::waiver_words(*finding.requirement.waiver)});
+  }
+}
+
+std::vector<Remark> remarks_of(const ProjectPart& project) {
+  std::vector<Remark> remarks;
+  for (const calc::Diagnostic& message : project.diagnostics) {
+    const char* kind = !is_warning(message)                  ? "error"
+                       : is_strict_warning(project, message) ? "strict warning"
+                                                             : "warning";
+    remarks.push_back({kind, place_text(message.where), message.message,
+                       std::string(calc::diagnostic_name(message.id))});
+  }
+  for (const SpacePart& space : project.spaces) {
+    const std::string room(report::title_of(space.name, space.id));
+    for (const std::string& note : space.notes) remarks.push_back({"note", room, note});
+    for (const rules::RowCoverage& row : space.coverage) {
+      if (!row.is_whole()) remarks.push_back({"in part", room, coverage_words({}, row)});
+    }
+    for (const PlanePart& plane : space.planes) add_plane_remarks(room, plane, remarks);
+  }
+  for (const std::string& words : ci_left_out(project)) remarks.push_back({"left out", "", words});
+  return remarks;
+}
+
+// --- Summary -------------------------------------------------------------------------------------
+
+const char* same_bits_text(SameBits same_bits) {
+  switch (same_bits) {
+    case SameBits::any_processor:
+      return english_text(Text::repeatable);
+    case SameBits::same_device:
+      return english_text(Text::repeatable_on_device);
+    case SameBits::nowhere:
+      break;
+  }
+  return english_text(Text::not_repeatable);
+}
+
+// "2027-01-31T12:00:00Z" alone is a date for the properties of a file.
+bool is_moment(std::string_view text) {
+  constexpr std::string_view kLike = "0000-00-00T00:00:00Z";
+  if (text.size() != kLike.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_digit = text[i] >= '0' && text[i] <= '9';
+    if (kLike[i] == '0' ? !is_digit : text[i] != kLike[i]) return false;
+  }
+  return true;
+}
+
+// What a revision changed, as the other formats for people tell it.
+std::unique_ptr<SheetSeries> revision_sheet(const Document& revised, const SpillPlace& place) {
+  const std::vector<RevisionTable> tables = revision_tables(revised, {}, kMostSheetRows / 4);
+  std::size_t columns = 2;
+  for (const RevisionTable& table : tables) columns = std::max(columns, table.head.size());
+  auto sheet = std::make_unique<SheetSeries>(
+      "Revision", std::vector<SheetColumn>(columns, {"", kWrapFrom, kOfColumn, true}), place,
+      kMostSheetRows, SheetHead::without);
+  const auto add = [&](const std::vector<std::string>& words, TextLook look) {
+    std::vector<TableCell> row(columns);
+    std::copy(words.begin(), words.end(), row.begin());
+    sheet->add(row, look);
+  };
+  for (const RevisionTable& table : tables) {
+    add({table.title}, TextLook::title);
+    add(table.head, TextLook::head);
+    for (const std::vector<std::string>& row : table.rows) add(row, TextLook::wrapped);
+    if (table.left_out > 0)
+      add({Texts().say<Text::more_left_out>(table.left_out)}, TextLook::wrapped);
+  }
+  for (const std::string& remark : revision_remarks(revised, {})) add({remark}, TextLook::plain);
+  return sheet;
+}
+
+class XlsxWriter : public FormatWriter {
+ public:
+  XlsxWriter(const DocumentFrame& frame, const SpillPlace& place, std::size_t most_rows)
+      : frame_(frame),
+        place_(place),
+        results_order_(results_table().columns, kResultsFirst),
+        points_order_(points_table().columns, {}),
+        luminaires_order_(luminaires_table().columns, {}),
+        projects_("Projects", project_columns(), place, most_rows),
+        requirements_("Requirements", results_order_.head(), place, most_rows),
+        points_("Points", points_order_.head(), place, most_rows),
+        luminaires_("Luminaires", luminaires_order_.head(), place, most_rows),
+        types_("Types", type_columns(), place, most_rows),
+        warnings_("Warnings", warning_columns(), place, most_rows) {}
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  static constexpr std::size_t kMostRemarks = 100;  // in the summary; the sheet has all
+
+  void add_remarks(const ProjectPart& project);
+  void write_what(SheetSeries& summary) const;
+  void write_counts(SheetSeries& summary, const DocumentEnd& end) const;
+  void write_provenance(SheetSeries& summary, const Provenance& provenance) const;
+  void write_reading(SheetSeries& summary, const Provenance& provenance) const;
+  void write_remarks(SheetSeries& summary) const;
+  std::vector<const SheetSeries*> tables() const {
+    return {&projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_};
+  }
+
+  const DocumentFrame& frame_;
+  SpillPlace place_;
+  SheetOrder results_order_, points_order_, luminaires_order_;
+  SheetSeries projects_, requirements_, points_, luminaires_, types_, warnings_;
+  std::string title_;  // of the only project
+  std::vector<AboutWords> about_;
+  std::vector<std::pair<std::string, std::string>> first_remarks_;
+};
+
+void XlsxWriter::add(const ProjectPart& project) {
+  projects_.add(project_row(project));
+  results_table().rows(
+      project, [&](std::span<const TableCell> row) { requirements_.add(results_order_.row(row)); });
+  points_table().rows(project, [&](std::span<const TableCell> row) { points_.add(row); });
+  luminaires_table().rows(project, [&](std::span<const TableCell> row) { luminaires_.add(row); });
+  for (const LuminaireRow& row : project.luminaires) types_.add(type_row(project, row));
+  if (!project.luminaires.empty()) types_.add(type_totals(project));
+  add_remarks(project);
+  if (frame_.paths.size() > 1) return;
+  title_ = project.name;
+  about_ = about_words({}, project.about);
+}
+
+void XlsxWriter::add_remarks(const ProjectPart& project) {
+  for (const Remark& remark : remarks_of(project)) {
+    const std::array<TableCell, 5> row{remark.kind, project.path, remark.where, remark.words,
+                                       remark.id};
+    warnings_.add(row);
+    if (first_remarks_.size() >= kMostRemarks) continue;
+    const std::string id = remark.id.empty() ? "" : " [" + remark.id + "]";
+    first_remarks_.emplace_back(
+        remark.kind, (remark.where.empty() ? "" : remark.where + ": ") + remark.words + id);
+  }
+}
+
+void XlsxWriter::write_what(SheetSeries& summary) const {
+  summary.add_pair("luxgate: lighting checked against requirements", {}, TextLook::title);
+  if (frame_.paths.size() != 1) {
+    summary.add_pair("Projects", static_cast<std::int64_t>(frame_.paths.size()));
+    return;
+  }
+  summary.add_pair("Project", frame_.paths.front());
+  if (!title_.empty()) summary.add_pair("Name", title_);
+  for (const AboutWords& one : about_) summary.add_pair(one.name, one.words);
+}
+
+void XlsxWriter::write_counts(SheetSeries& summary, const DocumentEnd& end) const {
+  const Totals& totals = end.totals;
+  const bool is_revised = frame_.revised != nullptr;
+  const rules::Outcome outcome = is_revised ? gate_outcome(*frame_.revised) : totals.outcome;
+  summary.add_pair("Verdict", std::string(outcome_words(outcome)));
+  if (is_revised) {
+    for (const std::string& remark : revision_remarks(*frame_.revised, {}))
+      summary.add_pair("Against the earlier result", remark);
+  }
+  summary.add_pair("In words", summary_words(totals));
+  const std::string selection = selection_words(end.provenance);
+  if (!selection.empty()) summary.add_pair("Only a part", selection);
+  summary.add_pair("Pass", count_cell(totals.verdicts.pass));
+  summary.add_pair("Fail", count_cell(totals.verdicts.fail));
+  summary.add_pair("Undecided", count_cell(totals.verdicts.undecided));
+  summary.add_pair("Not judged", count_cell(totals.verdicts.not_judged));
+  summary.add_pair("Waived", count_cell(totals.verdicts.waived));
+  summary.add_pair("With a deviation from the standard", count_cell(totals.verdicts.deviating));
+  summary.add_pair("Rows of standards that are asked in part", count_cell(totals.rows_in_part));
+  summary.add_pair("Projects that could not be judged", count_cell(totals.projects_not_judged));
+  summary.add_pair("Warnings", count_cell(totals.warnings.all));
+  summary.add_pair("Warnings that count", count_cell(totals.warnings.strict));
+}
+
+void XlsxWriter::write_provenance(SheetSeries& summary, const Provenance& provenance) const {
+  const auto add_words = [&summary](const char* label, const std::string& words) {
+    if (!words.empty()) summary.add_pair(label, words);
+  };
+  summary.add_pair("Where it comes from", {}, TextLook::title);
+  summary.add_pair("Program", "luxgate " + provenance.program_version);
+  summary.add_pair("Version of the numbers", count_cell(provenance.numbers_version));
+  summary.add_pair("Command", provenance.command_line);
+  add_words("Made", provenance.timestamp);
+  add_words("Waivers and deviations are judged as of", provenance.judged_on);
+  add_words("Policy", policy_words(provenance));
+  add_words("SHA-256 of the policy", provenance.policy_sha256);
+  add_words("Left out of paths", redaction_words(provenance));
+  summary.add_pair("Backend", provenance.backend);
+  add_words("Method", provenance.method);
+  summary.add_pair("Seed", fmt::format("{}", provenance.seed));
+  summary.add_pair("Confidence", format_percent(provenance.confidence));
+  summary.add_pair("Goal", std::string(calc::name_of(provenance.goal)));
+  summary.add_pair("Relative half-width aimed at", format_percent(provenance.tolerance));
+  summary.add_pair("Light paths at most, of a plane and replicate",
+                   static_cast<std::int64_t>(provenance.max_paths));
+  summary.add_pair("Replicates", count_cell(provenance.replicates));
+  summary.add_pair("Again the same", std::string(same_bits_text(provenance.same_bits)));
+}
+
+void XlsxWriter::write_reading(SheetSeries& summary, const Provenance& provenance) const {
+  summary.add_pair("How to read it", {}, TextLook::title);
+  summary.add_pair(
+      "Low and high",
+      fmt::format(
+          "The value lies between them, with {} over all looks of a plane. A verdict looks at "
+          "the whole interval, unless the notes of its requirement say something else.",
+          format_percent(provenance.confidence)));
+  summary.add_pair("Empty cells",
+                   std::string("There is no value: not asked, not stated, not known or not "
+                               "computed. It is never zero."));
+  summary.add_pair("Points",
+                   std::string("Maintained, with every luminaire at full output. Ratings of glare "
+                               "are of the new installation."));
+  std::size_t cut = summary.cut_texts();
+  for (const SheetSeries* table : tables()) {
+    cut += table->cut_texts();
+    const std::string rows = fmt::format(
+        "{} rows{}", table->rows(),
+        table->sheets() == 1
+            ? ""
+            : fmt::format(" in {} sheets, '{}' to '{} {}': one sheet has no room for them",
+                          table->sheets(), table->name(), table->name(), table->sheets()));
+    summary.add_pair("Sheet " + table->name(), rows);
+  }
+  if (cut > 0) {
+    summary.add_pair(
+        "Cut texts",
+        fmt::format("{} texts are longer than the {} characters that a cell may have, and "
+                    "end with a remark; JSON has them whole",
+                    cut, kMostCellCharacters));
+  }
+}
+
+void XlsxWriter::write_remarks(SheetSeries& summary) const {
+  summary.add_pair("Warnings and doubts", {}, TextLook::title);
+  if (first_remarks_.empty()) summary.add_pair("", std::string("There are none."));
+  for (const auto& [kind, words] : first_remarks_) summary.add_pair(kind, words);
+  if (warnings_.rows() > first_remarks_.size()) {
+    summary.add_pair("", fmt::format("{} more are in the sheet '{}'",
+                                     warnings_.rows() - first_remarks_.size(), warnings_.name()));
+  }
+}
+
+void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
+  SheetSeries summary("Summary", {{"", 46}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
+                      place_, kMostSheetRows, SheetHead::without);
+  std::unique_ptr<SheetSeries> revision;
+  if (frame_.revised != nullptr) {
+    results_of_revision(*frame_.revised, [&](std::span<const TableCell> row) {
+      requirements_.add(results_order_.row(row));
+    });
+    revision = revision_sheet(*frame_.revised, place_);
+  }
+  write_what(summary);
+  write_counts(summary, end);
+  write_remarks(summary);
+  write_provenance(summary, end.provenance);
+  write_reading(summary, end.provenance);
+
+  Workbook book;
+  book.add(summary);
+  for (SheetSeries* table :
+       {&projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_}) {
+    book.add(*table);
+  }
+  if (revision) book.add(*revision);
+  const Provenance& provenance = end.provenance;
+  book.write({title_.empty() ? "luxgate" : title_, "luxgate " + provenance.program_version,
+              is_moment(provenance.timestamp) ? provenance.timestamp : ""},
+             place_, sink);
+}
+
+}  // namespace
+
+std::unique_ptr<FormatWriter> xlsx_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          std::size_t most_rows) {
+  return std::make_unique<XlsxWriter>(frame, place, most_rows);
+}
+
+std::string render_xlsx(const Document& document, std::size_t most_rows) {
+  return render_whole(document, [most_rows](const DocumentFrame& frame, const SpillPlace& place) {
+    return xlsx_writer(frame, place, most_rows);
+  });
+}
+
+}  // namespace report

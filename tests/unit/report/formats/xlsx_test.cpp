@@ -1,0 +1,243 @@
+#include "report/formats/xlsx.h"
+
+#include "report/text/shown_decimals.h"
+#include "tests/support/hostile_document.h"
+#include "tests/support/legible.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace report {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// Every file of it, parsed.
+class Book {
+ public:
+  explicit Book(const std::string& bytes) {
+    calc::Diagnostics diagnostics;
+    auto archive =
+        calc::ZipArchive::open(bytes, "x.xlsx", diagnostics, {10'000, 1u << 30, 1u << 30});
+    EXPECT_TRUE(archive.has_value());
+    if (!archive) return;
+    for (const std::string& name : archive->names()) {
+      const std::string xml = archive->read(name).value_or("");
+      EXPECT_TRUE(files_[name].load_string(xml.c_str())) << name;
+      texts_[name] = xml;
+    }
+    for (const pugi::xml_node sheet : files_["xl/workbook.xml"].child("workbook").child("sheets"))
+      names_.emplace_back(sheet.attribute("name").value());
+  }
+
+  const std::vector<std::string>& sheets() const { return names_; }
+  const std::string& text(const std::string& file) const { return texts_.at(file); }
+  const std::map<std::string, std::string>& texts() const { return texts_; }
+  pugi::xml_node sheet(const std::string& name) const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i] == name) {
+        return files_.at("xl/worksheets/sheet" + std::to_string(i + 1) + ".xml").child("worksheet");
+      }
+    }
+    ADD_FAILURE() << "no sheet " << name;
+    return {};
+  }
+  // By a reference, "B2".
+  pugi::xml_node cell(const std::string& sheet_name, const std::string& place) const {
+    return sheet(sheet_name).find_node([&](const pugi::xml_node& node) {
+      return place == node.attribute("r").value();
+    });
+  }
+  std::string words(const std::string& sheet_name, const std::string& place) const {
+    return cell(sheet_name, place).child("is").child("t").text().get();
+  }
+  // How a number is shown.
+  std::string format_of(const pugi::xml_node& cell) const {
+    const pugi::xml_node styles = files_.at("xl/styles.xml").child("styleSheet");
+    pugi::xml_node style = styles.child("cellXfs").first_child();
+    for (int i = cell.attribute("s").as_int(); i > 0; --i) style = style.next_sibling();
+    const std::string id = style.attribute("numFmtId").value();
+    const pugi::xml_node format =
+        styles.child("numFmts").find_child_by_attribute("numFmtId", id.c_str());
+    return format ? format.attribute("formatCode").value() : "General";
+  }
+  std::size_t rows(const std::string& name) const {
+    std::size_t count = 0;
+    for (const pugi::xml_node row : sheet(name).child("sheetData"))
+      count += row.name() == std::string("row") ? 1 : 0;
+    return count;
+  }
+
+ private:
+  std::map<std::string, pugi::xml_document> files_;
+  std::map<std::string, std::string> texts_;
+  std::vector<std::string> names_;
+};
+
+// Columns of Requirements, by their heads.
+std::string column_with(const Book& book, const std::string& head) {
+  for (const pugi::xml_node cell : book.sheet("Requirements").child("sheetData").first_child()) {
+    if (head == cell.child("is").child("t").text().get()) {
+      const std::string place = cell.attribute("r").value();
+      return place.substr(0, place.size() - 1);
+    }
+  }
+  ADD_FAILURE() << "no column " << head;
+  return "";
+}
+
+TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
+  const Book book(render_xlsx(small_document()));
+  EXPECT_THAT(book.sheets(), ElementsAre("Summary", "Projects", "Requirements", "Points",
+                                         "Luminaires", "Types", "Warnings"));
+  EXPECT_EQ(book.words("Requirements", "A1"), "Verdict");
+  EXPECT_EQ(book.words("Requirements", "A2"), "pass");
+  EXPECT_EQ(book.words("Requirements", "A3"), "fail");
+  EXPECT_EQ(book.words("Requirements", column_with(book, "Required") + "2"), "≥ 500 lx");
+  EXPECT_EQ(book.rows("Points"), 3U);
+}
+
+TEST(Xlsx, SameDocumentSameBytesAndNoDateUnlessAskedFor) {
+  Document document = sample_document();
+  document.provenance.timestamp = "";
+  const std::string bytes = render_xlsx(document);
+  EXPECT_EQ(bytes, render_xlsx(document));
+  EXPECT_THAT(Book(bytes).text("docProps/core.xml"), Not(HasSubstr("dcterms:created")));
+  document.provenance.timestamp = "2027-01-31T12:00:00Z";
+  EXPECT_THAT(Book(render_xlsx(document)).text("docProps/core.xml"),
+              HasSubstr("2027-01-31T12:00:00Z</dcterms:created>"));
+  document.provenance.timestamp = "yesterday";  // is no date for programs
+  EXPECT_THAT(Book(render_xlsx(document)).text("docProps/core.xml"),
+              Not(HasSubstr("dcterms:created")));
+}
+
+TEST(Xlsx, ATableThatIsTooLongGoesOnAndTheSummarySaysSo) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.points.resize(7, plane.points[0]);
+  const Book whole(render_xlsx(document));
+  EXPECT_EQ(whole.rows("Points"), 8U);
+  EXPECT_THAT(whole.text("xl/worksheets/sheet1.xml"), Not(HasSubstr("Points 2")));
+  const Book parts(render_xlsx(document, 4));
+  EXPECT_THAT(parts.sheets(),
+              testing::IsSupersetOf({"Points", "Points 2", "Points 3", "Requirements"}));
+  EXPECT_EQ(parts.rows("Points"), 4U);
+  EXPECT_EQ(parts.rows("Points 2"), 4U);
+  EXPECT_EQ(parts.rows("Points 3"), 2U);  // 3 + 3 + 1 points, each sheet with a head
+  EXPECT_EQ(parts.words("Points 3", "A1"), "Project");
+  EXPECT_THAT(parts.text("xl/worksheets/sheet1.xml"),
+              HasSubstr("7 rows in 3 sheets, 'Points' to 'Points 3'"));
+}
+
+TEST(Xlsx, HostileNamesAreTextInEveryCell) {
+  const Book book(render_xlsx(hostile_document()));
+  for (const auto& [name, xml] : book.texts()) {
+    for (const char* part : {"<script", "<f>", "hyperlink"})
+      EXPECT_EQ(xml.find(part), std::string::npos) << name << ": " << part;
+  }
+}
+
+TEST(Xlsx, WhatBeginsLikeAFormulaIsMarkedAsText) {
+  Document document = small_document();
+  document.projects[0].name = "=1+1";
+  const Book book(render_xlsx(document));
+  const pugi::xml_node cell = book.cell("Projects", "C2");
+  EXPECT_STREQ(cell.child("is").child("t").text().get(), "=1+1");
+  pugi::xml_document styles;
+  ASSERT_TRUE(styles.load_string(book.text("xl/styles.xml").c_str()));
+  pugi::xml_node style = styles.child("styleSheet").child("cellXfs").first_child();
+  for (int i = cell.attribute("s").as_int(); i > 0; --i) style = style.next_sibling();
+  EXPECT_TRUE(style.attribute("quotePrefix").as_bool());
+}
+
+// 499.97 lx is not 500 lx, whatever a cell has room for.
+TEST(Xlsx, NoNumberLooksAsIfItMetItsLimit) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  const auto shown = [&](double value, double spread) {
+    finding.measured = {value, value - spread, value + spread};
+    finding.verdict = rules::Verdict::fail;
+    const Book book(render_xlsx(document));
+    return book.format_of(
+        book.cell("Requirements", column_with(book, "Measured (in the unit)") + "2"));
+  };
+  EXPECT_EQ(shown(412.5, 8.0), "0.0");
+  EXPECT_EQ(shown(499.97, 0.0), "0.00");
+  EXPECT_EQ(shown(499.99996, 0.0), "0.00000");
+  // In binary a little less than it says; a spreadsheet rounds what it says.
+  EXPECT_EQ(shown(499.95, 0.0), "0.00");
+}
+
+TEST(Xlsx, DecimalsOfAnIntervalKeepAllOfItOnItsSide) {
+  const Threshold limit{500.0, rules::Comparison::at_least};
+  EXPECT_EQ(interval_decimals({520.0, 499.97, 540.0}, "lx", limit), 2);
+  EXPECT_EQ(interval_decimals({520.0, 499.9, 540.0}, "lx", limit), 1);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(interval_decimals({17.2, 17.2, kInfinity}, "", {}), 3);
+  EXPECT_EQ(interval_decimals({kInfinity, kInfinity, kInfinity}, "", {}), 0);
+  EXPECT_EQ(margin_decimals(0.025), 1);
+  EXPECT_EQ(margin_decimals(-0.000004), 4);
+}
+
+// Nothing that is not computed has a number, and no word but "pass" is green.
+TEST(Xlsx, WhatIsNotJudgedHasNoNumbersAndOnlyAPassIsGreen) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.verdict = rules::Verdict::not_judged;
+  const Book book(render_xlsx(document));
+  for (const char* head : {"Measured (in the unit)", "Low (in the unit)", "High (in the unit)",
+                           "Margin (% of the limit)"}) {
+    EXPECT_FALSE(book.cell("Requirements", column_with(book, head) + "2")) << head;
+    EXPECT_TRUE(book.cell("Requirements", column_with(book, head) + "3")) << head;
+  }
+  std::vector<std::string> green;
+  for (const pugi::xml_node rule :
+       book.sheet("Requirements").child("conditionalFormatting").children("cfRule")) {
+    if (rule.attribute("dxfId").as_int() == 0)
+      green.emplace_back(rule.child("formula").text().get());
+  }
+  EXPECT_THAT(green, ElementsAre("\"pass\""));
+}
+
+TEST(Xlsx, TypesAddUpAndUnknownPowerIsNoSum) {
+  Document document = small_document();
+  LuminaireRow type;
+  type.type_id = "a";
+  type.count = 3;
+  type.flux_lm = 1000;
+  type.power_w = 10;
+  LuminaireRow other = type;
+  other.type_id = "b";
+  other.count = 2;
+  document.projects[0].luminaires = {type, other};
+  const auto total = [&](const char* place) {
+    return Book(render_xlsx(document)).cell("Types", place);
+  };
+  EXPECT_EQ(total("I4").child("v").text().as_int(), 5);
+  EXPECT_EQ(total("M4").child("v").text().as_double(), 5000.0);
+  EXPECT_EQ(total("N4").child("v").text().as_double(), 50.0);
+  document.projects[0].luminaires[1].power_w = 0.0;
+  EXPECT_FALSE(total("N4"));
+  EXPECT_FALSE(total("K3"));
+}
+
+TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
+  Document document = small_document();
+  std::string name;
+  for (int i = 0; i < 20'000; ++i) name += "\U0001F4A1";  // two units of UTF-16 each
+  document.projects[0].name = name;
+  const std::string shown = Book(render_xlsx(document)).words("Projects", "C2");
+  EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: longer than a cell may be]"));
+  EXPECT_LE(shown.size() / 2, kMostCellCharacters);
+}
+
+}  // namespace
+}  // namespace report
