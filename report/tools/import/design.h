@@ -1,0 +1,82 @@
+#pragma once
+// What a design file (DXF, IFC) says of a building, in no particular format: what the readers of
+// these files give and the writer of projects takes. Metres, degrees, world coordinates with z up;
+// as in the file, but for the origin that was taken away.
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+// Where a thing is in its file: what finds it again at the next import and for a reader of the
+// report. key: unique in the file and the same in its next version wherever the file allows it
+// (GlobalId of IFC, handle of DXF, else layer and place). place: in words, "layer A-ROOM, line
+// 812".
+struct DesignSource {
+  std::string key, place;
+};
+
+struct DesignRoom {
+  DesignSource source;
+  std::string number, name, use;                // as the file says them, UTF-8; empty: not said
+  std::string storey;                           // empty: not said
+  std::vector<glm::dvec2> outline_m;            // simple, counter-clockwise, at least 3 corners
+  std::vector<std::vector<glm::dvec2>> hole_m;  // clockwise
+  double floor_z_m = 0.0;
+  std::optional<double> height_m;  // > 0; a plan does not know it
+};
+
+struct DesignLuminaire {
+  DesignSource source;
+  std::string type;  // name of the block or of the type: what a map gives photometry to
+  std::string mark;  // what people call this one, from an attribute or name; may be empty
+  std::string storey;
+  glm::dvec3 position_m{0.0};  // of the point of insertion
+  bool has_height = false;     // false: z is not known
+  double rotation_deg = 0.0;   // counter-clockwise seen from above, [0, 360)
+  bool is_mirrored = false;
+  std::vector<std::pair<std::string, std::string>> attribute;  // name and value, in file order
+};
+
+// Furniture and what else stands in the way: an upright box.
+struct DesignBox {
+  DesignSource source;
+  std::string name;
+  glm::dvec3 centre_m{0.0};  // of its foot
+  glm::dvec3 size_m{0.0};    // before rotation, all > 0
+  double rotation_deg = 0.0;
+};
+
+// A line that somebody walks, or the outline of a calculation plane.
+struct DesignLine {
+  DesignSource source;
+  std::string name;
+  std::vector<glm::dvec3> point_m;
+  bool is_closed = false;
+};
+
+// Something of the file that a reader of the report must know. Said once for things alike.
+struct DesignNote {
+  enum class Kind { taken, left_out, doubt };
+  Kind kind = Kind::left_out;
+  std::string what, why, place;  // of the first one
+  std::size_t count = 1;
+};
+
+struct Design {
+  std::string file, writer;       // writer: who wrote the file, as it says; may be empty
+  std::string unit, unit_reason;  // "mm", "stated by the map; the header says inch"
+  glm::dvec3 origin_m{0.0};       // taken away from all coordinates
+  std::vector<DesignRoom> room;
+  std::vector<DesignLuminaire> luminaire;
+  std::vector<DesignBox> box;
+  std::vector<DesignLine> route, plane;
+  std::vector<DesignNote> note;
+};
+
+}  // namespace cli
