@@ -6,6 +6,7 @@ luxgate_test(radiosity_tests
     analytic/extreme_light_test.cpp
     analytic/short_ray_share_test.cpp
     analytic/integrating_sphere_test.cpp
+    analytic/housing_test.cpp
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp
     analytic/luminous_body_test.cpp

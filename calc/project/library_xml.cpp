@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "calc/project/project_elements.h"
+#include "calc/scene/housing.h"
 
 #include <fmt/format.h>
 
@@ -103,6 +104,74 @@ void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, d
   }
 }
 
+// What is wrong with a housing for this opening is said at the attribute.
+void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housing& housing) {
+  constexpr double kRounding_m = 1.0e-3, kNoLight = 1.0e-6;
+  const LuminousOpening& opening = web.opening();
+  const auto refuse = [&](std::string_view attribute, const std::string& expected) {
+    reader.report(DiagnosticId::number_out_of_range, reader.where(attribute), attribute, "housing",
+                  reader.text(attribute), expected);
+  };
+  if (opening.shape == OpeningShape::point) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "housing",
+                  "photometry with a luminous opening, which this one has not, or which "
+                  "opening=\"point\" leaves out");
+    return;
+  }
+  if (opening.is_body()) {
+    for (const std::string_view attribute : {"depth", "size"}) {
+      if (!reader.has(attribute)) continue;
+      refuse(attribute, fmt::format("none: the opening of this photometry is a body of its own, "
+                                    "{:.4g} x {:.4g} x {:.4g} m",
+                                    opening.along_c0_m, opening.along_c90_m, opening.height_m));
+    }
+    return;
+  }
+  if (housing.size_m && (housing.size_m->x < opening.along_c0_m - kRounding_m ||
+                         housing.size_m->y < opening.along_c90_m - kRounding_m)) {
+    refuse("size", fmt::format("at least the luminous opening, {:.4g} x {:.4g} m",
+                               opening.along_c0_m, opening.along_c90_m));
+  }
+  if (const double share = backward_share(web); housing.depth_m > 0.0 && share > kNoLight) {
+    refuse("depth",
+           fmt::format("none: {:.2g} % of the light goes backwards and would be lost in the "
+                       "housing; the face alone takes up light on both sides",
+                       100.0 * share));
+  }
+}
+
+// light: of the type, at least one.
+void read_housing(const ProjectContext& context, const XmlElement& element,
+                  const std::vector<PlacedWeb>& light, LuminaireType& type) {
+  for (const XmlElement& child : element.children) {
+    if (child.name != "housing") continue;
+    ElementReader reader(child, context.diagnostics);
+    reader.allow(kHousingElement);
+    if (type.housing) {
+      reader.report(DiagnosticId::missing_form, reader.where(), element.name,
+                    "one <housing> at most");
+      continue;
+    }
+    Housing housing;
+    housing.material = read_material(context, reader);
+    housing.depth_m =
+        reader.optional_number("depth", kPositive).value_or(0.0) * context.metres_per_unit;
+    if (reader.has("size")) {
+      const std::vector<double> size =
+          reader.numbers("size", 2, "2 numbers (along C0, along C90)", kPositive);
+      housing.size_m = glm::dvec2(size[0], size[1]) * context.metres_per_unit;
+    }
+    if (!reader.ok()) continue;
+    if (light.size() > 1) {
+      reader.report(DiagnosticId::missing_form, reader.where(), "housing",
+                    "a luminaire with one emitter");
+      continue;
+    }
+    check_housing(reader, context.project.webs[light.front().web], housing);
+    if (reader.ok()) type.housing = housing;
+  }
+}
+
 // The type, and behind it those of its further emitters.
 std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementReader& reader) {
   reader.allow(kLuminaireTypeElement);
@@ -128,6 +197,7 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
   const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;
   type.power_w = power_w.value_or(is_other_light ? 0.0 : file.power_w);
   type.file_power_w = file.power_w;
+  read_housing(context, reader.element(), light, type);
   std::vector<LuminaireType> types{type};
   std::vector<LuminaireType> further;
   add_emitters(context.project, light, flux_scale, types.front(), further);

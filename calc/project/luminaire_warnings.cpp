@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "calc/project/room_inside.h"
 #include "calc/project/warning_words.h"
+#include "calc/scene/housing.h"
 #include "calc/scene/luminaire_sums.h"
 #include "calc/scene/opening_fit.h"
 #include "calc/scene/polygon.h"
@@ -140,6 +141,7 @@ void warn_luminaires_partly_in_solids(const Project& project, const Space& space
           !BoundingBox{box.lower - reach_m, box.upper + reach_m}.contains(luminaire.position_m)) {
         continue;
       }
+      if (is_housing_of(body, luminaire)) continue;
       if (locate_point(body, box, luminaire.position_m) == SolidSide::inside) continue;
       if (!reaches_into_solid(web.opening(), luminaire, body, box)) continue;
       partly.add(luminaire.id, luminaire.where);
@@ -159,6 +161,7 @@ void warn_luminaires_in_solids(const Space& space, Diagnostics& diagnostics) {
     if (!body.is_closed) continue;
     const BoundingBox box = bounding_box(body.vertex_m);
     for (const Luminaire& luminaire : space.luminaires) {
+      if (is_housing_of(body, luminaire)) continue;
       if (locate_point(body, box, luminaire.position_m) != SolidSide::inside) continue;
       buried.add(luminaire.id, luminaire.where);
       solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);

@@ -37,6 +37,7 @@ void append_placed(const ObjectSet& item, const Placement& placement, const std:
   for (const Body& original : item.bodies) {
     Body body = original;
     body.id = joined_id(name, original.id);
+    if (!original.housing_of.empty()) body.housing_of = joined_id(name, original.housing_of);
     for (glm::dvec3& vertex : body.vertex_m) vertex = placement.apply(vertex);
     into.add_body(std::move(body));
   }

@@ -4,6 +4,7 @@
 #include "calc/project/frame.h"
 #include "calc/project/luminaires_xml.h"
 #include "calc/project/project_elements.h"
+#include "calc/scene/housing.h"
 #include "calc/scene/luminaire_sums.h"
 
 #include <algorithm>
@@ -73,11 +74,19 @@ void add_luminaires(ProjectContext& context, ElementReader& reader, IdTable& ids
   ids.add(reader, reader.id(), 0);
   const std::vector<Luminaire> luminaires =
       with_all_emitters(context.project, read_luminaires(context, reader));
-  if (!check_room_for(context, reader, into.instances() + static_cast<double>(luminaires.size()),
-                      0)) {
-    return;
+  double housings = 0.0, triangles = 0.0;
+  for (const Luminaire& luminaire : luminaires) {
+    const LuminaireType& type = context.project.luminaire_types[luminaire.type];
+    if (!type.housing) continue;
+    housings += 2.0;  // a face and a prism at most
+    triangles += static_cast<double>(housing_triangles(context.project, type));
   }
+  const double instances = into.instances() + static_cast<double>(luminaires.size()) + housings;
+  if (!check_room_for(context, reader, instances, into.triangles + triangles)) return;
   into.luminaires.insert(into.luminaires.end(), luminaires.begin(), luminaires.end());
+  for (const Luminaire& luminaire : luminaires) {
+    for (Body& body : housing_bodies(context.project, luminaire)) into.add_body(std::move(body));
+  }
 }
 
 void add_bodies(ProjectContext& context, ElementReader& reader, IdTable& ids, int depth,

@@ -315,40 +315,58 @@ const ElementRow kMaterialElement{
     .meaning = "A diffuse surface; both sides of every surface reflect, nothing passes through.",
     .attributes = {kIdAttribute, {"reflectance", &kFractionType, required}}};
 
+const ElementRow kHousingElement{
+    .type = "housing",
+    .meaning =
+        "The luminaire as a thing that shades and takes up light that others and the room send to "
+        "it. Without it light passes through luminaires. Its own light is not touched: photometry "
+        "has been measured with the housing. The face lies in the opening; of an opening that is a "
+        "body (with a luminous height) the housing is that body.",
+    .attributes = {kMaterialAttribute,
+                   {"depth", &kPositiveType, optional,
+                    "How far the housing reaches behind a flat opening, for luminaires on a "
+                    "surface or in the open. Without it there is the face alone, as of luminaires "
+                    "set into a ceiling."},
+                   {"size", &kSize2Type, optional,
+                    "Along C0 and along C90, where the housing is larger than the opening."}}};
+
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",
     .meaning =
         "A photometry file and how it is used. Of a file with several lights, lamp-set, "
         "variant or emitter names one; emitter=\"all\" takes those of a GLDF variant together.",
-    .attributes = {
-        kIdAttribute,
-        {"photometry", &kTextType, required,
-         "LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file."},
-        {"flux-lm", &kPositiveType, optional,
-         "Luminous flux of the luminaire, instead of the file's."},
-        {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
-        {"price", &kNonNegativeType, optional,
-         "Of one luminaire, in the project's own currency, for 'luxgate sweep'. No light and no "
-         "verdict hangs on it."},
-        {"maintenance-factor", &kPositiveFractionType, optional,
-         "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, the "
-         "product counts). If nothing is given that of the root element; without either it is 1 "
-         "for limits of the project's own, and rows of a standard are not judged."},
-        {"llmf", &kPositiveFractionType},
-        {"lsf", &kPositiveFractionType},
-        {"lmf", &kPositiveFractionType},
-        {"rsmf", &kPositiveFractionType},
-        {"opening", &kOpeningType, optional,
-         "point: let all light leave the centre instead of the luminous opening of the file.",
-         "file"},
-        {"interpolation", &kInterpolationType, optional,
-         "Between the file's angles, linear or cubic (Hermite, without overshoot).", "linear"},
-        {"lamp-set", &kCountType, optional, "The number of an EULUMDAT lamp set."},
-        {"variant", &kTextType, optional, "The id of a GLDF variant."},
-        {"emitter", &kTextType, optional,
-         "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
-         "together, one luminaire with each emitter at its place; several ids with blanks between: "
-         "those together. Or the id, description or number of a TM-33 emitter."}}};
+    .attributes =
+        {kIdAttribute,
+         {"photometry", &kTextType, required,
+          "LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file."},
+         {"flux-lm", &kPositiveType, optional,
+          "Luminous flux of the luminaire, instead of the file's."},
+         {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
+         {"price", &kNonNegativeType, optional,
+          "Of one luminaire, in the project's own currency, for 'luxgate sweep'. No light and no "
+          "verdict hangs on it."},
+         {"maintenance-factor", &kPositiveFractionType, optional,
+          "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, "
+          "the "
+          "product counts). If nothing is given that of the root element; without either it is 1 "
+          "for limits of the project's own, and rows of a standard are not judged."},
+         {"llmf", &kPositiveFractionType},
+         {"lsf", &kPositiveFractionType},
+         {"lmf", &kPositiveFractionType},
+         {"rsmf", &kPositiveFractionType},
+         {"opening", &kOpeningType, optional,
+          "point: let all light leave the centre instead of the luminous opening of the file.",
+          "file"},
+         {"interpolation", &kInterpolationType, optional,
+          "Between the file's angles, linear or cubic (Hermite, without overshoot).", "linear"},
+         {"lamp-set", &kCountType, optional, "The number of an EULUMDAT lamp set."},
+         {"variant", &kTextType, optional, "The id of a GLDF variant."},
+         {"emitter", &kTextType, optional,
+          "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
+          "together, one luminaire with each emitter at its place; several ids with blanks "
+          "between: "
+          "those together. Or the id, description or number of a TM-33 emitter."}},
+    .children = {{"housing", &kHousingElement}}};
 
 const ElementRow kDimElement{
     .type = "dim",

@@ -46,7 +46,8 @@ extern const std::vector<AttributeRow> kLuminousAttributes;
 extern const std::string_view kProjectMeaning;
 extern const ChildRow kProjectRoot;
 extern const ElementRow kProjectElement;
-extern const ElementRow kMaterialElement, kLuminaireTypeElement, kSceneElement, kDimElement;
+extern const ElementRow kMaterialElement, kHousingElement, kLuminaireTypeElement, kSceneElement,
+    kDimElement;
 // What project data are called, see scene/about_project.h.
 inline constexpr std::string_view kAboutName = "about";
 inline constexpr std::string_view kMaintenancePlanName = "maintenance-plan";

@@ -1,5 +1,7 @@
 #include "calc/scene/opening_fit.h"
 
+#include "calc/scene/housing.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -70,6 +72,7 @@ bool OpeningFit::is_cut(const LuminousOpening& opening, const Luminaire& luminai
   for (std::size_t i = 0; i < body_box_.size(); ++i) {
     const BoundingBox& box = body_box_[i];
     const Body& body = space_.bodies[i];
+    if (is_housing_of(body, luminaire)) continue;
     const bool is_apart = box.is_empty() ||
                           glm::any(glm::greaterThan(box.lower, luminaire.position_m + reach_m)) ||
                           glm::any(glm::lessThan(box.upper, luminaire.position_m - reach_m));

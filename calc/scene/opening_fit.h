@@ -19,7 +19,7 @@ class OpeningFit {
 
   // Whether a surface cuts through the body's bounding box, as the ceiling does through that of a
   // luminaire placed at its height: light from the part beyond would be lost. Surfaces that touch
-  // it within 1e-6 m do not. Flat openings are never cut.
+  // it within 1e-6 m do not, nor does its own housing. Flat openings are never cut.
   bool is_cut(const LuminousOpening& opening, const Luminaire& luminaire);
   // What the calculation uses for this luminaire: the opening, flattened if a surface cuts it.
   LuminousOpening fitted(const LuminousOpening& opening, const Luminaire& luminaire);

@@ -40,6 +40,7 @@ struct Body {
   std::vector<std::uint32_t> material_of;  // per triangle, index into Project::materials
   bool is_closed = false;                  // watertight: it has an inside, whose points are dropped
   SourceLocation where;
+  std::string housing_of = {};  // id of the luminaire that has it (housing.h); of all others empty
 };
 
 // The walls of a <room>: a vertical prism over a simple polygon (counter-clockwise, may be
@@ -63,6 +64,14 @@ struct TypeEmitter {
   EmitterPlace place;
 };
 
+// The luminaire as a thing in the way of light, its own light apart: photometry has that already.
+// From its opening backwards; of an opening that is a body, that body.
+struct Housing {
+  std::uint32_t material = 0;             // index into Project::materials
+  double depth_m = 0.0;                   // 0: the face alone, as of a luminaire in a ceiling
+  std::optional<glm::dvec2> size_m = {};  // along C0 and C90; else that of the opening
+};
+
 // A luminaire with several emitters is a type for each of them: the first one has its id and power,
 // the others come behind it. So everything that asks for light finds each emitter where it is; what
 // counts luminaires or watts asks counts_as_luminaire().
@@ -79,6 +88,7 @@ struct LuminaireType {
   bool is_further_emitter = false;         // of the type before it
   // Of one luminaire, in the project's own currency; empty = not stated. No light hangs on it.
   std::optional<double> price = {};
+  std::optional<Housing> housing = {};
 
   bool counts_as_luminaire() const { return !is_further_emitter; }
 };

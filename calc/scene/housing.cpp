@@ -1,0 +1,205 @@
+#include "calc/scene/housing.h"
+
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace calc {
+namespace {
+
+constexpr std::size_t kCorners = 32;  // of what is round
+constexpr std::size_t kStripes = 16;  // of an ellipsoid, from pole to pole
+
+struct Mesh {
+  std::vector<glm::dvec3> vertex_m;  // in the luminaire's axes
+  std::vector<glm::uvec3> triangle;
+};
+
+// Counter-clockwise as seen from behind (+z).
+using Outline = std::vector<glm::dvec2>;
+
+Outline rectangle(const glm::dvec2& half_m) {
+  return {
+      {-half_m.x, -half_m.y}, {half_m.x, -half_m.y}, {half_m.x, half_m.y}, {-half_m.x, half_m.y}};
+}
+
+// Corners on the ellipse with these half axes.
+Outline ellipse(const glm::dvec2& half_m) {
+  Outline outline;
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const double angle_rad = 2.0 * kPi * static_cast<double>(i) / kCorners;
+    outline.push_back(half_m * glm::dvec2(cos(angle_rad), sin(angle_rad)));
+  }
+  return outline;
+}
+
+// How much larger the polygon's half axes must be for the ellipse's area.
+double same_area_factor() {
+  const double angle_rad = 2.0 * kPi / kCorners;
+  return std::sqrt(angle_rad / sin(angle_rad));
+}
+
+void add_fan(std::size_t first, std::size_t count, bool is_turned, Mesh& mesh) {
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const auto a = static_cast<std::uint32_t>(first), b = static_cast<std::uint32_t>(first + i),
+               c = static_cast<std::uint32_t>(first + i + 1);
+    mesh.triangle.push_back(is_turned ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c));
+  }
+}
+
+Mesh sheet(const Outline& outline) {
+  Mesh mesh;
+  for (const glm::dvec2& corner : outline) mesh.vertex_m.emplace_back(corner, 0.0);
+  add_fan(0, outline.size(), true, mesh);
+  return mesh;
+}
+
+Mesh prism(const Outline& outline, double lower_m, double upper_m) {
+  Mesh mesh;
+  for (const double z : {lower_m, upper_m}) {
+    for (const glm::dvec2& corner : outline) mesh.vertex_m.emplace_back(corner, z);
+  }
+  const std::size_t count = outline.size();
+  add_fan(0, count, true, mesh);
+  add_fan(count, count, false, mesh);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto a = static_cast<std::uint32_t>(i), b = static_cast<std::uint32_t>((i + 1) % count),
+               up = static_cast<std::uint32_t>(count);
+    mesh.triangle.emplace_back(a, b, b + up);
+    mesh.triangle.emplace_back(a, b + up, a + up);
+  }
+  return mesh;
+}
+
+// Corners on it.
+Mesh ellipsoid(const glm::dvec3& half_m) {
+  Mesh mesh;
+  for (std::size_t stripe = 1; stripe < kStripes; ++stripe) {
+    const double angle_rad = kPi * static_cast<double>(stripe) / kStripes;
+    for (const glm::dvec2& corner : ellipse(glm::dvec2(half_m) * sin(angle_rad))) {
+      mesh.vertex_m.emplace_back(corner, -half_m.z * cos(angle_rad));
+    }
+  }
+  const auto corner = [](std::size_t stripe, std::size_t i) {
+    return static_cast<std::uint32_t>(stripe * kCorners + i % kCorners);
+  };
+  for (std::size_t stripe = 0; stripe + 2 < kStripes; ++stripe) {
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      const std::uint32_t a = corner(stripe, i), b = corner(stripe, i + 1),
+                          c = corner(stripe + 1, i + 1), d = corner(stripe + 1, i);
+      mesh.triangle.emplace_back(a, b, c);
+      mesh.triangle.emplace_back(a, c, d);
+    }
+  }
+  const auto low = static_cast<std::uint32_t>(mesh.vertex_m.size()), high = low + 1;
+  mesh.vertex_m.emplace_back(0.0, 0.0, -half_m.z);
+  mesh.vertex_m.emplace_back(0.0, 0.0, half_m.z);
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    mesh.triangle.emplace_back(low, corner(0, i + 1), corner(0, i));
+    mesh.triangle.emplace_back(high, corner(kStripes - 2, i), corner(kStripes - 2, i + 1));
+  }
+  return mesh;
+}
+
+// A prism along z becomes one along x or y.
+Mesh turned(Mesh mesh, OpeningShape shape) {
+  for (glm::dvec3& p : mesh.vertex_m) {
+    if (shape == OpeningShape::cylinder_c0) p = {p.z, p.x, p.y};
+    if (shape == OpeningShape::cylinder_c90) p = {p.y, p.z, p.x};
+  }
+  return mesh;
+}
+
+Mesh inside_of(const LuminousOpening& opening) {
+  constexpr double kWithin_m = 1.0e-3, kLeast = 0.9;
+  const glm::dvec3 outer_m = 0.5 * opening.size_m();
+  const double within_m =
+      std::min(kWithin_m, (1.0 - kLeast) * std::min({outer_m.x, outer_m.y, outer_m.z}));
+  const glm::dvec3 half_m = outer_m - within_m;
+  switch (opening.shape) {
+    case OpeningShape::cylinder:
+      return prism(ellipse(glm::dvec2(half_m)), -half_m.z, half_m.z);
+    case OpeningShape::cylinder_c0:
+      return turned(prism(ellipse({half_m.y, half_m.z}), -half_m.x, half_m.x), opening.shape);
+    case OpeningShape::cylinder_c90:
+      return turned(prism(ellipse({half_m.z, half_m.x}), -half_m.y, half_m.y), opening.shape);
+    case OpeningShape::ellipsoid:
+      return ellipsoid(half_m);
+    default:
+      return prism(rectangle(glm::dvec2(half_m)), -half_m.z, half_m.z);
+  }
+}
+
+Outline outline_of(const LuminousOpening& opening, const Housing& housing) {
+  if (housing.size_m) return rectangle(0.5 * *housing.size_m);
+  const glm::dvec2 half_m = 0.5 * glm::dvec2(opening.size_m());
+  return opening.shape == OpeningShape::disk ? ellipse(same_area_factor() * half_m)
+                                             : rectangle(half_m);
+}
+
+struct NamedMesh {
+  const char* name;
+  bool is_closed;
+  Mesh mesh;
+};
+
+std::vector<NamedMesh> meshes_of(const LuminousOpening& opening, const Housing& housing) {
+  std::vector<NamedMesh> meshes;
+  if (opening.is_body()) {
+    meshes.push_back({"housing", true, inside_of(opening)});
+    return meshes;
+  }
+  const Outline outline = outline_of(opening, housing);
+  meshes.push_back({"face", false, sheet(outline)});
+  if (housing.depth_m > 0.0) {
+    meshes.push_back({"housing", true, prism(outline, 0.0, housing.depth_m)});
+  }
+  return meshes;
+}
+
+}  // namespace
+
+bool is_housing_of(const Body& body, const Luminaire& luminaire) {
+  return !body.housing_of.empty() && body.housing_of == luminaire.id;
+}
+
+double backward_share(const PhotometricWeb& web) {
+  return web.zonal_flux_lm(0.5 * kPi, kPi) / web.flux_lm();
+}
+
+std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire) {
+  const LuminaireType& type = project.luminaire_types[luminaire.type];
+  std::vector<Body> bodies;
+  if (!type.housing) return bodies;
+  for (NamedMesh& named : meshes_of(project.webs[type.web].opening(), *type.housing)) {
+    Body body;
+    body.id = luminaire.id + "." + named.name;
+    body.housing_of = luminaire.id;
+    body.where = luminaire.where;
+    body.is_closed = named.is_closed;
+    body.material_of.assign(named.mesh.triangle.size(), type.housing->material);
+    body.triangle = std::move(named.mesh.triangle);
+    for (const glm::dvec3& p : named.mesh.vertex_m) {
+      body.vertex_m.push_back(luminaire.position_m + luminaire.world_from_luminaire * p);
+    }
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+std::size_t housing_triangles(const Project& project, const LuminaireType& type) {
+  std::size_t triangles = 0;
+  if (!type.housing) return triangles;
+  for (const NamedMesh& named : meshes_of(project.webs[type.web].opening(), *type.housing)) {
+    triangles += named.mesh.triangle.size();
+  }
+  return triangles;
+}
+
+}  // namespace calc

@@ -1,0 +1,160 @@
+// Luminaires as things: what their housings take of the room's light, and that they take nothing of
+// their own.
+#include "calc/scene/housing.h"
+
+#include "calc/base/statistics.h"
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+
+// A luminaire of this photometry with a housing.
+calc::Project project_of(calc::PhotometricWeb web, double depth_m, double reflectance = 0.0) {
+  calc::Project project;
+  project.materials.push_back({"housing", reflectance, {}});
+  project.webs.push_back(std::move(web));
+  calc::LuminaireType type;
+  type.id = "lamp";
+  type.housing = calc::Housing{0, depth_m, {}};
+  project.luminaire_types.push_back(type);
+  return project;
+}
+
+void add_housing(const calc::Project& project, const glm::dvec3& at, calc::PreparedScene& scene) {
+  calc::Luminaire luminaire;
+  luminaire.id = "l";
+  luminaire.position_m = at;
+  luminaire.world_from_luminaire = glm::dmat3(1.0);
+  for (const calc::Body& body : calc::housing_bodies(project, luminaire)) {
+    for (const glm::uvec3& t : body.triangle) {
+      add_triangle(scene, body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z],
+                   project.materials[0].reflectance);
+    }
+  }
+}
+
+// At the middle of each facet, facing inwards, and the facets' areas.
+struct Facets {
+  calc::SensorGrid grid;
+  std::vector<double> area_m2;
+};
+
+Facets facets_of(const calc::PreparedScene& scene) {
+  Facets facets;
+  for (const glm::uvec3& t : scene.triangle) {
+    const glm::dvec3 a = scene.vertex_m[t.x], b = scene.vertex_m[t.y], c = scene.vertex_m[t.z];
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    facets.grid.position_m.push_back((a + b + c) / 3.0);
+    facets.grid.normal.push_back(glm::normalize(glm::dot(normal, a) > 0.0 ? -normal : normal));
+    facets.area_m2.push_back(0.5 * glm::length(normal));
+  }
+  return facets;
+}
+
+struct Ball {
+  double mean_lx, direct_lx;  // mean over the sphere; Phi / A
+  double share;               // area of the housing / area of the sphere
+};
+
+// A luminous ball in the middle of a sphere of 1 m.
+Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
+  const calc::Project project =
+      project_of(calc::PhotometricWeb::make({0.0}, {0.0, calc::kPi}, {100.0, 100.0},
+                                            {calc::OpeningShape::ellipsoid, 0.6, 0.6, 0.6}, {}),
+                 0.0, housing_reflectance);
+  calc::PreparedScene scene;
+  add_sphere(scene, 1.0, 2, sphere_reflectance);
+  const Facets facets = facets_of(scene);
+  const double sphere_m2 = surface_area_m2(scene);
+  add_housing(project, {0, 0, 0}, scene);
+  const double housing_m2 = surface_area_m2(scene) - sphere_m2;
+  add_luminaire(scene, project.webs[0], {0, 0, 0});
+  set_extent(scene);
+  const calc::SpaceSolution solution = solve_with_paths(scene, facets.grid, 5, 512);
+  const calc::PlaneField& field = solution.fields[0];
+  EXPECT_EQ(field.problem, "");
+  Ball ball{0.0, project.webs[0].flux_lm() / sphere_m2, housing_m2 / sphere_m2};
+  for (std::size_t r = 0; r < field.replicates; ++r) {
+    for (std::size_t i = 0; i < field.points; ++i) {
+      ball.mean_lx += facets.area_m2[i] * total_lx(field, r, i);
+    }
+  }
+  ball.mean_lx /= sphere_m2 * static_cast<double>(field.replicates);
+  return ball;
+}
+
+TEST(Housing, TakesNothingOfItsOwnLight) {
+  const Ball ball = ball_in_sphere(0.0, 0.0);
+  EXPECT_NEAR(ball.mean_lx / ball.direct_lx, 1.0, 2e-3);
+}
+
+// Each reflection loses the share of the sphere's light that meets the convex body in it: its area
+// by the sphere's.
+TEST(Housing, AnAbsorbingLampInAnIntegratingSphere) {
+  for (const double rho : {0.5, 0.9}) {
+    SCOPED_TRACE(rho);
+    const Ball ball = ball_in_sphere(rho, 0.0);
+    ASSERT_GT(ball.share, 0.08);
+    const double expected_lx = ball.direct_lx / (1.0 - rho * (1.0 - ball.share));
+    EXPECT_NEAR(ball.mean_lx / expected_lx, 1.0, 4e-3);
+    EXPECT_LT(ball.mean_lx, 0.97 * ball.direct_lx / (1.0 - rho));  // without a body
+  }
+}
+
+// A white one gives back what it takes: the sphere's balance is that without it.
+TEST(Housing, AWhiteLampTakesNothing) {
+  const Ball ball = ball_in_sphere(0.8, 1.0);
+  EXPECT_NEAR(ball.mean_lx * (1.0 - 0.8) / ball.direct_lx, 1.0, 4e-3);
+}
+
+double centre_factor(double half_m, double height_m) {
+  const double x = half_m / height_m, root = std::sqrt(1.0 + x * x);
+  return 4.0 / calc::kPi * x / root * std::atan(x / root);
+}
+
+// A black disk between a large luminous ceiling and a point: the ceiling less what the disk hides
+// of it, and the disk's own light.
+TEST(Housing, ADiskOverAPlaneHidesWhatItCovers) {
+  constexpr double kCeiling_m = 3.0, kDisk_m = 1.5, kHalf_m = 3.0, kRadius_m = 0.4;
+  constexpr double kCeilingLuminance = 100.0, kDiskLuminance = 700.0;
+  const double disk_m2 = calc::kPi * kRadius_m * kRadius_m;
+  const double disk_factor = kRadius_m * kRadius_m / (kRadius_m * kRadius_m + kDisk_m * kDisk_m);
+  for (const double depth_m : {0.0, 0.2}) {
+    SCOPED_TRACE(depth_m);
+    const calc::Project project =
+        project_of(lambert_web(kDiskLuminance * disk_m2, 900,
+                               {calc::OpeningShape::disk, 2 * kRadius_m, 2 * kRadius_m, 0.0}),
+                   depth_m);
+    const double ceiling_m2 = 4.0 * kHalf_m * kHalf_m;
+    const calc::PhotometricWeb ceiling =
+        lambert_web(kCeilingLuminance * ceiling_m2, 900,
+                    {calc::OpeningShape::rectangle, 2 * kHalf_m, 2 * kHalf_m, 0.0});
+    calc::PreparedScene scene;
+    add_housing(project, {0, 0, kDisk_m}, scene);
+    add_luminaire(scene, ceiling, {0, 0, kCeiling_m});
+    add_luminaire(scene, project.webs[0], {0, 0, kDisk_m});
+    set_extent(scene);
+    calc::SensorGrid grid;
+    grid.position_m = {{0.0, 0.0, 0.0}};
+    grid.normal = {{0, 0, 1}};
+    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 16);
+    const calc::Estimate lx = calc::t_interval(replicates_at(solution.fields[0], 0), 0.999);
+    // The depth hides nothing more: its upper rim lies within the cone of the lower one.
+    const double expected_lx =
+        calc::kPi * (kCeilingLuminance * (centre_factor(kHalf_m, kCeiling_m) - disk_factor) +
+                     kDiskLuminance * disk_factor);
+    EXPECT_NEAR(lx.value / expected_lx, 1.0, 3e-3);
+    EXPECT_LT(lx.low, expected_lx * 1.001);
+    EXPECT_GT(lx.high, expected_lx * 0.999);
+  }
+}
+
+}  // namespace

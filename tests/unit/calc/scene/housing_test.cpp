@@ -1,0 +1,227 @@
+#include "calc/scene/housing.h"
+
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/solids.h"
+#include "tests/unit/calc/project/project_xml_support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace calc {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::load;
+using ::testing::Not;
+
+std::string ies(const std::string& sizes, const std::string& table = "0 90\n0\n100 0\n") {
+  return "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
+         "TILT=NONE\n1 1000 1 2 1 1 2 " +
+         sizes + "\n1 1 12\n" + table;
+}
+
+// flat: 1.2 m along C0 and 0.3 m along C90; disk: 0.6 m; box, ball, tube: bodies; up: flat, with
+// light to both sides.
+testing::Loaded room_with(const std::string& type, const std::string& objects) {
+  MemoryFileReader files = testing::project_files(testing::in_project(
+      type + "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">" +
+      objects + "<plane id=\"task\" height=\"0.75\"/></room>"));
+  files.add("dir/flat.ies", ies("0.3 1.2 0"));
+  files.add("dir/disk.ies", ies("-0.6 -0.6 0"));
+  files.add("dir/box.ies", ies("0.3 1.2 0.2"));
+  files.add("dir/ball.ies", ies("-0.3 -0.3 -0.3"));
+  files.add("dir/up.ies", ies("0.3 1.2 0", "0 180\n0\n100 100\n"));
+  return load(files);
+}
+
+std::string type_of(const std::string& file, const std::string& housing) {
+  return "<luminaire-type id=\"t\" photometry=\"" + file + "\"" +
+         (housing.empty() ? "/>" : ">" + housing + "</luminaire-type>") + "\n";
+}
+
+const std::string kHanging = "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 2\"/>";
+
+std::vector<const Body*> housings(const testing::Loaded& loaded) {
+  std::vector<const Body*> found;
+  for (const Body& body : loaded.project->spaces[0].bodies) {
+    if (!body.housing_of.empty()) found.push_back(&body);
+  }
+  return found;
+}
+
+double area_m2(const Body& body) {
+  double sum = 0.0;
+  for (const glm::uvec3& t : body.triangle) {
+    sum += 0.5 * glm::length(glm::cross(body.vertex_m[t.y] - body.vertex_m[t.x],
+                                        body.vertex_m[t.z] - body.vertex_m[t.x]));
+  }
+  return sum;
+}
+
+// > 0: all triangles face outwards as a whole.
+double volume_m3(const Body& body) {
+  double sum = 0.0;
+  for (const glm::uvec3& t : body.triangle) {
+    sum += glm::dot(body.vertex_m[t.x], glm::cross(body.vertex_m[t.y], body.vertex_m[t.z])) / 6.0;
+  }
+  return sum;
+}
+
+TEST(Housing, WithoutOneNothingIsInTheWay) {
+  const testing::Loaded loaded = room_with(type_of("flat.ies", ""), kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_TRUE(housings(loaded).empty());
+}
+
+TEST(Housing, TheFaceOfAFlatOpeningLiesInIt) {
+  const testing::Loaded loaded =
+      room_with(type_of("flat.ies", "<housing material=\"white\"/>"), kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  ASSERT_EQ(housings(loaded).size(), 1u);
+  const Body& face = *housings(loaded)[0];
+  EXPECT_EQ(face.id, "l.face");
+  EXPECT_EQ(face.housing_of, "l");
+  EXPECT_FALSE(face.is_closed);
+  EXPECT_NEAR(area_m2(face), 0.36, 1e-12);
+  const BoundingBox box = bounding_box(face.vertex_m);
+  EXPECT_NEAR(box.lower.x, 1.4, 1e-12);
+  EXPECT_NEAR(box.upper.y, 1.65, 1e-12);
+  EXPECT_EQ(box.lower.z, 2.0);
+  EXPECT_EQ(box.upper.z, 2.0);
+}
+
+TEST(Housing, DepthGoesBackwards) {
+  const testing::Loaded loaded =
+      room_with(type_of("flat.ies", "<housing material=\"white\" depth=\"0.1\" size=\"1.3 0.4\"/>"),
+                kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  ASSERT_EQ(housings(loaded).size(), 2u);
+  const Body& solid = *housings(loaded)[1];
+  EXPECT_EQ(solid.id, "l.housing");
+  EXPECT_TRUE(solid.is_closed);
+  EXPECT_TRUE(is_watertight(solid));
+  EXPECT_NEAR(volume_m3(solid), 1.3 * 0.4 * 0.1, 1e-12);
+  const BoundingBox box = bounding_box(solid.vertex_m);
+  EXPECT_NEAR(box.lower.z, 2.0, 1e-12);
+  EXPECT_NEAR(box.upper.z, 2.1, 1e-12);
+  EXPECT_THAT(loaded.messages, Not(HasSubstr("in-solid")));
+}
+
+TEST(Housing, ATurnedLuminaireTakesItAlong) {
+  const testing::Loaded loaded = room_with(
+      type_of("flat.ies", "<housing material=\"white\" depth=\"0.1\"/>"),
+      "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 1\" axis=\"0 0 1\" rotation=\"90\"/>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const BoundingBox box = bounding_box(housings(loaded)[1]->vertex_m);
+  EXPECT_NEAR(box.lower.z, 0.9, 1e-12);
+  EXPECT_NEAR(box.upper.x - box.lower.x, 0.3, 1e-12);
+}
+
+TEST(Housing, RoundOnesHaveTheDisksArea) {
+  const testing::Loaded loaded =
+      room_with(type_of("disk.ies", "<housing material=\"white\" depth=\"0.1\"/>"), kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_NEAR(area_m2(*housings(loaded)[0]), kPi * 0.09, 1e-12);
+  EXPECT_NEAR(volume_m3(*housings(loaded)[1]), kPi * 0.009, 1e-12);
+  EXPECT_TRUE(is_watertight(*housings(loaded)[1]));
+}
+
+TEST(Housing, OfALuminousBodyLiesWithinIt) {
+  for (const std::string file : {"box.ies", "ball.ies"}) {
+    SCOPED_TRACE(file);
+    const testing::Loaded loaded =
+        room_with(type_of(file, "<housing material=\"white\"/>"), kHanging);
+    ASSERT_TRUE(loaded.project) << loaded.messages;
+    ASSERT_EQ(housings(loaded).size(), 1u);
+    const Body& solid = *housings(loaded)[0];
+    EXPECT_TRUE(is_watertight(solid));
+    EXPECT_GT(volume_m3(solid), 0.0);
+    const glm::dvec3 half_m =
+        0.5 * loaded.project->webs[loaded.project->luminaire_types[0].web].opening().size_m();
+    for (const glm::dvec3& p : solid.vertex_m) {
+      const glm::dvec3 away = glm::abs(p - glm::dvec3(2, 1.5, 2));
+      EXPECT_TRUE(glm::all(glm::lessThan(away, half_m - 0.9e-3)));
+    }
+    // Its own housing neither cuts the luminous body nor buries the luminaire.
+    EXPECT_THAT(loaded.messages, Not(HasSubstr("luminous-body-cut")));
+    EXPECT_THAT(loaded.messages, Not(HasSubstr("in-solid")));
+    const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+    EXPECT_TRUE(scene.luminaires[0].opening.is_body());
+  }
+}
+
+// A luminaire set into the ceiling is a piece of it with another reflectance.
+TEST(Housing, AFaceInTheCeilingCoversIt) {
+  const testing::Loaded loaded =
+      room_with("<material id=\"grey\" reflectance=\"0.2\"/>" +
+                    type_of("flat.ies", "<housing material=\"grey\"/>"),
+                "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 2.5\"/>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  double grey_m2 = 0.0;
+  for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
+    if (scene.reflectance[t] != 0.2 || scene.body_id[scene.body[t]] != "r.ceiling") continue;
+    const glm::uvec3& v = scene.triangle[t];
+    grey_m2 += 0.5 * glm::length(glm::cross(glm::dvec3(scene.vertex_m[v.y] - scene.vertex_m[v.x]),
+                                            glm::dvec3(scene.vertex_m[v.z] - scene.vertex_m[v.x])));
+  }
+  EXPECT_NEAR(grey_m2, 0.36, 1e-6);
+}
+
+TEST(Housing, CopiesOfAnAssemblyHaveTheirOwn) {
+  const testing::Loaded loaded =
+      room_with(type_of("flat.ies", "<housing material=\"white\"/>"),
+                "<assembly id=\"a\" repeat=\"2 1 1\" step=\"1.5 0 0\" position=\"1 1 0\">"
+                "<luminaire id=\"l\" type=\"t\" position=\"0 0 2\"/></assembly>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  ASSERT_EQ(housings(loaded).size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(housings(loaded)[i]->housing_of, loaded.project->spaces[0].luminaires[i].id);
+  }
+}
+
+struct Refused {
+  std::string file, housing, message;
+};
+
+TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
+  const std::vector<Refused> cases{
+      {"spot.ies", "<housing material=\"white\"/>",
+       "<housing> needs photometry with a luminous opening"},
+      {"box.ies", "<housing material=\"white\" depth=\"0.1\"/>",
+       "attribute 'depth' of <housing>: 0.1 is not allowed; expected none: the opening of this "
+       "photometry is a body of its own, 1.2 x 0.3 x 0.2 m"},
+      {"flat.ies", "<housing material=\"white\" size=\"1.1 0.3\"/>",
+       "expected at least the luminous opening, 1.2 x 0.3 m"},
+      {"up.ies", "<housing material=\"white\" depth=\"0.1\"/>",
+       "expected none: 50 % of the light goes backwards"},
+      {"flat.ies", "<housing/>", "<housing> needs the attribute 'material'"},
+      {"flat.ies", "<housing material=\"white\"/><housing material=\"white\"/>",
+       "<luminaire-type> needs one <housing> at most"},
+      {"flat.ies", "<housing material=\"white\" depth=\"0\"/>", "attribute 'depth' of <housing>"},
+      {"flat.ies", "<housing material=\"none\"/>", "there is no material 'none'"},
+      {"flat.ies", "<house material=\"white\"/>", "did you mean 'housing'?"},
+  };
+  for (const Refused& one : cases) {
+    SCOPED_TRACE(one.message);
+    const testing::Loaded loaded = room_with(type_of(one.file, one.housing), kHanging);
+    EXPECT_FALSE(loaded.project);
+    EXPECT_THAT(loaded.messages, HasSubstr(one.message));
+  }
+}
+
+// Light to both sides passes its own face, which lies between.
+TEST(Housing, AFaceWithLightToBothSidesIsAllowed) {
+  const testing::Loaded loaded =
+      room_with(type_of("up.ies", "<housing material=\"white\"/>"), kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_EQ(housings(loaded).size(), 1u);
+}
+
+}  // namespace
+}  // namespace calc
