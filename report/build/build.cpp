@@ -118,6 +118,10 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.max_intensity_cd = calc::luminaire_peak_cd(project, type);
   row.maintenance_factor = type.maintenance.product;
   row.maintenance = type.maintenance;
+  if (type.housing) {
+    row.housing_material = project.materials[type.housing->material].id;
+    row.housing_depth_m = type.housing->depth_m;
+  }
   row.sha256 = sha256_of(project, type.photometry_file);
   row.c0_cd = polar_curve(project, type, 0.0);
   row.c90_cd = polar_curve(project, type, 0.5 * calc::kPi);

@@ -165,11 +165,12 @@ void add_plan_marks(const calc::Project& project, const calc::Space& space,
          materials_of(project, body)});
   }
   for (std::size_t i = shell; i < space.bodies.size(); ++i) {
+    if (!space.bodies[i].housing_of.empty()) continue;  // luminaires are drawn themselves
     if (part.bodies.size() == kMostBodies) {
-      part.bodies_left_out = space.bodies.size() - i;
-      return;
+      ++part.bodies_left_out;
+    } else if (!space.bodies[i].triangle.empty()) {
+      part.bodies.push_back(mark_of(project, space.bodies[i]));
     }
-    if (!space.bodies[i].triangle.empty()) part.bodies.push_back(mark_of(project, space.bodies[i]));
   }
 }
 

@@ -79,6 +79,9 @@ struct LuminaireRow {
   double max_intensity_cd = 0;
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
+  // Of the housing that shades: "" = none, light passes through the luminaire. Depth 0: its face.
+  std::string housing_material = {};
+  double housing_depth_m = 0;
   std::string sha256;  // of the photometry file
   // Intensities in C0-C180 and C90-C270, every kPolarStep_deg of gamma from -180 (C180, C270) to
   // 180; empty: not known.

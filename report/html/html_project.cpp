@@ -42,7 +42,8 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 
-// Maker, article and lamp as the photometry file has them; "" where it says nothing of them.
+// Maker, article and lamp as the photometry file has them, and the housing; "" where nothing is
+// said of them.
 std::string product_note(const Texts& t, const LuminaireRow& row) {
   std::string words;
   const auto add = [&](const std::string& text) {
@@ -55,6 +56,12 @@ std::string product_note(const Texts& t, const LuminaireRow& row) {
   add(escape_html(row.colour_temperature));
   if (!row.colour_rendering.empty())
     add(t.say<Text::colour_rendering>(escape_html(row.colour_rendering)));
+  if (!row.housing_material.empty()) {
+    add(row.housing_depth_m > 0.0
+            ? t.say<Text::housing_deep>(escape_html(row.housing_material),
+                                        format_metres(t, row.housing_depth_m))
+            : t.say<Text::housing_face>(escape_html(row.housing_material)));
+  }
   return words.empty() ? "" : "<span class=\"note\">" + words + "</span>";
 }
 

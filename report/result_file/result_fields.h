@@ -166,6 +166,14 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
   v.field("max_intensity_cd", or_null(row.max_intensity_cd));
   v.field("maintenance_factor", or_null(row.maintenance_factor));
   v.field("maintenance_parts", row.maintenance);
+  v.field("housing_material", row.housing_material,
+          {.words = "Of the housing that shades and takes up light; \"\" = none, light passes "
+                    "through the luminaire.",
+           .presence = kSinceLater});
+  v.field("housing_depth_m", row.housing_depth_m,
+          {.words = "Behind the opening; 0: the face alone, or a luminous body.",
+           .least = 0.0,
+           .presence = kSinceLater});
   const auto polar = [&](auto& o) {
     double step_deg = kPolarStep_deg;
     o.field("step_deg", step_deg);

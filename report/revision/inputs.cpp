@@ -39,6 +39,10 @@ std::string photometry_words(const LuminaireRow& row) {
   if (std::isfinite(row.flux_lm)) words += ", " + format_lumens(row.flux_lm) + " lm";
   if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
   words += ", maintenance factor " + format_shortest(row.maintenance_factor);
+  if (!row.housing_material.empty()) {
+    words += fmt::format(", housing of {} {} m deep", row.housing_material,
+                         format_shortest(row.housing_depth_m));
+  }
   return words;
 }
 

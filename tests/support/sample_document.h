@@ -310,6 +310,8 @@ inline Document sample_document() {
   panel.maintenance.lsf = 1.0;
   panel.maintenance.lmf = 0.94;
   panel.maintenance.rsmf = 0.95;
+  panel.housing_material = "white metal";
+  panel.housing_depth_m = 0.08;
   panel.sha256 = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08";
   LuminaireRow hall = panel;
   hall.type_id = "hall <b>\"80 W\"</b>";
@@ -321,6 +323,8 @@ inline Document sample_document() {
   hall.power_w = 0;
   hall.max_intensity_cd = 9400;
   hall.maintenance = {};
+  hall.housing_material = "";
+  hall.housing_depth_m = 0.0;
   hall.maintenance_factor = 0.8;
   hall.sha256 = "60303ae22b998861bce3b28f33eec1be758a213c86c93c076dbe9f558c11c752";
   project.luminaires = {panel, hall};

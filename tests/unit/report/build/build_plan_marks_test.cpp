@@ -158,5 +158,19 @@ TEST(PlanMarks, TooManyBodiesAreCounted) {
   EXPECT_EQ(part.bodies_left_out, 3U);
 }
 
+TEST(PlanMarks, HousingsAreNoFurniture) {
+  Room room = empty_room();
+  for (std::size_t i = 0; i < kMostBodies + 3; ++i) {
+    room.space.bodies.push_back(box("l.housing", {1, 1, 2}, {2, 2, 2.1}));
+    room.space.bodies.back().housing_of = "l";
+  }
+  room.space.bodies.push_back(box("chair", {1, 1, 0}, {2, 2, 1}));
+  SpacePart part;
+  add_plan_marks(room.project, room.space, room.scene, part);
+  ASSERT_EQ(part.bodies.size(), 1U);
+  EXPECT_EQ(part.bodies[0].id, "chair");
+  EXPECT_EQ(part.bodies_left_out, 0U);
+}
+
 }  // namespace
 }  // namespace report

@@ -689,6 +689,17 @@ TEST(Revise, InputsAreNamed) {
   EXPECT_THAT(revision.inputs[1].after, HasSubstr("1 moved, up to 0.25 m"));
 }
 
+TEST(Revise, AHousingThatGoesIsNamed) {
+  Document before = base();
+  before.projects[0].luminaires.at(0).housing_material = "grey";
+  before.projects[0].luminaires.at(0).housing_depth_m = 0.08;
+  const Document after = base();
+  const Revision revision = revise(before, after, "main.json", kRegression);
+  ASSERT_EQ(revision.inputs.size(), 1u);
+  EXPECT_THAT(revision.inputs[0].before, HasSubstr("housing of grey 0.08 m deep"));
+  EXPECT_THAT(revision.inputs[0].after, Not(HasSubstr("housing")));
+}
+
 TEST(Revise, WhatSaysWhatItWasIsTheSame) {
   const Revision renamed = revised([](Document& d) {
     SpacePart& room = d.projects[0].spaces[0];
