@@ -162,6 +162,13 @@ TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
   EXPECT_THAT(html, HasSubstr("Reaches the limit with all light at ×1.08."));
 }
 
+TEST(Html, HousingsAreWithTheirType) {
+  Document document = sample_document();
+  EXPECT_THAT(render_html(document), HasSubstr("housing of white metal, 0.08 m deep"));
+  document.projects[0].luminaires.at(0).housing_depth_m = 0.0;
+  EXPECT_THAT(render_html(document), HasSubstr("face of white metal that takes up light"));
+}
+
 TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
