@@ -67,6 +67,9 @@ struct PhotometrySource {
   double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
   // As the file states them, in its own words; "" = not stated.
   std::string article_number{}, lamp{}, colour_temperature{}, colour_rendering{};
+  // Of the luminaire as a thing, along C0, along C90 and its height, all > 0; empty: not stated.
+  std::optional<glm::dvec3> body_m{};
+  bool body_is_round = false;  // seen along its axis
 };
 
 class LazyWebSketch;

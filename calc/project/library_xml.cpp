@@ -109,8 +109,9 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
   constexpr double kRounding_m = 1.0e-3, kNoLight = 1.0e-6;
   const LuminousOpening& opening = web.opening();
   const auto refuse = [&](std::string_view attribute, const std::string& expected) {
-    reader.report(DiagnosticId::number_out_of_range, reader.where(attribute), attribute, "housing",
-                  reader.text(attribute), expected);
+    const std::string_view where = reader.has("dimensions") ? "dimensions" : attribute;
+    reader.report(DiagnosticId::number_out_of_range, reader.where(where), where, "housing",
+                  reader.text(where), expected);
   };
   if (opening.shape == OpeningShape::point) {
     reader.report(DiagnosticId::missing_form, reader.where(), "housing",
@@ -119,7 +120,7 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
     return;
   }
   if (opening.is_body()) {
-    for (const std::string_view attribute : {"depth", "size"}) {
+    for (const std::string_view attribute : {"depth", "size", "dimensions"}) {
       if (!reader.has(attribute)) continue;
       refuse(attribute, fmt::format("none: the opening of this photometry is a body of its own, "
                                     "{:.4g} x {:.4g} x {:.4g} m",
@@ -129,15 +130,45 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
   }
   if (housing.size_m && (housing.size_m->x < opening.along_c0_m - kRounding_m ||
                          housing.size_m->y < opening.along_c90_m - kRounding_m)) {
-    refuse("size", fmt::format("at least the luminous opening, {:.4g} x {:.4g} m",
-                               opening.along_c0_m, opening.along_c90_m));
+    refuse(
+        "size",
+        fmt::format("at least the luminous opening, {:.4g} x {:.4g} m; {:.4g} x {:.4g} m is less",
+                    opening.along_c0_m, opening.along_c90_m, housing.size_m->x, housing.size_m->y));
   }
-  if (const double share = backward_share(web); housing.depth_m > 0.0 && share > kNoLight) {
+  const double backwards = backward_share(web);
+  if (housing.depth_m > 0.0 && backwards > kNoLight) {
     refuse("depth",
            fmt::format("none: {:.2g} % of the light goes backwards and would be lost in the "
                        "housing; the face alone takes up light on both sides",
-                       100.0 * share));
+                       100.0 * backwards));
   }
+}
+
+// Its size in the project, or where that asks for it in the photometry.
+void read_housing_size(const ProjectContext& context, ElementReader& reader,
+                       const PhotometrySource& source, Housing& housing) {
+  reader.exclude("dimensions", "size");
+  reader.exclude("dimensions", "depth");
+  if (!reader.has("dimensions")) {
+    housing.depth_m =
+        reader.optional_number("depth", kPositive).value_or(0.0) * context.metres_per_unit;
+    if (!reader.has("size")) return;
+    const std::vector<double> size =
+        reader.numbers("size", 2, "2 numbers (along C0, along C90)", kPositive);
+    housing.size_m = glm::dvec2(size[0], size[1]) * context.metres_per_unit;
+    return;
+  }
+  reader.choice("dimensions", kHousingDimensionsType.words);
+  if (!reader.ok()) return;
+  if (!source.body_m) {
+    reader.report(DiagnosticId::missing_form, reader.where("dimensions"), "housing",
+                  "'size' and 'depth': this photometry does not state how large the luminaire is "
+                  "(EULUMDAT files can)");
+    return;
+  }
+  housing.size_m = glm::dvec2(*source.body_m);
+  housing.depth_m = source.body_m->z;
+  housing.is_round = source.body_is_round;
 }
 
 // light: of the type, at least one.
@@ -152,22 +183,16 @@ void read_housing(const ProjectContext& context, const XmlElement& element,
                     "one <housing> at most");
       continue;
     }
-    Housing housing;
-    housing.material = read_material(context, reader);
-    housing.depth_m =
-        reader.optional_number("depth", kPositive).value_or(0.0) * context.metres_per_unit;
-    if (reader.has("size")) {
-      const std::vector<double> size =
-          reader.numbers("size", 2, "2 numbers (along C0, along C90)", kPositive);
-      housing.size_m = glm::dvec2(size[0], size[1]) * context.metres_per_unit;
-    }
-    if (!reader.ok()) continue;
     if (light.size() > 1) {
       reader.report(DiagnosticId::missing_form, reader.where(), "housing",
                     "a luminaire with one emitter");
       continue;
     }
-    check_housing(reader, context.project.webs[light.front().web], housing);
+    const PhotometricWeb& web = context.project.webs[light.front().web];
+    Housing housing;
+    housing.material = read_material(context, reader);
+    read_housing_size(context, reader, web.source(), housing);
+    if (reader.ok()) check_housing(reader, web, housing);
     if (reader.ok()) type.housing = housing;
   }
 }

@@ -40,6 +40,8 @@ const ValueType kTextType{.name = "text",
 const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
 const ValueType kUnitsType{
     .name = "units", .base = &kAnyText, .words = {"m", "cm", "mm", "in", "ft"}};
+const ValueType kHousingDimensionsType{
+    .name = "housingDimensions", .base = &kAnyText, .words = {"file"}};
 const ValueType kOpeningType{.name = "opening", .base = &kAnyText, .words = {"file", "point"}};
 const ValueType kInterpolationType{
     .name = "interpolation", .base = &kAnyText, .words = {"linear", "cubic"}};
@@ -328,7 +330,10 @@ const ElementRow kHousingElement{
                     "surface or in the open. Without it there is the face alone, as of luminaires "
                     "set into a ceiling."},
                    {"size", &kSize2Type, optional,
-                    "Along C0 and along C90, where the housing is larger than the opening."}}};
+                    "Along C0 and along C90, where the housing is larger than the opening."},
+                   {"dimensions", &kHousingDimensionsType, optional,
+                    "file: size and depth are those of the luminaire in its photometry file "
+                    "(EULUMDAT)."}}};
 
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",

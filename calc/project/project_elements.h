@@ -32,9 +32,10 @@ inline constexpr std::string_view kTaskPlaceName = "task-place";
 // Types that others need, too: words of choices, and what attributes of requirements hold.
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kPositiveFractionType,
     kVectorType;
-extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
-    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType, kTaskPlaceType,
-    kTrafficSideType, kRoadSideType, kRoadSurfaceType, kStreetPlaneType;
+extern const ValueType kVersionType, kUnitsType, kHousingDimensionsType, kOpeningType,
+    kInterpolationType, kUpAxisType, kLineEndsType, kRingTurnType, kPlaneQuantityType,
+    kGlareMethodType, kTaskPlaceType, kTrafficSideType, kRoadSideType, kRoadSurfaceType,
+    kStreetPlaneType;
 // A last day, YYYY-MM-DD.
 extern const ValueType kDayType;
 // Of a waiver, see waiver_attributes.h.

@@ -137,10 +137,9 @@ Mesh inside_of(const LuminousOpening& opening) {
 }
 
 Outline outline_of(const LuminousOpening& opening, const Housing& housing) {
-  if (housing.size_m) return rectangle(0.5 * *housing.size_m);
-  const glm::dvec2 half_m = 0.5 * glm::dvec2(opening.size_m());
-  return opening.shape == OpeningShape::disk ? ellipse(same_area_factor() * half_m)
-                                             : rectangle(half_m);
+  const glm::dvec2 half_m = 0.5 * housing.size_m.value_or(glm::dvec2(opening.size_m()));
+  const bool is_round = housing.size_m ? housing.is_round : opening.shape == OpeningShape::disk;
+  return is_round ? ellipse(same_area_factor() * half_m) : rectangle(half_m);
 }
 
 struct NamedMesh {

@@ -70,6 +70,7 @@ struct Housing {
   std::uint32_t material = 0;             // index into Project::materials
   double depth_m = 0.0;                   // 0: the face alone, as of a luminaire in a ceiling
   std::optional<glm::dvec2> size_m = {};  // along C0 and C90; else that of the opening
+  bool is_round = false;                  // size_m is of an ellipse
 };
 
 // A luminaire with several emitters is a type for each of them: the first one has its id and power,

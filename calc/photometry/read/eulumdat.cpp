@@ -90,6 +90,11 @@ class EulumdatReader {
       if (i < 5 && !(mm[i] >= 0.0 && mm[i] <= 1.0e7))
         return lines_.refuse(kNames[i], mm[i], "0 to 1e7");
     }
+    if (mm[0] > 0.0 && mm[2] > 0.0) {
+      source_.body_is_round = mm[1] == 0.0;
+      source_.body_m =
+          glm::dvec3(source_.body_is_round ? mm[0] : mm[1], mm[0], mm[2]) * kMetresPerMillimetre;
+    }
     const double length = mm[3] * kMetresPerMillimetre;
     const double width = mm[4] * kMetresPerMillimetre;
     opening_.height_m =

@@ -25,12 +25,16 @@ std::string ies(const std::string& sizes, const std::string& table = "0 90\n0\n1
          sizes + "\n1 1 12\n" + table;
 }
 
-// flat: 1.2 m along C0 and 0.3 m along C90; disk: 0.6 m; box, ball, tube: bodies; up: flat, with
-// light to both sides.
+// flat: 1.2 m along C0 and 0.3 m along C90; panel, larger: EULUMDAT; disk: 0.6 m; box, ball, tube:
+// bodies; up: flat, with light to both sides.
 testing::Loaded room_with(const std::string& type, const std::string& objects) {
   MemoryFileReader files = testing::project_files(testing::in_project(
       type + "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">" +
       objects + "<plane id=\"task\" height=\"0.75\"/></room>"));
+  files.add("dir/panel.ldt", test_support::ldt_text({}));
+  test_support::LdtSample larger;
+  larger.luminous_width_mm = "400";
+  files.add("dir/larger.ldt", test_support::ldt_text(larger));
   files.add("dir/flat.ies", ies("0.3 1.2 0"));
   files.add("dir/disk.ies", ies("-0.6 -0.6 0"));
   files.add("dir/box.ies", ies("0.3 1.2 0.2"));
@@ -185,6 +189,18 @@ TEST(Housing, CopiesOfAnAssemblyHaveTheirOwn) {
   }
 }
 
+// A EULUMDAT file says how large the luminaire is: 1250 x 320 x 80 mm, its length along C90.
+TEST(Housing, TakesTheSizeOfTheFile) {
+  const testing::Loaded loaded = room_with(
+      type_of("panel.ldt", "<housing material=\"white\" dimensions=\"file\"/>"), kHanging);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  ASSERT_EQ(housings(loaded).size(), 2u);
+  const BoundingBox box = bounding_box(housings(loaded)[1]->vertex_m);
+  EXPECT_NEAR(box.upper.x - box.lower.x, 0.32, 1e-12);
+  EXPECT_NEAR(box.upper.y - box.lower.y, 1.25, 1e-12);
+  EXPECT_NEAR(box.upper.z - box.lower.z, 0.08, 1e-12);
+}
+
 struct Refused {
   std::string file, housing, message;
 };
@@ -200,6 +216,13 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
        "expected at least the luminous opening, 1.2 x 0.3 m"},
       {"up.ies", "<housing material=\"white\" depth=\"0.1\"/>",
        "expected none: 50 % of the light goes backwards"},
+      {"flat.ies", "<housing material=\"white\" dimensions=\"file\"/>",
+       "<housing> needs 'size' and 'depth': this photometry does not state how large the luminaire "
+       "is"},
+      {"panel.ldt", "<housing material=\"white\" dimensions=\"file\" depth=\"0.1\"/>",
+       "has both 'dimensions' and 'depth'"},
+      {"larger.ldt", "<housing material=\"white\" dimensions=\"file\"/>",
+       "expected at least the luminous opening, 0.4 x 1.2 m; 0.32 x 1.25 m is less"},
       {"flat.ies", "<housing/>", "<housing> needs the attribute 'material'"},
       {"flat.ies", "<housing material=\"white\"/><housing material=\"white\"/>",
        "<luminaire-type> needs one <housing> at most"},
