@@ -11,6 +11,7 @@ luxgate_test(radiosity_tests
     analytic/lambert_area_source_test.cpp
     analytic/luminous_body_test.cpp
     analytic/luminous_surface_test.cpp
+    analytic/mesh_room_light_test.cpp
     analytic/points_in_surfaces_test.cpp
     analytic/receiver_kernels_test.cpp
     analytic/road_plane_test.cpp

@@ -5,6 +5,7 @@ luxgate_test(scene_tests
     unit/calc/meshes/mesh_gltf_test.cpp
     unit/calc/meshes/mesh_obj_test.cpp
     unit/calc/meshes/mesh_ply_test.cpp
+    unit/calc/meshes/mesh_shells_test.cpp
     unit/calc/meshes/mesh_stl_test.cpp
     unit/calc/glare/field_glare_test.cpp
     unit/calc/glare/luminaires_seen_test.cpp
@@ -37,6 +38,7 @@ luxgate_test(scene_tests
     unit/calc/project/logo_test.cpp
     unit/calc/project/frame_test.cpp
     unit/calc/project/gbxml_space_test.cpp
+    unit/calc/project/mesh_room_test.cpp
     unit/calc/meshes/gbxml_test.cpp
     unit/calc/project/luminaire_list_csv_test.cpp
     unit/calc/project/luminaires_xml_test.cpp

@@ -103,6 +103,7 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
   const std::vector<std::uint32_t> welded = weld_vertices(model.vertex_m);
   std::vector<Edge> edges;
   std::vector<FaceCorners> faces;
+  std::vector<glm::uvec3> finite;
   edges.reserve(3 * model.triangle.size());
   faces.reserve(model.triangle.size());
   for (std::size_t i = 0; i < model.triangle.size(); ++i) {
@@ -117,6 +118,7 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
       continue;
     }
     for (const glm::dvec3& p : corner) findings.bounds_m.add(p);
+    finite.push_back(t);
     const double area = 0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
     if (!(area > 0.0)) ++findings.degenerate;
     findings.area_m2 += area;
@@ -129,6 +131,12 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
     edges.insert(edges.end(), {{face[0], face[1]}, {face[0], face[2]}, {face[1], face[2]}});
   }
   count_edges(std::move(edges), findings);
+  for (MeshShell& shell : find_shells(model.vertex_m, finite)) {
+    if (shell.is_closed && shell.faces != FacesLook::unclear) {
+      findings.closed.push_back(std::move(shell));
+    }
+  }
+  findings.open = open_edges(model.vertex_m, finite);
   count_duplicates(std::move(faces), findings);
   measure_floats(findings);
   return findings;

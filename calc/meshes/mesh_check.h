@@ -2,6 +2,7 @@
 // What can be wrong with a surface model, counted. Nothing here traces rays.
 
 #include "calc/base/diagnostics.h"
+#include "calc/meshes/mesh_shells.h"
 #include "calc/meshes/triangle_mesh.h"
 #include "calc/scene/project.h"
 #include "calc/scene/solids.h"
@@ -53,7 +54,11 @@ struct SurfaceFindings {
   double area_left_out_m2 = 0.0;
   std::size_t not_finite = 0;  // triangles with such a corner; counted nowhere else
   bool is_watertight = false;  // every edge has an even number of triangles
-  double float_step_m = 0.0;   // distance of neighbouring floats at the farthest coordinate
+  // Of the triangles whose corners are finite: those that are closed and have two sides, and what
+  // has an odd number of triangles.
+  std::vector<MeshShell> closed;
+  OpenEdges open;
+  double float_step_m = 0.0;  // distance of neighbouring floats at the farthest coordinate
 };
 SurfaceFindings check_surface(const SurfaceModel& model);
 

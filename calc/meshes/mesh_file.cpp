@@ -51,7 +51,8 @@ std::optional<TriangleMesh> parse_obj_file(std::string_view text, const std::str
 
 std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::string& name,
                                             const SideFiles& side_files, Diagnostics& diagnostics,
-                                            std::optional<MeshFormat> format) {
+                                            std::optional<MeshFormat> format,
+                                            std::string_view node) {
   // A binary STL may begin with anything.
   if (!is_binary_stl(bytes) && !check_file_kind(bytes, name, FileUse::mesh, diagnostics)) {
     return std::nullopt;
@@ -59,7 +60,7 @@ std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::s
   if (has_utf16_mark(bytes) && !is_binary_stl(bytes)) {
     const DecodedText decoded = decoded_text(std::string(bytes));
     if (decoded.problem.empty() && !has_utf16_mark(decoded.utf8)) {
-      return parse_mesh_file(decoded.utf8, name, side_files, diagnostics, format);
+      return parse_mesh_file(decoded.utf8, name, side_files, diagnostics, format, node);
     }
   }
   const std::optional<MeshFormat> found = detect_mesh_format(bytes);
@@ -70,9 +71,14 @@ std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::s
   }
   // A cut-off binary STL looks like nothing, but its reader says what is missing.
   const bool is_named_stl = name.ends_with(".stl") || name.ends_with(".STL");
+  if (!node.empty() && found && found != MeshFormat::gltf) {
+    diagnostics.report(DiagnosticId::mesh_node, SourceLocation{name, 0, 0}, shorten_utf8(node, 60),
+                       "only glTF files have nodes");
+    return std::nullopt;
+  }
   switch (found.value_or(format.value_or(is_named_stl ? MeshFormat::stl : MeshFormat::obj))) {
     case MeshFormat::gltf:
-      return parse_gltf(bytes, name, side_files, diagnostics);
+      return parse_gltf(bytes, name, side_files, diagnostics, node);
     case MeshFormat::ply:
       return parse_ply(bytes, name, diagnostics);
     case MeshFormat::stl:

@@ -19,10 +19,12 @@ using SideFiles = std::function<std::optional<std::string>(const std::string& pa
 // all other text: OBJ. Empty for bytes that are none of them.
 std::optional<MeshFormat> detect_mesh_format(std::string_view bytes);
 
-// name: the path used in messages. format: if given, anything else is an error. Empty if and only
-// if an error was reported.
+// name: the path used in messages. format: if given, anything else is an error. node: "", or the
+// node of a glTF file whose meshes and all below it are wanted; an error for other files. Empty if
+// and only if an error was reported.
 std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::string& name,
                                             const SideFiles& side_files, Diagnostics& diagnostics,
-                                            std::optional<MeshFormat> format = std::nullopt);
+                                            std::optional<MeshFormat> format = std::nullopt,
+                                            std::string_view node = {});
 
 }  // namespace calc

@@ -1,6 +1,7 @@
 #include "calc/meshes/mesh_gltf.h"
 
 #include "calc/base/relative_path.h"
+#include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "calc/meshes/gltf_container.h"
 #include "calc/meshes/mesh_builder.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <exception>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -145,9 +147,11 @@ glm::dmat4 matrix_of(const tinygltf::Node& node) {
 
 class SceneReader {
  public:
-  SceneReader(const tinygltf::Model& model, const std::string& name, Diagnostics& diagnostics)
+  SceneReader(const tinygltf::Model& model, const std::string& name, std::string_view wanted,
+              Diagnostics& diagnostics)
       : model_(model),
         name_(name),
+        wanted_(wanted),
         diagnostics_(diagnostics),
         builder_(MeshFormat::gltf, name, diagnostics) {}
 
@@ -155,10 +159,11 @@ class SceneReader {
     struct Visit {
       int node;
       glm::dmat4 world_from_parent;
+      bool is_wanted;
     };
     std::vector<bool> seen(model_.nodes.size());
     std::vector<Visit> open;
-    for (const int root : roots()) open.push_back({root, glm::dmat4(1.0)});
+    for (const int root : roots()) open.push_back({root, glm::dmat4(1.0), wanted_.empty()});
     std::reverse(open.begin(), open.end());  // in file order
     while (!open.empty()) {
       const Visit visit = open.back();
@@ -169,11 +174,16 @@ class SceneReader {
       }
       seen[static_cast<std::size_t>(visit.node)] = true;
       const glm::dmat4 world_from_node = visit.world_from_parent * matrix_of(node);
-      if (node.mesh >= 0) add_mesh(node, visit.node, world_from_node);
+      const bool is_named = !wanted_.empty() && node.name == wanted_;
+      if (is_named) ++found_;
+      const bool is_wanted = visit.is_wanted || is_named;
+      if (node.mesh >= 0 && is_wanted) add_mesh(node, visit.node, world_from_node);
+      if (!node.name.empty()) names_.insert(node.name);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({*child, world_from_node});
+        open.push_back({*child, world_from_node, is_wanted});
       }
     }
+    if (!is_wanted_clear()) return std::nullopt;
     if (deformed_ > 0) {
       diagnostics_.report(DiagnosticId::mesh_deformed, {name_, 0, 0}, deformed_);
     }
@@ -181,6 +191,20 @@ class SceneReader {
   }
 
  private:
+  bool is_wanted_clear() {
+    if (wanted_.empty() || found_ == 1) return true;
+    const std::vector<std::string_view> known(names_.begin(), names_.end());
+    const bool is_short = wanted_.size() <= 100 && known.size() <= 1000;
+    diagnostics_.report(
+        DiagnosticId::mesh_node, {name_, 0, 0}, shorten_utf8(wanted_, 60),
+        found_ > 1 ? fmt::format("{} nodes of the scene have this name; give the one that is meant "
+                                 "a name of its own",
+                                 found_)
+                   : fmt::format("the scene has no node of this name ({} others){}", known.size(),
+                                 is_short ? suggestion(wanted_, known) : std::string()));
+    return false;
+  }
+
   std::vector<int> roots() const {
     if (!model_.scenes.empty()) {
       return checked(model_.scenes, std::max(model_.defaultScene, 0), "scene").nodes;
@@ -278,13 +302,16 @@ class SceneReader {
 
   const tinygltf::Model& model_;
   const std::string& name_;
+  std::string_view wanted_;  // the node; "" = all
   Diagnostics& diagnostics_;
   MeshBuilder builder_;
-  std::size_t deformed_ = 0;
+  std::size_t deformed_ = 0, found_ = 0;
+  std::set<std::string_view> names_;
 };
 
 std::optional<TriangleMesh> read_gltf(std::string_view bytes, const std::string& name,
-                                      const SideFiles& side_files, Diagnostics& diagnostics) {
+                                      const SideFiles& side_files, Diagnostics& diagnostics,
+                                      std::string_view node) {
   const std::optional<GltfContainer> container = open_gltf(bytes, name, diagnostics);
   if (!container) return std::nullopt;
   const std::string required = unknown_gltf_extensions(container->extensions_required);
@@ -304,16 +331,17 @@ std::optional<TriangleMesh> read_gltf(std::string_view bytes, const std::string&
   if (!ignored.empty()) {
     diagnostics.report(DiagnosticId::mesh_extension_ignored, SourceLocation{name, 0, 0}, ignored);
   }
-  return SceneReader(model, name, diagnostics).run();
+  return SceneReader(model, name, node, diagnostics).run();
 }
 
 }  // namespace
 
 std::optional<TriangleMesh> parse_gltf(std::string_view bytes, const std::string& name,
-                                       const SideFiles& side_files, Diagnostics& diagnostics) {
+                                       const SideFiles& side_files, Diagnostics& diagnostics,
+                                       std::string_view node) {
   const SourceLocation where{name, 0, 0};
   try {
-    return read_gltf(bytes, name, side_files, diagnostics);
+    return read_gltf(bytes, name, side_files, diagnostics, node);
   } catch (const Broken& broken) {
     diagnostics.report(DiagnosticId::mesh_broken, where, "glTF", broken.what);
   } catch (const Reported&) {

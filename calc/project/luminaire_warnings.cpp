@@ -51,6 +51,21 @@ void warn_luminaires_outside(const Space& room, Diagnostics& diagnostics) {
   });
 }
 
+// The same of a room of a mesh, whose shell may have any shape.
+void warn_luminaires_outside_mesh(const Space& room, const Body& shell, Diagnostics& diagnostics) {
+  PerElement outside;
+  const BoundingBox box = bounding_box(shell.vertex_m);
+  for (const Luminaire& luminaire : room.luminaires) {
+    if (locate_point(shell, box, luminaire.position_m) == SolidSide::outside) {
+      outside.add(luminaire.id, luminaire.where);
+    }
+  }
+  outside.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::luminaire_outside_room, first.where, first.id,
+                       and_others(first.others), room.id, "");
+  });
+}
+
 // In a wall, the floor or the ceiling, and turned the wrong way.
 void warn_surfaces_that_face_out(const Project& project, const Space& room,
                                  Diagnostics& diagnostics) {
@@ -360,6 +375,9 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
     warn_luminaires_outside(space, diagnostics);
     warn_luminaires_partly_outside(project, space, diagnostics);
     warn_surfaces_that_face_out(project, space, diagnostics);
+  }
+  for (const Body& body : space.bodies) {
+    if (body.encloses_room) warn_luminaires_outside_mesh(space, body, diagnostics);
   }
   warn_luminaires_in_solids(space, diagnostics);
   warn_luminaires_partly_in_solids(project, space, diagnostics);

@@ -63,7 +63,7 @@ class PlaneReader {
   std::optional<PlaneArea> read() {
     const std::string_view form = find_form();
     if (form.empty()) return std::nullopt;
-    if (around_.is_gbxml && !fits_gbxml_room(form)) return std::nullopt;
+    if (around_.source != RoomSource::prism && !fits_room_of_file(form)) return std::nullopt;
     if ((form == "height" || form == "on") && around_.room == nullptr) {
       reader_.report(DiagnosticId::room_only, reader_.where(form), form);
       return std::nullopt;
@@ -81,16 +81,22 @@ class PlaneReader {
   }
 
  private:
-  bool fits_gbxml_room(std::string_view form) {
+  bool fits_room_of_file(std::string_view form) {
+    const bool is_mesh = around_.source == RoomSource::mesh;
+    const DiagnosticId id = is_mesh ? DiagnosticId::mesh_room_plane : DiagnosticId::gbxml_plane;
     if (form == "on") {
-      reader_.report(DiagnosticId::gbxml_plane, reader_.where(form), form,
-                     "the walls of a gbXML room have no numbers; use 'points'");
+      reader_.report(id, reader_.where(form), form,
+                     is_mesh ? "the walls of a room of a mesh have no numbers; use 'points'"
+                             : "the walls of a gbXML room have no numbers; use 'points'");
       return false;
     }
     if (form == "height" && around_.room == nullptr && around_.room_is_good) {
       reader_.report(
-          DiagnosticId::gbxml_plane, reader_.where(form), form,
-          "this gbXML room says no outline, and its floor is not one flat polygon; use 'points'");
+          id, reader_.where(form), form,
+          is_mesh ? "the lowest faces of this mesh are not one level polygon without holes, or "
+                    "others that look up lie above them; use 'points'"
+                  : "this gbXML room says no outline, and its floor is not one flat polygon; use "
+                    "'points'");
     }
     return form != "height" || around_.room != nullptr;
   }

@@ -12,12 +12,15 @@
 
 namespace calc {
 
+// Where a room's surfaces come from.
+enum class RoomSource { prism, gbxml, mesh };
+
 // What a plane may refer to. The flags are false when errors there were reported already, so that
 // nothing that follows from them is reported again.
 struct PlaneSurroundings {
   const RoomPlan* room = nullptr;  // null in the open space
-  // A room of a gbXML file: `room` is its floor, if that is one flat polygon, and no prism.
-  bool is_gbxml = false;
+  // Of a room of a file `room` is the floor, if that is one flat polygon, and no prism.
+  RoomSource source = RoomSource::prism;
   bool room_is_good = true;
   bool objects_are_good = true;
   glm::dvec3 origin_m{0.0};                             // of the coordinates in the file

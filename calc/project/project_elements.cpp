@@ -212,6 +212,16 @@ const AttributeRow kRepeatAttribute{
     "are named id[i,j,k], counted from 0."};
 const AttributeRow kStepAttribute{"step", &kVectorType, optional,
                                   "Distances of the copies, with repeat."};
+const AttributeRow kMeshFormatAttribute{
+    "format", &kMeshFormatType, optional,
+    "The file's contents decide which; this only makes anything else an error."};
+const AttributeRow kMeshNodeAttribute{
+    "node", &kTextType, optional,
+    "Of a glTF file only the node of this name and all below it, such as a storey."};
+const AttributeRow kMeshScaleAttribute{"scale", &kPositiveType, optional,
+                                       "Factor besides the units.", "1"};
+const AttributeRow kMeshUpAttribute{"up", &kUpAxisType, optional, "The file's vertical axis."};
+const AttributeRow kMeshUnitsAttribute{"units", &kUnitsType, optional, "Of the file."};
 const AttributeRow kTypeAttribute{"type", &kIdType, required};
 const AttributeRow kAxisAttribute{"axis", &kVectorType, optional,
                                   "Direction of gamma = 0 (0 0 -1, straight down)."};
@@ -471,17 +481,9 @@ const ElementRow kMeshElement{
 so that both attributes are required; glTF is always in metres with y up, so that they are not needed. Each map
 gives the faces of one of the file's materials (usemtl in OBJ; "default" for all of an STL or PLY file) a material,
 the attribute "material" all others.)",
-    .attributes = {kIdAttribute,
-                   kFileAttribute,
-                   {"format", &kMeshFormatType, optional,
-                    "The file's contents decide which; this only makes anything else an error."},
-                   kPositionAttribute,
-                   kRotationAttribute,
-                   {"scale", &kPositiveType, optional, "Factor besides the units.", "1"},
-                   {"up", &kUpAxisType, optional, "The file's vertical axis."},
-                   {"units", &kUnitsType, optional, "Of the file."},
-                   kMaterialOfOthersAttribute,
-                   kRepeatAttribute,
+    .attributes = {kIdAttribute, kFileAttribute, kMeshFormatAttribute, kMeshNodeAttribute,
+                   kPositionAttribute, kRotationAttribute, kMeshScaleAttribute, kMeshUpAttribute,
+                   kMeshUnitsAttribute, kMaterialOfOthersAttribute, kRepeatAttribute,
                    kStepAttribute},
     .children = {{"map", &kMapElement}}};
 
@@ -815,7 +817,13 @@ Or a space of a gbXML file, in the building's coordinates: file and space (its i
 map gives the surfaces of one surfaceType, or the openings of one openingType, a material, the attribute
 "material" all others but Air, where nothing stands. Every surface next to the space counts, without its openings, which are surfaces of their
 own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
-"on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.)",
+"on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.
+
+Or a closed shell of a mesh file, which is told from gbXML by its contents: file, units, up and all else that <mesh>
+has to place it, in world coordinates, as is everything in such a room. Its faces may look inward or outward. The room
+is the shell that has all others in it, which are solids; where that is not clear "shell" names one, as the message
+does. Surfaces that are not closed are taken with a warning, if they enclose anything. Planes in such a room cannot be
+given by "on", and by "height" only if the lowest faces are one level polygon and no other faces look up.)",
     .attributes = {{"id", &kRoomIdType, required},
                    kNameAttribute,
                    kWasAttribute,
@@ -852,9 +860,30 @@ const ElementRow kGbxmlRoomElement{
                  {"energy", &kEnergyElement, kOfEnergy},
                  {"map", &kMapElement}}};
 
+const ElementRow kMeshRoomElement{
+    .type = "room",
+    .attributes = {{"id", &kRoomIdType, required},
+                   kNameAttribute,
+                   kWasAttribute,
+                   kTagsAttribute,
+                   {"file", &kTextType},
+                   kMeshFormatAttribute,
+                   kMeshNodeAttribute,
+                   {"shell", &kCountType, optional,
+                    "Of a mesh: which of its shells is the room, counted from the largest; the "
+                    "number behind the last closed one is all that is not closed."},
+                   kPositionAttribute,
+                   kRotationAttribute,
+                   kMeshScaleAttribute,
+                   kMeshUpAttribute,
+                   kMeshUnitsAttribute,
+                   kMaterialOfOthersAttribute},
+    .children = kGbxmlRoomElement.children};
+
 namespace {
 
-const ElementRow kRoomElement = either_of(kPrismRoomElement, kGbxmlRoomElement);
+const ElementRow kRoomElement =
+    either_of(either_of(kPrismRoomElement, kGbxmlRoomElement), kMeshRoomElement);
 
 const ValueType kRoomPatternType{
     .name = "roomPattern", .base = &kAnyText, .pattern = R"([A-Za-z0-9_.:\-*?]+)"};

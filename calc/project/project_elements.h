@@ -65,7 +65,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
     kLuminaireRingElement, kLuminaireListElement;
 
 // A room of either form; the schema has one for both.
-extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
+extern const ElementRow kPrismRoomElement, kGbxmlRoomElement, kMeshRoomElement;
 extern const ElementRow kRoadElement, kLuminaireRowElement, kRoadStripElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;

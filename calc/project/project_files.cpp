@@ -2,6 +2,7 @@
 
 #include "calc/base/file_hash.h"
 #include "calc/base/relative_path.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/web_hermite.h"
 #include "calc/project/logo.h"
@@ -177,11 +178,22 @@ std::vector<PlacedWeb> ProjectFiles::light(const std::string& path, const WebUse
   return entry->second;
 }
 
+std::optional<bool> ProjectFiles::is_xml(const std::string& path, const SourceLocation& named_at) {
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return std::nullopt;
+  const auto [entry, is_new] = is_xml_.try_emplace(*key);
+  if (is_new) {
+    const std::optional<std::string> bytes = read(*key, path, named_at);
+    if (bytes) entry->second = looks_like_xml(*bytes);
+  }
+  return entry->second;
+}
+
 const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<MeshFormat> format,
-                                       const SourceLocation& named_at) {
+                                       const std::string& node, const SourceLocation& named_at) {
   const std::optional<std::string> key = resolve(path, named_at);
   if (!key) return nullptr;
-  const auto [entry, is_new] = meshes_.try_emplace(*key);
+  const auto [entry, is_new] = meshes_.try_emplace({*key, node});
   if (is_new) {
     const std::string folder = key->substr(0, key->rfind('/') + 1);  // "" = the project's
     const SideFiles side_files = [&](const std::string& name) {
@@ -189,7 +201,8 @@ const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<Me
     };
     const std::optional<std::string> bytes = read(*key, path, named_at);
     if (bytes && take_file(*bytes, kMeshByteFactor, named_at, path)) {
-      entry->second = parse_mesh_file(*bytes, full_path(*key), side_files, diagnostics_, format);
+      entry->second =
+          parse_mesh_file(*bytes, full_path(*key), side_files, diagnostics_, format, node);
     }
   }
   if (!entry->second) return nullptr;

@@ -20,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace calc {
@@ -64,8 +65,11 @@ class ProjectFiles {
                                const SourceLocation& named_at,
                                const PhotometryOptions& options = {});
   // Null on errors; stays valid as long as this object. format: if given, other files are errors.
+  // node: of a glTF file, "" = all of them.
   const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
-                           const SourceLocation& named_at);
+                           const std::string& node, const SourceLocation& named_at);
+  // Whether a file is XML, as gbXML is and no mesh; empty on errors.
+  std::optional<bool> is_xml(const std::string& path, const SourceLocation& named_at);
   // A gbXML file; null on errors, stays valid as long as this object.
   const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
   // A CSV file of luminaires; null on errors, stays valid as long as this object.
@@ -98,7 +102,8 @@ class ProjectFiles {
   const Budget& budget_;
   std::map<FileLight, std::optional<LuminaireLight>> photometry_;
   std::map<std::tuple<FileLight, bool, bool>, std::vector<PlacedWeb>> webs_;
-  std::map<std::string, std::optional<TriangleMesh>> meshes_;
+  std::map<std::pair<std::string, std::string>, std::optional<TriangleMesh>> meshes_;  // with node
+  std::map<std::string, std::optional<bool>> is_xml_;
   std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
   std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
   std::map<std::string, std::optional<PointList>> point_lists_;

@@ -58,12 +58,12 @@ void warn_room_sizes(const Project& project, Diagnostics& diagnostics) {
 }
 
 void warn_objects_outside(const Space& room, Diagnostics& diagnostics) {
-  glm::dvec3 low(room.shell->footprint_m.front(), room.shell->floor_z_m);
-  glm::dvec3 high(low.x, low.y, room.shell->floor_z_m + room.shell->height_m);
-  for (const glm::dvec2& corner : room.shell->footprint_m) {
-    low = glm::min(low, glm::dvec3(corner, low.z));
-    high = glm::max(high, glm::dvec3(corner, high.z));
+  BoundingBox within = room.shell ? room_box(room) : BoundingBox();
+  for (const Body& body : room.bodies) {
+    if (body.encloses_room) within = bounding_box(body.vertex_m);
   }
+  if (within.is_empty()) return;
+  const glm::dvec3 low = within.lower, high = within.upper;
   PerElement outside;
   for (const Body& body : room.bodies) {
     const BoundingBox box = bounding_box(body.vertex_m);
@@ -208,9 +208,8 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
                              ? "room '" + space.id + "'"
                              : std::string("the open space"));
     }
-    if (space.shell) {
-      warn_objects_outside(space, diagnostics);
-    } else if (space.is_open_space()) {
+    warn_objects_outside(space, diagnostics);
+    if (space.is_open_space()) {
       for (const Space& room : project.spaces) {
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
       }

@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "calc/project/coincident_surfaces.h"
 #include "calc/project/gbxml_space.h"
+#include "calc/project/mesh_room.h"
 #include "calc/project/objects_xml.h"
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_elements.h"
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 namespace calc {
@@ -133,9 +135,38 @@ void read_prism(ProjectContext& context, ElementReader& reader, Space& space, Ro
   space.bodies = make_shell_bodies(plan, materials, space.id, space.where);
 }
 
+struct RoomFile {
+  RoomSource source = RoomSource::prism;
+  bool is_good = true;  // false: it cannot be read, which is said
+};
+
+// The file says what it is; without it the attributes do.
+RoomFile find_source(ProjectContext& context, const ElementReader& reader) {
+  const XmlAttribute* file = reader.element().find("file");
+  if (file == nullptr) return {};
+  const RoomSource guess = reader.has("space") ? RoomSource::gbxml : RoomSource::mesh;
+  if (file->value.empty()) return {guess};
+  const std::optional<bool> is_xml = context.files.is_xml(file->value, reader.where("file"));
+  if (!is_xml) return {guess, false};
+  return {*is_xml ? RoomSource::gbxml : RoomSource::mesh};
+}
+
+const ElementRow& row_of(RoomSource source) {
+  switch (source) {
+    case RoomSource::gbxml:
+      return kGbxmlRoomElement;
+    case RoomSource::mesh:
+      return kMeshRoomElement;
+    case RoomSource::prism:
+      break;
+  }
+  return kPrismRoomElement;
+}
+
 void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, FormerIds& former) {
-  const bool is_gbxml = reader.has("file");
-  reader.allow(is_gbxml ? kGbxmlRoomElement : kPrismRoomElement);
+  const auto [source, is_file_good] = find_source(context, reader);
+  const bool is_of_file = source != RoomSource::prism;
+  reader.allow(row_of(source));
   Space space;
   space.id = reader.id();
   space.was = former.read(reader, space.id);
@@ -147,8 +178,12 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, For
     reader.report(DiagnosticId::reserved_id, reader.where("id"), space.id);
   }
   RoomPlan plan;
-  if (is_gbxml) {
-    read_gbxml_surfaces(context, reader, space, plan);
+  if (is_of_file) {
+    if (is_file_good && source == RoomSource::gbxml) {
+      read_gbxml_surfaces(context, reader, space, plan);
+    } else if (is_file_good) {
+      read_mesh_surfaces(context, reader, space, plan);
+    }
     for (const glm::dvec2& corner : plan.outline()) {
       space.outline_m.push_back(glm::dvec2(plan.origin_m) + corner);
     }
@@ -156,13 +191,13 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, For
     read_prism(context, reader, space, plan);
   }
   PlaneSurroundings surroundings;
-  surroundings.is_gbxml = is_gbxml;
-  if (!is_gbxml || !plan.corners_m.empty()) surroundings.room = &plan;
+  surroundings.source = source;
+  if (!is_of_file || !plan.corners_m.empty()) surroundings.room = &plan;
   surroundings.room_is_good = reader.ok();
   ObjectSet objects = read_objects(context, reader.element());
   surroundings.objects_are_good = reader.ok();
-  // Objects in a gbXML room are in the building's coordinates.
-  add_objects(context, std::move(objects), is_gbxml ? glm::dvec3(0.0) : plan.origin_m, space,
+  // Objects in a room of a file are in the building's coordinates.
+  add_objects(context, std::move(objects), is_of_file ? glm::dvec3(0.0) : plan.origin_m, space,
               surroundings);
   if (reader.ok()) check_body_ids(space, context.diagnostics);
   read_planes(context, reader.element(), surroundings, space);

@@ -283,7 +283,9 @@ void read_workplaces(ProjectContext& context, const XmlElement& room,
     if (child.name != "workplace" && !is_grid) continue;
     ElementReader reader(child, context.diagnostics);
     Workplace workplace = WorkplaceReader(context, surroundings, space, former).read(reader);
-    if (surroundings.is_gbxml) reader.report(DiagnosticId::workplace_needs_room, child.where);
+    if (surroundings.source != RoomSource::prism) {
+      reader.report(DiagnosticId::workplace_needs_room, child.where);
+    }
     const auto [first, is_new] = line_of_id.try_emplace(workplace.id, child.where.line);
     if (!is_new && !workplace.id.empty()) {
       reader.report(DiagnosticId::duplicate_id, reader.where("id"), "workplace", workplace.id,

@@ -21,13 +21,20 @@ PointFilter::PointFilter(const Space& space, ReceiverKernel kernel, const Boundi
       offset_m_(ray_offset_m(extent_m(space))),
       near_(space, region, kContactReach * offset_m_) {
   for (const Body& body : space.bodies) {
-    if (body.is_closed) solids_.push_back({&body, bounding_box(body.vertex_m)});
+    const bool has_inside = body.is_closed || body.encloses_room;
+    if (!has_inside) continue;
+    const Solid solid{&body, bounding_box(body.vertex_m)};
+    if (body.encloses_room) {
+      around_room_ = solid;
+    } else {
+      solids_.push_back(solid);
+    }
   }
 }
 
 PointStand PointFilter::stand(const CandidatePoint& candidate) const {
   PointStand result;
-  if (space_.shell && !is_in_room(candidate.position_m)) {
+  if (is_outside_room(candidate.position_m)) {
     result.dropped = DropReason::outside_room;
     return result;
   }
@@ -45,7 +52,13 @@ bool PointFilter::is_beside_room(const glm::dvec3& point) const {
 }
 
 // Floor, walls and ceiling themselves count as inside.
-bool PointFilter::is_in_room(const glm::dvec3& point) const {
+bool PointFilter::is_outside_room(const glm::dvec3& point) const {
+  if (space_.shell) return !is_in_prism(point);
+  return around_room_ &&
+         locate_point(*around_room_->body, around_room_->box, point) == SolidSide::outside;
+}
+
+bool PointFilter::is_in_prism(const glm::dvec3& point) const {
   const RoomShell& shell = *space_.shell;
   const double ceiling_z_m = shell.floor_z_m + shell.height_m;
   const double highest_m = std::max(std::abs(shell.floor_z_m), std::abs(ceiling_z_m));
@@ -73,9 +86,10 @@ const Body* PointFilter::solid_around(const glm::dvec3& point) const {
 }
 
 bool PointFilter::is_air(const glm::dvec3& point) const {
-  if (space_.shell && !is_in_room(point)) return false;
-  // Of a room of a building file.
-  if (!space_.outline_m.empty() && !contains_point(space_.outline_m, glm::dvec2(point))) {
+  if (is_outside_room(point)) return false;
+  // Of a room of a building file; a closed shell knows better.
+  if (!around_room_ && !space_.outline_m.empty() &&
+      !contains_point(space_.outline_m, glm::dvec2(point))) {
     return false;
   }
   return solid_around(point) == nullptr;

@@ -68,7 +68,8 @@ class PointFilter {
     BoundingBox box;
   };
 
-  bool is_in_room(const glm::dvec3& point) const;
+  bool is_in_prism(const glm::dvec3& point) const;
+  bool is_outside_room(const glm::dvec3& point) const;
   const Body* solid_around(const glm::dvec3& point) const;
   bool is_air(const glm::dvec3& point) const;
   bool looks_into(const Solid& solid, const CandidatePoint& candidate) const;
@@ -79,6 +80,7 @@ class PointFilter {
   double offset_m_;
   NearTriangles near_;
   std::vector<Solid> solids_;
+  std::optional<Solid> around_room_;  // of a room of a mesh that is closed
 };
 
 }  // namespace calc

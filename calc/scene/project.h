@@ -39,6 +39,7 @@ struct Body {
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint32_t> material_of;  // per triangle, index into Project::materials
   bool is_closed = false;                  // watertight: it has an inside, whose points are dropped
+  bool encloses_room = false;              // watertight, and the room is its inside; not is_closed
   SourceLocation where;
   std::string housing_of = {};  // id of the luminaire that has it (housing.h); of all others empty
 };
@@ -300,6 +301,7 @@ struct Space {
   // `luminaires` has of them are those that give light to the field by EN 13201-3.
   std::optional<Road> road;
   std::string surfaces_file;  // of such a room, as the project names it; else ""
+  bool is_from_mesh = false;  // surfaces_file is a mesh, and not gbXML
   std::vector<Body>
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;

@@ -156,8 +156,9 @@ void warn_about_lost_light(const calc::Space& space, const calc::FluxBalance& ba
   constexpr double kNegligibleShare = 1e-3;
   if (!(balance.escaped_lm.value > kNegligibleShare * balance.emitted_lm)) return;
   if (!space.surfaces_file.empty()) {
-    diagnostics.report(calc::DiagnosticId::gbxml_room_leaks, space.where,
-                       100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id,
+    diagnostics.report(space.is_from_mesh ? calc::DiagnosticId::mesh_room_leaks
+                                          : calc::DiagnosticId::gbxml_room_leaks,
+                       space.where, 100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id,
                        space.surfaces_file);
   }
   if (!space.shell) return;

@@ -122,6 +122,7 @@ void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnosti
     SurfaceReport& surface = report.surfaces[i];
     surface.id = space.id;
     surface.name = space.name;
+    surface.notes = space.notes;
     calc::warn_about_surface(surface.findings, space.where, diagnostics);
     if (surface.is_room) warn_about_leaks(surface, space.id, space.where, diagnostics);
   }

@@ -19,6 +19,7 @@ struct SurfaceReport {
   bool is_room = false;  // must be closed
   calc::SurfaceFindings findings;
   Escape escape;
+  std::vector<std::string> notes;  // of a project's room
 };
 
 struct GeometryReport {

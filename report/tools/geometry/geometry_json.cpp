@@ -28,6 +28,18 @@ Json escape_json(const Escape& escape) {
   return json;
 }
 
+Json shells_json(const std::vector<calc::MeshShell>& shells) {
+  Json list = Json::array();
+  for (const calc::MeshShell& shell : shells) {
+    list.push_back({{"triangles", shell.triangle.size()},
+                    {"outward", shell.outward},
+                    {"volume_m3", shell.volume},
+                    {"lower_m", point_json(shell.bounds.lower)},
+                    {"upper_m", point_json(shell.bounds.upper)}});
+  }
+  return list;
+}
+
 Json surface_json(const SurfaceReport& surface) {
   const calc::SurfaceFindings& found = surface.findings;
   Json json = {{"id", surface.id}, {"name", surface.name}, {"room", surface.is_room}};
@@ -47,8 +59,11 @@ Json surface_json(const SurfaceReport& surface) {
   json["open_edges"] = found.open_edges;
   json["crowded_edges"] = found.crowded_edges;
   json["watertight"] = found.is_watertight;
+  json["open_edges_m"] = found.open.length;
+  json["closed_shells"] = shells_json(found.closed);
   json["float_step_m"] = found.float_step_m;
   json["escape"] = escape_json(surface.escape);
+  if (!surface.notes.empty()) json["notes"] = surface.notes;
   json["objects"] = parts_json(found.objects);
   json["materials"] = parts_json(found.materials);
   return json;

@@ -39,6 +39,30 @@ std::string light_text(const SurfaceReport& surface) {
       report::format_fixed(100.0 * escape.inside_share, 0));
 }
 
+// The largest by volume, and how many there are.
+std::string shells_text(const calc::SurfaceFindings& found) {
+  const auto f = [](double number) { return report::format_fixed(number, 3); };
+  std::string text;
+  if (found.open.count > 0) {
+    text +=
+        fmt::format("    open       {} m in all; the longest edge, {} m, begins at ({}, {}, {})\n",
+                    f(found.open.length), f(found.open.longest), f(found.open.at.x),
+                    f(found.open.at.y), f(found.open.at.z));
+  }
+  if (found.closed.empty()) return text;
+  const auto largest = std::max_element(
+      found.closed.begin(), found.closed.end(),
+      [](const calc::MeshShell& a, const calc::MeshShell& b) { return a.volume < b.volume; });
+  const std::size_t inward = largest->triangle.size() - largest->outward;
+  text += fmt::format("    shells     {} closed; the largest around {} m3, its faces look {}\n",
+                      found.closed.size(), f(largest->volume),
+                      inward == 0 ? std::string("outward")
+                      : largest->outward == 0
+                          ? std::string("inward")
+                          : fmt::format("inward ({}) and outward ({})", inward, largest->outward));
+  return text;
+}
+
 std::string surface_text(const SurfaceReport& surface) {
   const calc::SurfaceFindings& found = surface.findings;
   std::string text;
@@ -64,7 +88,11 @@ std::string surface_text(const SurfaceReport& surface) {
   text += fmt::format("    edges      {}: {} open, {} of more than two triangles\n", found.edges,
                       found.open_edges, found.crowded_edges);
   text += fmt::format("    watertight {}\n", found.is_watertight ? "yes" : "no");
+  text += shells_text(found);
   text += fmt::format("    light      {}\n", light_text(surface));
+  for (const std::string& note : surface.notes) {
+    text += fmt::format("    note       {}\n", report::printable(note));
+  }
   return text + parts_text("objects", found.objects) + parts_text("materials", found.materials);
 }
 
