@@ -362,9 +362,8 @@ const ElementRow kLuminaireTypeElement{
           "verdict hangs on it."},
          {"maintenance-factor", &kPositiveFractionType, optional,
           "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, "
-          "the "
-          "product counts). If nothing is given that of the root element; without either it is 1 "
-          "for limits of the project's own, and rows of a standard are not judged."},
+          "the product counts). If nothing is given that of the root element; without either it is "
+          "1 for limits of the project's own, and rows of a standard are not judged."},
          {"llmf", &kPositiveFractionType},
          {"lsf", &kPositiveFractionType},
          {"lmf", &kPositiveFractionType},
@@ -379,8 +378,7 @@ const ElementRow kLuminaireTypeElement{
          {"emitter", &kTextType, optional,
           "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
           "together, one luminaire with each emitter at its place; several ids with blanks "
-          "between: "
-          "those together. Or the id, description or number of a TM-33 emitter."}},
+          "between: those together. Or the id, description or number of a TM-33 emitter."}},
     .children = {{"housing", &kHousingElement}}};
 
 const ElementRow kDimElement{

@@ -34,7 +34,7 @@ Outline ellipse(const glm::dvec2& half_m) {
   Outline outline;
   for (std::size_t i = 0; i < kCorners; ++i) {
     const double angle_rad = 2.0 * kPi * static_cast<double>(i) / kCorners;
-    outline.push_back(half_m * glm::dvec2(cos(angle_rad), sin(angle_rad)));
+    outline.push_back(half_m * glm::dvec2(calc::cos(angle_rad), calc::sin(angle_rad)));
   }
   return outline;
 }
@@ -42,7 +42,7 @@ Outline ellipse(const glm::dvec2& half_m) {
 // How much larger the polygon's half axes must be for the ellipse's area.
 double same_area_factor() {
   const double angle_rad = 2.0 * kPi / kCorners;
-  return std::sqrt(angle_rad / sin(angle_rad));
+  return std::sqrt(angle_rad / calc::sin(angle_rad));
 }
 
 void add_fan(std::size_t first, std::size_t count, bool is_turned, Mesh& mesh) {
@@ -82,8 +82,8 @@ Mesh ellipsoid(const glm::dvec3& half_m) {
   Mesh mesh;
   for (std::size_t stripe = 1; stripe < kStripes; ++stripe) {
     const double angle_rad = kPi * static_cast<double>(stripe) / kStripes;
-    for (const glm::dvec2& corner : ellipse(glm::dvec2(half_m) * sin(angle_rad))) {
-      mesh.vertex_m.emplace_back(corner, -half_m.z * cos(angle_rad));
+    for (const glm::dvec2& corner : ellipse(glm::dvec2(half_m) * calc::sin(angle_rad))) {
+      mesh.vertex_m.emplace_back(corner, -half_m.z * calc::cos(angle_rad));
     }
   }
   const auto corner = [](std::size_t stripe, std::size_t i) {
