@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kTouch_m = 1.0e-6;
 
-using Triangle = std::array<glm::dvec3, 3>;
+using LocalTriangle = std::array<glm::dvec3, 3>;
 
 // Separating axes of a triangle and a box about the origin: the box's faces, the triangle's plane,
 // and the cross products of their edges [Akenine01].
-bool overlaps_box(const Triangle& corner, const glm::dvec3& half) {
+bool overlaps_box(const LocalTriangle& corner, const glm::dvec3& half) {
   const auto is_separating = [&](const glm::dvec3& axis) {
     const double reach = glm::dot(half, glm::abs(axis));
     const double a = glm::dot(axis, corner[0]), b = glm::dot(axis, corner[1]),
