@@ -172,8 +172,8 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
            .presence = kSinceLater});
   v.field("housing_depth_m", row.housing_depth_m,
           {.words = "Behind the opening; 0: the face alone, or a luminous body.",
-           .least = 0.0,
-           .presence = kSinceLater});
+           .presence = kSinceLater,
+           .least = 0.0});
   const auto polar = [&](auto& o) {
     double step_deg = kPolarStep_deg;
     o.field("step_deg", step_deg);
