@@ -3,6 +3,7 @@
 #include "calc/scene/housing.h"
 
 #include "calc/base/statistics.h"
+#include "tests/support/facet_grid.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -41,24 +42,6 @@ void add_housing(const calc::Project& project, const glm::dvec3& at, calc::Prepa
   }
 }
 
-// At the middle of each facet, facing inwards, and the facets' areas.
-struct Facets {
-  calc::SensorGrid grid;
-  std::vector<double> area_m2;
-};
-
-Facets facets_of(const calc::PreparedScene& scene) {
-  Facets facets;
-  for (const glm::uvec3& t : scene.triangle) {
-    const glm::dvec3 a = scene.vertex_m[t.x], b = scene.vertex_m[t.y], c = scene.vertex_m[t.z];
-    const glm::dvec3 normal = glm::cross(b - a, c - a);
-    facets.grid.position_m.push_back((a + b + c) / 3.0);
-    facets.grid.normal.push_back(glm::normalize(glm::dot(normal, a) > 0.0 ? -normal : normal));
-    facets.area_m2.push_back(0.5 * glm::length(normal));
-  }
-  return facets;
-}
-
 struct Ball {
   double mean_lx, direct_lx;  // mean over the sphere; Phi / A
   double share;               // area of the housing / area of the sphere
@@ -72,7 +55,7 @@ Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
                  0.0, housing_reflectance);
   calc::PreparedScene scene;
   add_sphere(scene, 1.0, 2, sphere_reflectance);
-  const Facets facets = facets_of(scene);
+  const FacetGrid facets = facet_grid(scene);
   const double sphere_m2 = surface_area_m2(scene);
   add_housing(project, {0, 0, 0}, scene);
   const double housing_m2 = surface_area_m2(scene) - sphere_m2;
@@ -81,14 +64,8 @@ Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
   const calc::SpaceSolution solution = solve_with_paths(scene, facets.grid, 5, 512);
   const calc::PlaneField& field = solution.fields[0];
   EXPECT_EQ(field.problem, "");
-  Ball ball{0.0, project.webs[0].flux_lm() / sphere_m2, housing_m2 / sphere_m2};
-  for (std::size_t r = 0; r < field.replicates; ++r) {
-    for (std::size_t i = 0; i < field.points; ++i) {
-      ball.mean_lx += facets.area_m2[i] * total_lx(field, r, i);
-    }
-  }
-  ball.mean_lx /= sphere_m2 * static_cast<double>(field.replicates);
-  return ball;
+  return {facet_mean(facets, field).value, project.webs[0].flux_lm() / sphere_m2,
+          housing_m2 / sphere_m2};
 }
 
 TEST(Housing, TakesNothingOfItsOwnLight) {
@@ -145,7 +122,7 @@ TEST(Housing, ADiskOverAPlaneHidesWhatItCovers) {
     calc::SensorGrid grid;
     grid.position_m = {{0.0, 0.0, 0.0}};
     grid.normal = {{0, 0, 1}};
-    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 16);
+    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 4);
     const calc::Estimate lx = calc::t_interval(replicates_at(solution.fields[0], 0), 0.999);
     // The depth hides nothing more: its upper rim lies within the cone of the lower one.
     const double expected_lx =
