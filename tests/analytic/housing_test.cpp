@@ -54,7 +54,7 @@ Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
                                             {calc::OpeningShape::ellipsoid, 0.6, 0.6, 0.6}, {}),
                  0.0, housing_reflectance);
   calc::PreparedScene scene;
-  add_sphere(scene, 1.0, 2, sphere_reflectance);
+  add_sphere(scene, 1.0, 1, sphere_reflectance);
   const FacetGrid facets = facet_grid(scene);
   const double sphere_m2 = surface_area_m2(scene);
   add_housing(project, {0, 0, 0}, scene);
