@@ -13,6 +13,7 @@ luxgate_test(cli_tests
     unit/report/shell/help_text_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
+    unit/report/tools/import/ifc_design_test.cpp
     unit/report/tools/import/ifc_shape_test.cpp
     unit/report/tools/import/ifc_units_test.cpp
     unit/report/tools/import/step_text_test.cpp
