@@ -13,6 +13,8 @@ luxgate_test(cli_tests
     unit/report/shell/help_text_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
+    unit/report/tools/import/dxf_drawing_test.cpp
+    unit/report/tools/import/dxf_pairs_test.cpp
     unit/report/tools/init/init_test.cpp
     unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp
