@@ -135,13 +135,18 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
                         calc::printable(what[0]), what[2]);
   }
   text += "\n# Rooms: closed outlines, or lines that meet.\n";
+  std::string names;
+  for (const auto& [name, facts] : layers) {
+    if (facts.kinds.count("texts") == 0) continue;
+    names += fmt::format("# {}names = {}\n", names.empty() ? "" : "# or ", quoted(name));
+  }
   for (const auto& [name, facts] : layers) {
     const bool has_lines = facts.kinds.count("polylines") + facts.kinds.count("lines") > 0;
     if (facts.closed == 0 && !has_lines) continue;
     text += fmt::format(
-        "# [[room]]\n# layer = {}\n# names = \"\"  # layer of the rooms' names\n# height = 2.8  # "
-        "metres\n# reflectances = [0.7, 0.5, 0.2]  # ceiling, walls, floor\n\n",
-        quoted(name));
+        "# [[room]]\n# layer = {}\n{}# height = 2.8  # metres\n# reflectances = [0.7, 0.5, 0.2]  "
+        "# ceiling, walls, floor\n\n",
+        quoted(name), names);
   }
   text += "# Blocks: luminaires or furniture.\n";
   for (const auto& [name, facts] : blocks) {

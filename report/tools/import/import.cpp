@@ -215,6 +215,7 @@ ExitCode run_import(const ImportOptions& options) {
   outcome.code = is_all ? kAllMet : kNotMet;
   const ExitCode code = print_outcome(outcome);
   tell_written(report.written);
+  if (options.folder.empty()) tell("luxgate: nothing was written: give -o FOLDER\n");
   return code;
 }
 
