@@ -32,7 +32,8 @@ luxgate_test(cli_tests
     unit/report/tools/photometry/photometry_test.cpp
     unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
-target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json")
+target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json"
+  LUXGATE_MANUAL="${PROJECT_SOURCE_DIR}/report/cli/MANUAL.md")
 
 add_executable(compare_csv tools/compare_csv.cpp)
 target_link_libraries(compare_csv PRIVATE calc_model)
@@ -98,7 +99,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf levels xlsx)
+foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf import_dxf levels xlsx)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

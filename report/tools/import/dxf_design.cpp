@@ -28,7 +28,11 @@ constexpr double kLowestArea_m2 = 1.0, kHighestArea_m2 = 1.0e5;
 constexpr double kOnePlace_m = 1.0e-4;  // parts of one luminaire
 constexpr double kNameReach_m = 0.5;    // of a text beside an outline
 constexpr double kFarAway_m = 1000.0;   // origins are multiples of it
-constexpr double kFarthest = 1.0e12;    // in the file's unit
+// So that no file takes all memory or time.
+constexpr std::size_t kMostPoints = 5'000'000;  // of lines that may be outlines
+constexpr std::size_t kMostRooms = 5000;
+constexpr std::size_t kMostThings = 100'000;  // luminaires, furniture, texts: of each
+constexpr double kFarthest = 1.0e12;          // in the file's unit
 
 using Kind = DxfEntity::Kind;
 
@@ -149,7 +153,12 @@ class Builder {
     design_.unit = unit.name;
     design_.unit_reason = unit.reason;
     metres_ = *metres_per_import_unit(unit.name);
+    points_ = 0;
     add_rooms();
+    if (!problem_.empty()) {
+      problem = problem_;
+      return std::nullopt;
+    }
     move_origin();
     add_names();
     say_sizes();
@@ -158,6 +167,10 @@ class Builder {
     add_lines(plane_, map_.plane, true, design_.plane);
     add_lines(route_, map_.route, false, design_.route);
     say_the_rest();
+    if (!problem_.empty()) {
+      problem = problem_;
+      return std::nullopt;
+    }
     return std::move(design_);
   }
 
@@ -169,6 +182,18 @@ class Builder {
     DxfPlaced placed;
     std::size_t rule;
   };
+
+  void check_counts() {
+    const std::pair<std::size_t, const char*> counts[] = {
+        {luminaire_.size(), "luminaires"},
+        {furniture_.size(), "pieces of furniture"},
+        {text_.size(), "names of rooms"}};
+    for (const auto& [count, what] : counts) {
+      if (count > kMostThings) {
+        problem_ = fmt::format("more than {} {} are in this drawing", kMostThings, what);
+      }
+    }
+  }
 
   std::string place_of(const DxfPlaced& placed) const {
     return fmt::format("layer {}, {}", placed.layer, drawing_.place_words(placed.entity->place));
@@ -286,7 +311,7 @@ class Builder {
   }
 
   // In the file's unit.
-  std::vector<double> rough_areas() const {
+  std::vector<double> rough_areas() {
     std::vector<double> areas;
     for (std::size_t i = 0; i < room_.size(); ++i) {
       const bool has_outlines = !room_[i].outline.empty();
@@ -313,10 +338,17 @@ class Builder {
 
   // error: in the file's unit. False: it is too far away.
   bool add_piece(const DxfPlaced& placed, double error, double scale,
-                 std::vector<PlanPiece>& pieces) const {
+                 std::vector<PlanPiece>& pieces) {
     PlanPiece piece;
-    if (placed.entity->vertex.empty()) return true;
-    for (const glm::dvec3& point : placed.corners(error)) {
+    if (placed.entity->vertex.empty() || !problem_.empty()) return true;
+    const std::vector<glm::dvec3> points = placed.corners(error);
+    points_ += points.size();
+    if (points_ > kMostPoints) {
+      problem_ =
+          fmt::format("the lines that may be outlines have more than {} corners", kMostPoints);
+      return true;
+    }
+    for (const glm::dvec3& point : points) {
       if (!is_near(point)) return false;
       piece.point.push_back(point * scale);
     }
@@ -368,6 +400,10 @@ class Builder {
 
   void add_room(const PlanOutline& outline, std::size_t rule) {
     const MapRoom& map = map_.room[rule];
+    if (design_.room.size() == kMostRooms) {
+      problem_ = fmt::format("more than {} rooms are in this drawing", kMostRooms);
+      return;
+    }
     DesignRoom room;
     room.rule = rule;
     room.outline_m = outline.corner;
@@ -789,7 +825,8 @@ class Builder {
   std::vector<Block> luminaire_, furniture_;
   std::vector<DxfPlaced> text_;
   std::vector<glm::dvec3> place_;  // of luminaires, as drawn
-  std::size_t parts_ = 0, loose_ = 0, clipped_ = 0;
+  std::string problem_;
+  std::size_t points_ = 0, parts_ = 0, loose_ = 0, clipped_ = 0;
   DxfSkipped skipped_;
   std::map<std::pair<std::string, std::string>, std::size_t> not_asked_;
   std::map<std::string, int> used_;

@@ -21,7 +21,7 @@ namespace cli {
 
 // Limits, so that no file makes the program take all memory or time.
 inline constexpr std::size_t kMostDxfEntities = 2'000'000;  // as the file has them
-inline constexpr std::size_t kMostDxfPlaced = 5'000'000;    // with those of blocks, each time
+inline constexpr std::size_t kMostDxfPlaced = 1'000'000;    // with those of blocks, each time
 inline constexpr std::size_t kDeepestDxfBlock = 32;
 
 struct DxfVertex {

@@ -205,7 +205,7 @@ TEST(DxfDrawing, BlocksThatNestForEverAreRefused) {
   cli::DxfSkipped skipped;
   const auto all = [](const cli::DxfPlaced&) { return true; };
   EXPECT_THAT(cli::visit_dxf(drawing(circle.whole()), all, skipped), HasSubstr("in a circle"));
-  EXPECT_THAT(cli::visit_dxf(drawing(many.whole()), all, skipped), HasSubstr("more than 5000000"));
+  EXPECT_THAT(cli::visit_dxf(drawing(many.whole()), all, skipped), HasSubstr("more than 1000000"));
 }
 
 TEST(DxfDrawing, FilesThatWereCutAreRefused) {
