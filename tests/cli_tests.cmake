@@ -17,6 +17,12 @@ luxgate_test(cli_tests
     unit/report/tools/import/ifc_shape_test.cpp
     unit/report/tools/import/ifc_units_test.cpp
     unit/report/tools/import/step_text_test.cpp
+    unit/report/tools/import/dxf_design_test.cpp
+    unit/report/tools/import/dxf_drawing_test.cpp
+    unit/report/tools/import/dxf_pairs_test.cpp
+    unit/report/tools/import/import_map_test.cpp
+    unit/report/tools/import/project_merge_test.cpp
+    unit/report/tools/import/project_text_test.cpp
     unit/report/tools/init/init_test.cpp
     unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp
@@ -30,7 +36,8 @@ luxgate_test(cli_tests
     unit/report/tools/photometry/photometry_test.cpp
     unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
-target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json")
+target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json"
+  LUXGATE_MANUAL="${PROJECT_SOURCE_DIR}/report/cli/MANUAL.md")
 
 add_executable(compare_csv tools/compare_csv.cpp)
 target_link_libraries(compare_csv PRIVATE calc_model)
@@ -96,7 +103,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf levels xlsx)
+foreach(script completions tutorial selection config streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf import_dxf levels xlsx)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

@@ -9,6 +9,7 @@
 #include "report/tools/export/export.h"
 #include "report/tools/geometry/geometry.h"
 #include "report/tools/help/help.h"
+#include "report/tools/import/import.h"
 #include "report/tools/init/init.h"
 #include "report/tools/photometry/photometry.h"
 #include "report/tools/plan/plan.h"
@@ -35,7 +36,7 @@ std::vector<Command> all_commands() {
       converge_command(),   selftest_command(), compare_command(),  export_command(),
       photometry_command(), geometry_command(), rules_command(),    policy_command(),
       explain_command(),    config_command(),   store_command(),    schema_command(),
-      init_command(),       devices_command(),  version_command()};
+      import_command(),     init_command(),     devices_command(),  version_command()};
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.name);
   for (const char* name : {"help", "completions", "man"}) names.emplace_back(name);

@@ -29,6 +29,7 @@ struct DesignRoom {
   std::vector<std::vector<glm::dvec2>> hole_m;  // clockwise
   double floor_z_m = 0.0;
   std::optional<double> height_m;  // > 0; a plan does not know it
+  std::size_t rule = 0;  // which [[room]] of the map took it; the first where nothing else decides
 };
 
 struct DesignLuminaire {
@@ -41,6 +42,7 @@ struct DesignLuminaire {
   double rotation_deg = 0.0;   // counter-clockwise seen from above, [0, 360)
   bool is_mirrored = false;
   std::vector<std::pair<std::string, std::string>> attribute;  // name and value, in file order
+  std::optional<std::size_t> rule;  // which [[luminaire]] of the map took it; none: not decided yet
 };
 
 // Furniture and what else stands in the way: an upright box.
@@ -50,6 +52,7 @@ struct DesignBox {
   glm::dvec3 centre_m{0.0};  // of its foot
   glm::dvec3 size_m{0.0};    // before rotation, all > 0
   double rotation_deg = 0.0;
+  std::size_t rule = 0;  // as of rooms: [[furniture]]
 };
 
 // A line that somebody walks, or the outline of a calculation plane.
@@ -58,11 +61,13 @@ struct DesignLine {
   std::string name;
   std::vector<glm::dvec3> point_m;
   bool is_closed = false;
+  std::size_t rule = 0;  // as of rooms: [[plane]], [[route]]
 };
 
 // Something of the file that a reader of the report must know. Said once for things alike.
 struct DesignNote {
-  enum class Kind { taken, left_out, doubt };
+  // left_out: what the map asks for; not_asked: what nobody asked for.
+  enum class Kind { taken, left_out, doubt, not_asked };
   Kind kind = Kind::left_out;
   std::string what, why, place;  // of the first one
   std::size_t count = 1;

@@ -1,0 +1,885 @@
+#include "report/tools/import/dxf_design.h"
+
+#include "calc/base/elementary.h"
+#include "calc/base/text.h"
+#include "calc/base/units.h"
+#include "calc/base/utf8.h"
+#include "calc/scene/polygon.h"
+#include "report/tools/import/design_notes.h"
+#include "report/tools/import/design_rooms.h"
+#include "report/tools/import/dxf_outlines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+namespace cli {
+namespace {
+
+constexpr double kLowestBelievedArea_m2 = 1.5, kHighestBelievedArea_m2 = 900.0;
+constexpr double kLowestArea_m2 = 1.0, kHighestArea_m2 = 1.0e5;
+constexpr double kOnePlace_m = 1.0e-4;  // parts of one luminaire
+constexpr double kNameReach_m = 0.5;    // of a text beside an outline
+constexpr double kFarAway_m = 1000.0;   // origins are multiples of it
+// So that no file takes all memory or time.
+constexpr std::size_t kMostPoints = 5'000'000;  // of lines that may be outlines
+constexpr std::size_t kMostRooms = 5000;
+constexpr std::size_t kMostThings = 100'000;  // luminaires, furniture, texts: of each
+constexpr double kFarthest = 1.0e12;          // in the file's unit
+
+using Kind = DxfEntity::Kind;
+
+bool is_outline_kind(Kind kind) {
+  return kind == Kind::line || kind == Kind::polyline || kind == Kind::arc || kind == Kind::circle;
+}
+bool is_surface_kind(Kind kind) { return kind == Kind::outline || kind == Kind::face; }
+
+std::string unit_of_header(std::optional<int> header) {
+  switch (header.value_or(0)) {
+    case 1:
+      return "in";
+    case 2:
+      return "ft";
+    case 4:
+      return "mm";
+    case 5:
+      return "cm";
+    case 6:
+      return "m";
+    default:
+      return "";
+  }
+}
+
+std::string header_words(std::optional<int> header) {
+  const std::string unit = unit_of_header(header);
+  if (!unit.empty()) return "the header says " + unit;
+  if (!header || *header == 0) return "the header says none";
+  return fmt::format("the header says number {}, which is none of {}", *header,
+                     calc::join_choices(kImportUnits));
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// "44.6 m2 in mm, 4460 m2 in cm ..."
+std::string areas_in_units(double area) {
+  std::string text;
+  for (const std::string_view unit : kImportUnits) {
+    const double metres = *metres_per_import_unit(unit);
+    text +=
+        fmt::format("{}{:.3g} m2 in {}", text.empty() ? "" : ", ", area * metres * metres, unit);
+  }
+  return text;
+}
+
+// "2800", "2,80 m": a number, with a unit behind it where there is one. In metres.
+std::optional<double> length_of_text(const std::string& text, double metres_per_unit) {
+  std::string number(calc::trim(text));
+  double factor = metres_per_unit;
+  for (const std::string_view unit : {"mm", "cm", "m"}) {
+    if (number.size() <= unit.size() ||
+        calc::ascii_lowered(number).compare(number.size() - unit.size(), unit.size(), unit) != 0) {
+      continue;
+    }
+    number = calc::trim(std::string_view(number).substr(0, number.size() - unit.size()));
+    factor = *metres_per_import_unit(unit);
+    break;
+  }
+  if (std::count(number.begin(), number.end(), ',') == 1 && number.find('.') == number.npos) {
+    number[number.find(',')] = '.';
+  }
+  const std::optional<double> value = calc::parse_number(number);
+  return value ? std::optional(*value * factor) : std::nullopt;
+}
+
+// DLX_BLD1_FL0_CONT: "BLD1_FL0".
+std::string storey_of(const std::string& layer) {
+  constexpr std::string_view kStart = "DLX_", kStorey = "_FL";
+  if (layer.compare(0, kStart.size(), kStart) != 0 || layer.find(kStorey) == layer.npos) return "";
+  const std::size_t end = layer.find('_', layer.find(kStorey) + 1);
+  return layer.substr(kStart.size(), end == layer.npos ? layer.npos : end - kStart.size());
+}
+
+// x axis in the plan, degrees from 0 up to 360.
+double rotation_of(const glm::dmat4& matrix) {
+  const double degrees = calc::degrees_from_radians(calc::atan2(matrix[0].y, matrix[0].x));
+  const double turn = degrees < 0.0 ? degrees + 360.0 : degrees;
+  return turn >= 360.0 ? 0.0 : turn;
+}
+bool is_mirrored(const glm::dmat4& matrix) {
+  return matrix[0].x * matrix[1].y - matrix[0].y * matrix[1].x < 0.0;
+}
+bool is_upright(const glm::dmat4& matrix) {
+  const glm::dvec3 x(matrix[0]), y(matrix[1]);
+  const glm::dvec3 up = glm::cross(x, y);
+  const double length = glm::length(up);
+  return length > 0.0 && std::fabs(up.z) > (1.0 - 1.0e-6) * length;
+}
+bool is_near(const glm::dvec3& at) {
+  return std::fabs(at.x) < kFarthest && std::fabs(at.y) < kFarthest && std::fabs(at.z) < kFarthest;
+}
+
+class Builder {
+ public:
+  Builder(const DxfDrawing& drawing, const ImportMap& map) : drawing_(drawing), map_(map) {}
+
+  std::optional<Design> build(const std::string& file, const std::string& unit_option,
+                              std::string& problem) {
+    design_.file = file;
+    design_.writer = drawing_.writer;
+    room_.resize(map_.room.size());
+    plane_.resize(map_.plane.size());
+    route_.resize(map_.route.size());
+    problem = sort_entities();
+    if (!problem.empty()) return std::nullopt;
+    const ImportUnit unit = choose_unit(unit_option.empty() ? map_.unit : unit_option,
+                                        unit_option.empty() ? "the map" : "--unit", drawing_.unit,
+                                        is_dialux_, rough_areas());
+    if (!unit.problem.empty()) {
+      problem = unit.problem;
+      return std::nullopt;
+    }
+    design_.unit = unit.name;
+    design_.unit_reason = unit.reason;
+    metres_ = *metres_per_import_unit(unit.name);
+    points_ = 0;
+    add_rooms();
+    if (!problem_.empty()) {
+      problem = problem_;
+      return std::nullopt;
+    }
+    move_origin();
+    add_names();
+    say_sizes();
+    add_luminaires();
+    add_furniture();
+    add_lines(plane_, map_.plane, true, design_.plane);
+    add_lines(route_, map_.route, false, design_.route);
+    say_the_rest();
+    if (!problem_.empty()) {
+      problem = problem_;
+      return std::nullopt;
+    }
+    return std::move(design_);
+  }
+
+ private:
+  struct Pieces {
+    std::vector<DxfPlaced> outline, surface;
+  };
+  struct Block {
+    DxfPlaced placed;
+    std::size_t rule;
+  };
+
+  void check_counts() {
+    const std::pair<std::size_t, const char*> counts[] = {
+        {luminaire_.size(), "luminaires"},
+        {furniture_.size(), "pieces of furniture"},
+        {text_.size(), "names of rooms"}};
+    for (const auto& [count, what] : counts) {
+      if (count > kMostThings) {
+        problem_ = fmt::format("more than {} {} are in this drawing", kMostThings, what);
+      }
+    }
+  }
+
+  std::string place_of(const DxfPlaced& placed) const {
+    return fmt::format("layer {}, {}", placed.layer, drawing_.place_words(placed.entity->place));
+  }
+
+  // Of a thing at this place, in metres: stays the same where the file has no handles.
+  std::string key_of(const DxfPlaced& placed, const glm::dvec3& at, bool has_z) {
+    std::string key = placed.key;
+    if (key.empty()) {
+      key = fmt::format("at_{:.0f}_{:.0f}", at.x * 100.0, at.y * 100.0);
+      if (has_z) key += fmt::format("_{:.0f}", at.z * 100.0);
+    }
+    return own_key(key);
+  }
+  std::string own_key(const std::string& wanted) {
+    std::string key;
+    for (const char c : wanted) {
+      const bool is_fine = calc::is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           c == '_' || c == '.' || c == '-';
+      key += is_fine ? c : '_';
+    }
+    const int times = ++used_[key];
+    return times == 1 ? key : own_key(fmt::format("{}-{}", key, times));
+  }
+
+  bool is_ignored(const std::string& layer) const {
+    return std::any_of(map_.ignore.begin(), map_.ignore.end(), [&](const std::string& pattern) {
+      return matches_bound_name(pattern, layer);
+    });
+  }
+  // Whether the map asks for something on this layer by its name.
+  bool is_asked(const std::string& layer) const {
+    const auto is_of = [&](const std::string& pattern) {
+      return !pattern.empty() && matches_bound_name(pattern, layer);
+    };
+    const auto any = [&](const auto& rules) {
+      return std::any_of(rules.begin(), rules.end(),
+                         [&](const auto& rule) { return is_of(rule.layer); });
+    };
+    return any(map_.room) || any(map_.luminaire) || any(map_.furniture) || any(map_.plane) ||
+           any(map_.route);
+  }
+
+  std::string sort_entities() {
+    return visit_dxf(
+        drawing_, [&](const DxfPlaced& placed) { return sort(placed); }, skipped_);
+  }
+
+  // Whether to go into a block.
+  bool sort(const DxfPlaced& placed) {
+    const DxfEntity& entity = *placed.entity;
+    if (is_ignored(placed.layer)) return false;
+    is_dialux_ = is_dialux_ || placed.layer.compare(0, 4, "DLX_") == 0;
+    if (entity.kind == Kind::insert) return sort_block(placed);
+    bool is_taken = false;
+    if (entity.kind == Kind::text) {
+      for (const MapRoom& room : map_.room) {
+        if (!matches_bound_name(room.names, placed.layer)) continue;
+        text_.push_back(placed);
+        is_taken = true;
+        break;
+      }
+    }
+    const auto take = [&](const auto& rules, std::vector<Pieces>& pieces) {
+      for (std::size_t i = 0; i < rules.size(); ++i) {
+        if (!matches_bound_name(rules[i].layer, placed.layer)) continue;
+        if (is_outline_kind(entity.kind)) {
+          pieces[i].outline.push_back(placed);
+        } else if (is_surface_kind(entity.kind)) {
+          pieces[i].surface.push_back(placed);
+        } else {
+          continue;
+        }
+        is_taken = true;
+        return;
+      }
+    };
+    take(map_.room, room_);
+    take(map_.plane, plane_);
+    take(map_.route, route_);
+    if (entity.kind == Kind::polyline || entity.kind == Kind::mesh) {
+      for (std::size_t i = 0; i < map_.furniture.size(); ++i) {
+        const MapFurniture& rule = map_.furniture[i];
+        if (!rule.type.empty() || !matches_bound_name(rule.layer, placed.layer)) continue;
+        furniture_.push_back({placed, i});
+        is_taken = true;
+        break;
+      }
+    }
+    if (is_taken) return true;
+    if (entity.kind == Kind::polyline && matches_name("DLX_*LUM*", placed.layer)) ++loose_;
+    ++not_asked_[{"lines, texts and surfaces", placed.layer}];
+    return true;
+  }
+
+  bool sort_block(const DxfPlaced& placed) {
+    const std::string& name = placed.entity->block;
+    const auto matches = [&](const auto& rule) {
+      return (rule.type.empty() || matches_bound_name(rule.type, name)) &&
+             (rule.layer.empty() || matches_bound_name(rule.layer, placed.layer));
+    };
+    const auto found = std::find_if(map_.luminaire.begin(), map_.luminaire.end(), matches);
+    if (found != map_.luminaire.end()) {
+      luminaire_.push_back({placed, static_cast<std::size_t>(found - map_.luminaire.begin())});
+      return false;
+    }
+    const auto box = std::find_if(map_.furniture.begin(), map_.furniture.end(), matches);
+    if (box != map_.furniture.end()) {
+      furniture_.push_back({placed, static_cast<std::size_t>(box - map_.furniture.begin())});
+      return false;
+    }
+    if (placed.entity->is_clipped) ++clipped_;
+    ++not_asked_[{fmt::format("block {}", name), placed.layer}];
+    return true;
+  }
+
+  // In the file's unit.
+  std::vector<double> rough_areas() {
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < room_.size(); ++i) {
+      const bool has_outlines = !room_[i].outline.empty();
+      std::vector<PlanPiece> pieces;
+      glm::dvec2 low(kFarthest), high(-kFarthest);
+      for (const DxfPlaced& placed : has_outlines ? room_[i].outline : room_[i].surface) {
+        for (std::size_t k = 0; k < placed.entity->vertex.size(); ++k) {
+          low = glm::min(low, glm::dvec2(placed.at(k)));
+          high = glm::max(high, glm::dvec2(placed.at(k)));
+        }
+      }
+      const double size = glm::length(high - low);
+      if (!std::isfinite(size) || size > kFarthest) continue;
+      for (const DxfPlaced& placed : has_outlines ? room_[i].outline : room_[i].surface) {
+        add_piece(placed, 1.0e-4 * size, 1.0, pieces);
+      }
+      for (const PlanOutline& outline :
+           find_outlines(pieces, std::max(1.0e-6 * size, 1.0e-12), map_.room[i].closes).outline) {
+        areas.push_back(calc::signed_area(outline.corner));
+      }
+    }
+    return areas;
+  }
+
+  // error: in the file's unit. False: it is too far away.
+  bool add_piece(const DxfPlaced& placed, double error, double scale,
+                 std::vector<PlanPiece>& pieces) {
+    PlanPiece piece;
+    if (placed.entity->vertex.empty() || !problem_.empty()) return true;
+    const std::vector<glm::dvec3> points = placed.corners(error);
+    points_ += points.size();
+    if (points_ > kMostPoints) {
+      problem_ =
+          fmt::format("the lines that may be outlines have more than {} corners", kMostPoints);
+      return true;
+    }
+    for (const glm::dvec3& point : points) {
+      if (!is_near(point)) return false;
+      piece.point.push_back(point * scale);
+    }
+    piece.is_closed = placed.entity->is_closed;
+    piece.key = placed.key;
+    piece.place = place_of(placed);
+    pieces.push_back(std::move(piece));
+    return true;
+  }
+
+  std::vector<PlanPiece> pieces_of(const std::vector<DxfPlaced>& list, const std::string& what) {
+    std::vector<PlanPiece> pieces;
+    for (const DxfPlaced& placed : list) {
+      if (!add_piece(placed, kLargestChordError_m / metres_, metres_, pieces)) {
+        notes_.left_out(what, "it is too far away", place_of(placed));
+      }
+    }
+    return pieces;
+  }
+
+  void say_failures(const PlanOutlines& found, const std::string& what) {
+    for (const PlanOutlines::Failure& failure : found.failure) {
+      notes_.left_out(what, failure.why, failure.place, failure.count);
+    }
+  }
+
+  void add_rooms() {
+    for (std::size_t i = 0; i < room_.size(); ++i) {
+      const MapRoom& rule = map_.room[i];
+      const std::string what = fmt::format("outline of a room on {}", rule.layer);
+      const bool has_outlines = !room_[i].outline.empty();
+      if (has_outlines && !room_[i].surface.empty()) {
+        notes_.add(DesignNote::Kind::not_asked, fmt::format("surfaces on {}", rule.layer),
+                   "lines are there, which count", "", room_[i].surface.size());
+      }
+      const std::vector<DxfPlaced>& list = has_outlines ? room_[i].outline : room_[i].surface;
+      const PlanOutlines found = find_outlines(pieces_of(list, what), kSamePlace_m, rule.closes);
+      say_failures(found, what);
+      for (const PlanOutline& outline : found.outline) add_room(outline, i);
+      if (found.outline.empty()) {
+        notes_.left_out(
+            "rooms",
+            fmt::format("no closed outline is on a layer {}{}", rule.layer,
+                        rule.closes || list.empty() ? "" : "; if they are open, see 'close'"),
+            fmt::format("map line {}", rule.line));
+      }
+    }
+  }
+
+  void add_room(const PlanOutline& outline, std::size_t rule) {
+    const MapRoom& map = map_.room[rule];
+    if (design_.room.size() == kMostRooms) {
+      problem_ = fmt::format("more than {} rooms are in this drawing", kMostRooms);
+      return;
+    }
+    DesignRoom room;
+    room.rule = rule;
+    room.outline_m = outline.corner;
+    room.height_m = map.height_m;
+    room.floor_z_m = map.floor_z_m.value_or(outline.z);
+    room.source.place = outline.place;
+    const std::string layer = outline.place.substr(6, outline.place.rfind(", ") - 6);
+    room.storey = storey_of(layer);
+    glm::dvec2 middle(0.0);
+    for (const glm::dvec2& corner : outline.corner) middle += corner;
+    middle /= static_cast<double>(outline.corner.size());
+    room.source.key = own_key(
+        !outline.key.empty() ? outline.key
+                             : fmt::format("at_{:.0f}_{:.0f}", middle.x * 100.0, middle.y * 100.0));
+    if (!outline.mended.empty()) {
+      notes_.doubt("outline of a room", "it was mended: " + outline.mended, outline.place);
+    }
+    if (!outline.is_level && !map.floor_z_m) {
+      notes_.doubt("outline of a room", "it is not level: its lowest corner counts as the floor",
+                   outline.place);
+    }
+    design_.room.push_back(std::move(room));
+  }
+
+  void move_origin() {
+    glm::dvec2 low(kFarthest);
+    for (const DesignRoom& room : design_.room) {
+      for (const glm::dvec2& corner : room.outline_m) low = glm::min(low, corner);
+    }
+    if (design_.room.empty()) return;
+    for (const int axis : {0, 1}) {
+      if (std::fabs(low[axis]) >= kFarAway_m) {
+        design_.origin_m[axis] = std::floor(low[axis] / kFarAway_m) * kFarAway_m;
+      }
+    }
+    for (DesignRoom& room : design_.room) {
+      for (glm::dvec2& corner : room.outline_m) corner -= glm::dvec2(design_.origin_m);
+    }
+  }
+
+  glm::dvec3 in_metres(const glm::dvec3& at) const { return at * metres_ - design_.origin_m; }
+
+  // A text in an outline names the room; one close beside a single outline does so where nothing is
+  // in it: DIALux writes there. Several are read from the top down.
+  void add_names() {
+    struct Found {
+      double y, x;
+      std::string text;
+    };
+    std::vector<std::vector<Found>> inside(design_.room.size()), beside(design_.room.size());
+    for (const DxfPlaced& placed : text_) {
+      const glm::dvec3 at = in_metres(placed.at(0));
+      const std::string storey = storey_of(placed.layer);
+      if (placed.entity->text.empty() || !is_near(at)) continue;
+      if (const std::optional<std::size_t> room = room_at(design_, at, std::nullopt, storey)) {
+        inside[*room].push_back({at.y, at.x, placed.entity->text});
+        continue;
+      }
+      std::vector<std::size_t> close;
+      for (std::size_t i = 0; i < design_.room.size(); ++i) {
+        const DesignRoom& room = design_.room[i];
+        if ((storey.empty() || room.storey.empty() || room.storey == storey) &&
+            calc::distance_to_boundary(room.outline_m, at) <= kNameReach_m) {
+          close.push_back(i);
+        }
+      }
+      if (close.size() == 1) {
+        beside[close[0]].push_back({at.y, at.x, placed.entity->text});
+      } else {
+        notes_.add(DesignNote::Kind::not_asked, "text of a room's name", "it is in no room",
+                   place_of(placed));
+      }
+    }
+    for (std::size_t i = 0; i < design_.room.size(); ++i) {
+      std::vector<Found>& texts = inside[i].empty() ? beside[i] : inside[i];
+      std::sort(texts.begin(), texts.end(), [](const Found& a, const Found& b) {
+        return std::tie(b.y, a.x, a.text) < std::tie(a.y, b.x, b.text);
+      });
+      for (const Found& found : texts) {
+        design_.room[i].name += (design_.room[i].name.empty() ? "" : " ") + found.text;
+      }
+    }
+  }
+
+  void say_sizes() {
+    for (const DesignRoom& room : design_.room) {
+      const double area = calc::signed_area(room.outline_m);
+      if (area >= kLowestArea_m2 && area <= kHighestArea_m2) continue;
+      notes_.doubt(
+          "room",
+          fmt::format("its area would be {:.3g} m2: is the unit {} right?", area, design_.unit),
+          room.source.place);
+    }
+    for (std::size_t i = 0; i < design_.room.size(); ++i) {
+      const DesignRoom& room = design_.room[i];
+      glm::dvec2 inner(0.0);
+      for (std::size_t k = 0; k < design_.room.size(); ++k) {
+        const DesignRoom& other = design_.room[k];
+        if (k == i || other.storey != room.storey || other.floor_z_m != room.floor_z_m) continue;
+        const bool is_inside = std::all_of(
+            other.outline_m.begin(), other.outline_m.end(),
+            [&](const glm::dvec2& corner) { return calc::contains_point(room.outline_m, corner); });
+        if (!is_inside ||
+            (k < i && calc::signed_area(other.outline_m) == calc::signed_area(room.outline_m))) {
+          continue;
+        }
+        notes_.doubt("room",
+                     "its outline lies in that of another room: both are written, and what "
+                     "stands in it belongs to it alone",
+                     other.source.place);
+      }
+    }
+  }
+
+  void add_luminaires() {
+    std::vector<std::size_t> of_rule(map_.luminaire.size(), 0);
+    // Luminaires by their places, to find parts of one.
+    std::map<std::tuple<std::size_t, std::int64_t, std::int64_t, std::int64_t>,
+             std::vector<std::size_t>>
+        cells;
+    for (const Block& block : luminaire_) {
+      const DxfPlaced& placed = block.placed;
+      const MapLuminaire& rule = map_.luminaire[block.rule];
+      ++of_rule[block.rule];
+      const std::string what = fmt::format("luminaire {}", placed.entity->block);
+      const glm::dvec3 at = in_metres(placed.at(0));
+      if (!is_near(at / metres_)) {
+        notes_.left_out(what, "it is too far away", place_of(placed));
+        continue;
+      }
+      if (!is_upright(placed.to_world)) {
+        notes_.left_out(what, "it stands tilted, which a plan's block does not say enough of",
+                        place_of(placed));
+        continue;
+      }
+      const std::optional<std::size_t> part = same_place(cells, block.rule, at);
+      if (part) {
+        ++parts_;
+        if (std::fabs(design_.luminaire[*part].rotation_deg - rotation_of(placed.to_world)) >
+            0.01) {
+          notes_.doubt(what, "several stand at one place, turned differently: the first counts",
+                       place_of(placed));
+        }
+        add_attributes(placed, design_.luminaire[*part]);
+        continue;
+      }
+      DesignLuminaire luminaire;
+      luminaire.rule = block.rule;
+      luminaire.source = {key_of(placed, at, true), place_of(placed)};
+      luminaire.type = placed.entity->block;
+      luminaire.storey = storey_of(placed.layer);
+      luminaire.position_m = at;
+      luminaire.rotation_deg = rotation_of(placed.to_world);
+      luminaire.is_mirrored = is_mirrored(placed.to_world);
+      add_attributes(placed, luminaire);
+      set_height(rule, what, luminaire);
+      if (luminaire.is_mirrored) {
+        notes_.doubt(what, "it is mirrored in the drawing: its light is turned, not mirrored",
+                     place_of(placed));
+      }
+      design_.luminaire.push_back(std::move(luminaire));
+    }
+    for (std::size_t i = 0; i < of_rule.size(); ++i) {
+      if (of_rule[i] != 0) continue;
+      notes_.left_out(
+          "luminaires",
+          fmt::format(
+              "no block {}{} is in the drawing", map_.luminaire[i].type,
+              map_.luminaire[i].layer.empty() ? "" : " on a layer " + map_.luminaire[i].layer),
+          fmt::format("map line {}", map_.luminaire[i].line));
+    }
+    if (parts_ > 0) {
+      notes_.add(DesignNote::Kind::taken, "block at the place of another one",
+                 "they are parts of one luminaire, or it was drawn twice", "", parts_);
+    }
+    if (loose_ > 0) {
+      notes_.left_out("lines of luminaires",
+                      "they are no blocks: export from DIALux with a 3-D view as the active one",
+                      "layers DLX_*LUM*", loose_);
+    }
+  }
+
+  template <class Cells>
+  std::optional<std::size_t> same_place(Cells& cells, std::size_t rule, const glm::dvec3& at) {
+    std::array<std::int64_t, 3> cell{};
+    for (int i = 0; i < 3; ++i) {
+      cell[static_cast<std::size_t>(i)] =
+          static_cast<std::int64_t>(std::floor(at[i] / kOnePlace_m));
+    }
+    for (std::int64_t x = -1; x <= 1; ++x) {
+      for (std::int64_t y = -1; y <= 1; ++y) {
+        for (std::int64_t z = -1; z <= 1; ++z) {
+          const auto found = cells.find({rule, cell[0] + x, cell[1] + y, cell[2] + z});
+          if (found == cells.end()) continue;
+          for (const std::size_t index : found->second) {
+            if (glm::distance(place_[index], at) <= kOnePlace_m) return index;
+          }
+        }
+      }
+    }
+    cells[{rule, cell[0], cell[1], cell[2]}].push_back(design_.luminaire.size());
+    place_.push_back(at);
+    return std::nullopt;
+  }
+
+  static void add_attributes(const DxfPlaced& placed, DesignLuminaire& luminaire) {
+    const auto& list = placed.entity->attribute;
+    luminaire.attribute.insert(luminaire.attribute.end(), list.begin(), list.end());
+  }
+
+  void set_height(const MapLuminaire& rule, const std::string& what, DesignLuminaire& luminaire) {
+    const double z = luminaire.position_m.z;
+    const std::optional<std::size_t> room =
+        room_at(design_, luminaire.position_m, std::nullopt, luminaire.storey);
+    const std::optional<std::size_t> room_by_z =
+        room_at(design_, luminaire.position_m, z, luminaire.storey);
+    for (const HeightSource& source : rule.height) {
+      if (std::holds_alternative<FromZ>(source)) {
+        const double floor = room_by_z ? design_.room[*room_by_z].floor_z_m : 0.0;
+        if (z - floor <= kSamePlace_m) continue;  // drawn on the floor, or in a flat plan
+        luminaire.has_height = true;
+        return;
+      }
+      if (!room) return;  // it will be left out
+      std::optional<double> above;
+      if (const double* number = std::get_if<double>(&source)) {
+        above = *number;
+      } else {
+        const std::string& name = std::get<FromAttribute>(source).name;
+        for (const auto& [tag, value] : luminaire.attribute) {
+          if (!matches_name(name, tag) || calc::trim(value).empty()) continue;
+          above = length_of_text(value, metres_);
+          if (!above || !(*above > 0.0) || *above > 1000.0) {
+            above.reset();
+            notes_.doubt(what, fmt::format("its attribute {} is no height", tag),
+                         luminaire.source.place);
+          }
+          break;
+        }
+      }
+      if (!above) continue;
+      luminaire.position_m.z = design_.room[*room].floor_z_m + *above;
+      luminaire.has_height = true;
+      return;
+    }
+  }
+
+  void add_furniture() {
+    std::vector<std::size_t> of_rule(map_.furniture.size(), 0);
+    std::map<std::string, DxfExtent> extents;
+    for (const Block& block : furniture_) {
+      const DxfPlaced& placed = block.placed;
+      const DxfEntity& entity = *placed.entity;
+      const MapFurniture& rule = map_.furniture[block.rule];
+      ++of_rule[block.rule];
+      DesignBox box;
+      box.rule = block.rule;
+      const bool is_block = entity.kind == Kind::insert;
+      box.name = is_block ? entity.block : placed.layer;
+      const std::string what = "furniture " + box.name;
+      if (!is_upright(placed.to_world)) {
+        notes_.left_out(what, "it stands tilted", place_of(placed));
+        continue;
+      }
+      glm::dvec3 centre;
+      if (is_block) {
+        const auto [found, is_new] = extents.try_emplace(dxf_key(entity.block_in_file));
+        if (is_new) found->second = extent_of_block(drawing_, entity.block_in_file);
+        if (!found->second.is_any) {
+          notes_.left_out(what, "its block has nothing that takes room", place_of(placed));
+          continue;
+        }
+        const auto base = drawing_.block.find(dxf_key(entity.block_in_file));
+        const glm::dvec3 middle =
+            0.5 * (found->second.low + found->second.high) - base->second.base;
+        centre = glm::dvec3(placed.to_world * glm::dvec4(middle, 1.0));
+        const glm::dvec3 size = found->second.high - found->second.low;
+        box.size_m = metres_ * glm::dvec3(size.x * glm::length(glm::dvec3(placed.to_world[0])),
+                                          size.y * glm::length(glm::dvec3(placed.to_world[1])), 0);
+        box.rotation_deg = rotation_of(placed.to_world);
+      } else if (!take_rectangle(placed, centre, box)) {
+        notes_.left_out(what, "its outline is no rectangle; draw it as a block", place_of(placed));
+        continue;
+      }
+      box.size_m.z = rule.height_m;
+      box.centre_m = in_metres(centre);
+      if (!is_near(box.centre_m / metres_) || !(box.size_m.x > 0.0) || !(box.size_m.y > 0.0)) {
+        notes_.left_out(what, "it is flat or too far away", place_of(placed));
+        continue;
+      }
+      const std::optional<std::size_t> room =
+          room_at(design_, box.centre_m, std::nullopt, storey_of(placed.layer));
+      if (!room) {
+        notes_.left_out(what, "it stands in no room", place_of(placed));
+        continue;
+      }
+      box.centre_m.z = design_.room[*room].floor_z_m;
+      box.source = {key_of(placed, box.centre_m, false), place_of(placed)};
+      design_.box.push_back(std::move(box));
+    }
+    for (std::size_t i = 0; i < of_rule.size(); ++i) {
+      if (of_rule[i] != 0) continue;
+      const MapFurniture& rule = map_.furniture[i];
+      notes_.left_out("furniture",
+                      fmt::format("nothing of {} is in the drawing",
+                                  rule.type.empty() ? "layer " + rule.layer : rule.type),
+                      fmt::format("map line {}", rule.line));
+    }
+  }
+
+  bool take_rectangle(const DxfPlaced& placed, glm::dvec3& centre, DesignBox& box) const {
+    if (placed.entity->kind != Kind::polyline) return false;
+    std::vector<glm::dvec3> corner = placed.corners(kLargestChordError_m / metres_);
+    if (corner.size() == 5 && corner[0] == corner[4]) corner.pop_back();
+    if (corner.size() != 4) return false;
+    const glm::dvec2 u(corner[1] - corner[0]), v(corner[3] - corner[0]), w(corner[2] - corner[1]);
+    const double same = kSamePlace_m / metres_;
+    if (glm::distance(v, w) > same || std::fabs(glm::dot(u, v)) > same * glm::length(u)) {
+      return false;
+    }
+    centre = 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+    box.size_m = metres_ * glm::dvec3(glm::length(u), glm::length(v), 0.0);
+    const double degrees = calc::degrees_from_radians(calc::atan2(u.y, u.x));
+    box.rotation_deg = degrees < 0.0 ? degrees + 360.0 : degrees;
+    return true;
+  }
+
+  template <class Rules>
+  void add_lines(const std::vector<Pieces>& pieces, const Rules& rules, bool is_plane,
+                 std::vector<DesignLine>& lines) {
+    const std::string what = is_plane ? "plane" : "route";
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      const std::vector<PlanPiece> list = pieces_of(pieces[i].outline, what);
+      const std::size_t before = lines.size();
+      const auto add = [&](DesignLine line, const std::string& key) {
+        line.rule = i;
+        line.is_closed = is_plane;
+        const glm::dvec3 first = line.point_m.front();
+        line.source.key = own_key(
+            !key.empty() ? key : fmt::format("at_{:.0f}_{:.0f}", first.x * 100.0, first.y * 100.0));
+        lines.push_back(std::move(line));
+      };
+      if (is_plane) {
+        const PlanOutlines found = find_outlines(list, kSamePlace_m, false);
+        say_failures(found, fmt::format("outline of a plane on {}", rules[i].layer));
+        for (const PlanOutline& outline : found.outline) {
+          DesignLine line;
+          line.source.place = outline.place;
+          for (const glm::dvec2& corner : outline.corner) {
+            line.point_m.push_back(glm::dvec3(corner, outline.z) - design_.origin_m);
+          }
+          add(std::move(line), outline.key);
+        }
+      } else {
+        for (const PlanPiece& piece : list) {
+          if (piece.point.size() < 2 || piece.point.size() > 200) {
+            notes_.left_out("route", "2 to 200 corners are needed", piece.place);
+            continue;
+          }
+          DesignLine line;
+          line.source.place = piece.place;
+          for (const glm::dvec3& point : piece.point) {
+            line.point_m.push_back(point - design_.origin_m);
+          }
+          if (piece.is_closed) line.point_m.push_back(line.point_m.front());
+          add(std::move(line), piece.key);
+        }
+      }
+      if (lines.size() == before) {
+        notes_.left_out(what + "s",
+                        fmt::format("nothing that can be one is on a layer {}", rules[i].layer),
+                        fmt::format("map line {}", rules[i].line));
+      }
+    }
+  }
+
+  void say_the_rest() {
+    for (const DxfSkipped* list : {&drawing_.skipped, &std::as_const(skipped_)}) {
+      for (const auto& [what, count] : *list) {
+        const auto& [kind, layer, why] = what;
+        if (is_ignored(layer)) continue;
+        if (is_asked(layer)) {
+          notes_.left_out(kind, why, "layer " + layer, count);
+        } else {
+          notes_.add(DesignNote::Kind::not_asked, kind, why, layer.empty() ? "" : "layer " + layer,
+                     count);
+        }
+      }
+    }
+    for (const auto& [what, count] : not_asked_) {
+      notes_.add(DesignNote::Kind::not_asked,
+                 fmt::format("{} on layer {}", what.first, what.second),
+                 "the map does not name them", "", count);
+    }
+    if (clipped_ > 0) {
+      notes_.doubt("block reference", "part of it is hidden (XCLIP): all of it was looked at", "",
+                   clipped_);
+    }
+    for (const std::string& doubt : {drawing_.text_doubt, drawing_.end_doubt}) {
+      if (!doubt.empty()) notes_.doubt("file", doubt);
+    }
+    for (int i : {0, 1}) {
+      if (design_.origin_m[i] == 0.0) continue;
+      notes_.add(DesignNote::Kind::taken, "origin",
+                 fmt::format("({:.0f}, {:.0f}) m of the drawing is (0, 0) of the project",
+                             design_.origin_m.x, design_.origin_m.y),
+                 "");
+      break;
+    }
+  }
+
+  const DxfDrawing& drawing_;
+  const ImportMap& map_;
+  Design design_;
+  DesignNotes notes_{design_};
+  double metres_ = 1.0;
+  bool is_dialux_ = false;
+  std::vector<Pieces> room_, plane_, route_;  // by rule
+  std::vector<Block> luminaire_, furniture_;
+  std::vector<DxfPlaced> text_;
+  std::vector<glm::dvec3> place_;  // of luminaires, as drawn
+  std::string problem_;
+  std::size_t points_ = 0, parts_ = 0, loose_ = 0, clipped_ = 0;
+  DxfSkipped skipped_;
+  std::map<std::pair<std::string, std::string>, std::size_t> not_asked_;
+  std::map<std::string, int> used_;
+};
+
+}  // namespace
+
+ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
+                       std::optional<int> header, bool is_dialux, std::vector<double> area_units) {
+  ImportUnit unit;
+  const std::string by_header = unit_of_header(header);
+  if (!stated.empty()) {
+    unit.name = stated;
+    unit.reason = fmt::format("stated by {}", stated_by);
+    if (by_header != stated) unit.reason += "; " + header_words(header);
+    return unit;
+  }
+  const std::string ask =
+      "state it by --unit or 'unit' in the map: " + calc::join_choices(kImportUnits);
+  const std::string sizes =
+      area_units.empty()
+          ? "no closed outline of a room is there to tell by (see 'close' of the map for open ones)"
+          : fmt::format("the {} of {} outlines of rooms would have {}", "median", area_units.size(),
+                        areas_in_units(median_of(area_units)));
+  if (is_dialux) {
+    unit.problem = fmt::format(
+        "the unit is not known: {}, and DIALux says there what it does not mean; {}; {}",
+        header_words(header), sizes, ask);
+  } else if (by_header.empty() || area_units.empty()) {
+    unit.problem =
+        fmt::format("the unit is not known: {}; {}; {}", header_words(header), sizes, ask);
+  } else {
+    const double metres = *metres_per_import_unit(by_header);
+    const double area = median_of(area_units) * metres * metres;
+    if (area < kLowestBelievedArea_m2 || area > kHighestBelievedArea_m2) {
+      unit.problem =
+          fmt::format("{}, which is hardly true: {}; {}", header_words(header), sizes, ask);
+    } else {
+      unit.name = by_header;
+      unit.reason =
+          fmt::format("as the header says; the {} has {:.3g} m2",
+                      area_units.size() == 1 ? "only room"
+                                             : fmt::format("median of {} rooms", area_units.size()),
+                      area);
+    }
+  }
+  return unit;
+}
+
+std::optional<Design> design_of_dxf(const DxfDrawing& drawing, const std::string& file,
+                                    const ImportMap& map, const std::string& unit_option,
+                                    std::string& problem) {
+  return Builder(drawing, map).build(file, unit_option, problem);
+}
+
+}  // namespace cli

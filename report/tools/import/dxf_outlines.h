@@ -1,0 +1,40 @@
+#pragma once
+// Outlines from the lines of a plan.
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// A piece of a drawing: an open or closed polyline, in the world.
+struct PlanPiece {
+  std::vector<glm::dvec3> point;
+  bool is_closed = false;
+  std::string key, place;  // see DesignSource
+};
+
+struct PlanOutline {
+  std::vector<glm::dvec2> corner;  // counter-clockwise, simple
+  double z = 0.0;                  // the lowest of its pieces
+  bool is_level = true;
+  std::string key, place;  // of its first piece
+  std::string mended;      // what was mended, "" = nothing
+};
+struct PlanOutlines {
+  std::vector<PlanOutline> outline;
+  struct Failure {
+    std::string why, place;
+    std::size_t count = 1;
+  };
+  std::vector<Failure> failure;  // pieces that are part of no outline
+};
+
+// Closed pieces are outlines; open ones are joined where their ends are at most `same` apart and
+// exactly two of them meet. closes: an open piece of three points or more is closed by a straight
+// line before that. Order: as the first pieces come.
+PlanOutlines find_outlines(const std::vector<PlanPiece>& pieces, double same, bool closes);
+
+}  // namespace cli

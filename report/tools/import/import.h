@@ -1,0 +1,17 @@
+#pragma once
+// A project from a plan: luxgate import.
+
+#include "report/shell/command.h"
+
+#include <string>
+
+namespace cli {
+
+struct ImportOptions {
+  std::string file, map, unit, folder;
+  bool suggests_map = false, as_json = false;
+};
+
+Command import_command();
+
+}  // namespace cli

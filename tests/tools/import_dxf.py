@@ -1,0 +1,171 @@
+"""luxgate import from outside: a drawing becomes a project that validates, and its changes are taken over.
+
+    import_dxf.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
+
+Drawings are written here, and by ezdxf where Debian's python3-ezdxf is installed: in several versions, as text and
+binary. Where LUXGATE_SHARED_DATA has real drawings, every one must be listed or refused with a reason.
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+PROGRAM, WORK, EXAMPLES = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+problems = []
+
+
+def expect(is_so, words):
+    if not is_so:
+        problems.append(words)
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], cwd=WORK, capture_output=True, text=True, check=False)
+
+
+def pairs(*values):
+    return "".join(f"{code:3}\n{value}\n" for code, value in values)
+
+
+def outline(layer, handle, width, depth):
+    corners = [(0, 0), (width, 0), (width, depth), (0, depth)]
+    return [(0, "LWPOLYLINE"), (5, handle), (8, layer), (90, 4), (70, 1)] + [
+        pair for x, y in corners for pair in ((10, x), (20, y))]
+
+
+def insert(name, layer, handle, x, y, z, height=None):
+    start = [(0, "INSERT"), (5, handle), (8, layer), (66, 0 if height is None else 1), (2, name), (10, x), (20, y), (30, z)]
+    if height is None:
+        return start
+    return start + [(0, "ATTRIB"), (8, "0"), (1, height), (2, "HEIGHT"), (0, "SEQEND"), (8, "0")]
+
+
+def drawing(lamps, unit=4):
+    """lamps: handle -> (x, y, z, height) in millimetres."""
+    block = [(0, "BLOCK"), (8, "0"), (2, "LUM"), (10, 0), (20, 0), (0, "LINE"), (8, "0"), (10, -300), (20, 0), (11, 300),
+             (21, 0), (0, "ENDBLK")]
+    things = outline("A-AREA", "1F", 6000, 4000)
+    things += [(0, "TEXT"), (8, "A-AREA-IDEN"), (10, 100), (20, 100), (1, "101 B\\U+00FCro")]
+    for handle, (x, y, z, height) in lamps.items():
+        things += insert("LUM", "E-LITE", handle, x, y, z, height)
+    return pairs((0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1015"), (9, "$INSUNITS"), (70, unit), (0, "ENDSEC"),
+                 (0, "SECTION"), (2, "BLOCKS"), *block, (0, "ENDSEC"),
+                 (0, "SECTION"), (2, "ENTITIES"), *things, (0, "ENDSEC"), (0, "EOF"))
+
+
+MAP = """[[room]]
+layer = "A-AREA"
+names = "A-AREA-IDEN"
+height = 3
+reflectances = [0.7, 0.5, 0.2]
+[[luminaire]]
+type = "LUM*"
+photometry = "panel.ies"
+height = ["attribute:HEIGHT", "z"]
+"""
+
+
+def the_way_of_a_project():
+    lamps = {"A": (1500, 2000, 0, "2800"), "B": (4500, 2000, 2700, None)}
+    (WORK / "plan.dxf").write_text(drawing(lamps))
+    (WORK / "map.toml").write_text(MAP)
+    done = run("import", "plan.dxf", "--map", "map.toml", "-o", "project")
+    expect(done.returncode == 0, f"the first import ends with {done.returncode}: {done.stdout}{done.stderr}")
+    project = WORK / "project/project.xml"
+    text = project.read_text()
+    expect('name="101 Büro"' in text, "the room has its name")
+    expect('id="L-A" type="panel" position="1.5 2 2.8"' in text, "a height comes from an attribute")
+    expect('id="L-B" type="panel" position="4.5 2 2.7"' in text, "a height comes from the drawing")
+    expect((WORK / "project/photometry/panel.ies").read_bytes() == (WORK / "panel.ies").read_bytes(), "photometry is copied")
+    expect(run("validate", project).returncode == 0, "the project validates")
+
+    again = run("import", "plan.dxf", "--map", "map.toml", "-o", "project")
+    expect(again.returncode == 0 and project.read_text() == text, "the same drawing changes nothing")
+
+    mine = text.replace("  </room>", '    <plane id="work" height="0.75"><require quantity="average" at-least="1"/></plane>\n  </room>')
+    mine = mine.replace('position="4.5 2 2.7"', 'position="4.4 2 2.7"')
+    project.write_text(mine)
+    lamps = {"A": (1600, 2000, 0, "2800"), "B": (4600, 2000, 2700, None), "C": (3000, 1000, 2700, None)}
+    (WORK / "plan.dxf").write_text(drawing(lamps))
+    done = run("import", "plan.dxf", "--map", "map.toml", "-o", "project", "--json")
+    expect(done.returncode == 1, f"a change on both sides ends with {done.returncode}")
+    report = json.loads(done.stdout)
+    expect(any("luminaire L-A, position: 1.5 2 2.8 -> 1.6 2 2.8" in line for line in report["changes"]), "what moved is said")
+    expect("came: luminaire L-C" in report["changes"], "what came is said")
+    expect(len(report["conflicts"]) == 1 and "L-B" in report["conflicts"][0], "what both changed is said")
+    text = project.read_text()
+    for part in ('id="work"', 'position="4.4 2 2.7"', 'position="1.6 2 2.8"', 'id="L-C"'):
+        expect(part in text, f"after the second import {part} is there")
+    done = run("check", project, "--quiet", "--goal", "accuracy", "--tolerance", "0.2")
+    expect(done.returncode == 0, f"the project is checked: {done.returncode} {done.stderr}")
+
+
+def refusals():
+    for name, text, words in (("cut", drawing({})[:-40], "it was cut"), ("dwg", "AC1027\0\0\0", "a DWG file"),
+                              ("no unit", drawing({}, 0), "24 m2 in mm"), ("wrong unit", drawing({}, 1), "hardly true")):
+        (WORK / "bad.dxf").write_text(text)
+        done = run("import", "bad.dxf", "--map", "map.toml", "-o", "bad")
+        expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")
+        expect(not (WORK / "bad").exists(), f"{name}: nothing is written")
+    (WORK / "mine").mkdir()
+    (WORK / "mine/project.xml").write_text("mine")
+    done = run("import", "plan.dxf", "--map", "map.toml", "-o", "mine")
+    expect(done.returncode == 2 and "no import made it" in done.stderr, "a project of somebody's own is kept")
+    expect((WORK / "mine/project.xml").read_text() == "mine", "and its bytes")
+    (WORK / "other.toml").write_text(MAP.replace("panel.ies", "gone.ies"))
+    done = run("import", "plan.dxf", "--map", "other.toml")
+    expect(done.returncode == 1 and "gone.ies" in done.stdout, f"photometry that is not there: {done.returncode} {done.stderr}")
+    suggested = run("import", "plan.dxf", "--suggest-map")
+    (WORK / "suggested.toml").write_text(suggested.stdout)
+    done = run("import", "plan.dxf", "--map", "suggested.toml")
+    expect(suggested.returncode == 0 and "at least one [[room]]" in done.stderr, "a suggested map is read back")
+
+
+def by_ezdxf():
+    try:
+        import ezdxf  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        print("without python3-ezdxf: drawings of other programs are not tried")
+        return
+    for version in ("R12", "R2000", "R2004", "R2007", "R2010", "R2018"):
+        for form in ("asc", "bin"):
+            document = ezdxf.new(version)
+            document.header["$INSUNITS"] = 4
+            block = document.blocks.new("LUM")
+            block.add_line((-300, 0), (300, 0))
+            space = document.modelspace()
+            space.add_polyline2d([(0, 0), (6000, 0), (6000, 4000), (0, 4000)], dxfattribs={"layer": "A-AREA", "flags": 1})
+            space.add_text("101 Büro", dxfattribs={"layer": "A-AREA-IDEN", "insert": (100, 100)})
+            space.add_blockref("LUM", (1500, 2000, 2700), dxfattribs={"rotation": 30})
+            space.add_blockref("LUM", (4500, 1000, 2700), dxfattribs={"row_count": 2, "row_spacing": 2000})
+            name = f"{version}-{form}.dxf"
+            document.saveas(WORK / name, fmt=form)
+            done = run("import", name, "--map", "map.toml", "--unit", "mm", "--json")
+            if done.returncode != 0:
+                problems.append(f"{name}: {done.returncode} {done.stdout}{done.stderr}")
+                continue
+            report = json.loads(done.stdout)
+            expect(abs(report["room_list"][0]["area_m2"] - 24.0) < 1e-9, f"{name}: area")
+            expect(report["room_list"][0]["name"] == "101 Büro", f"{name}: name {report['room_list'][0]['name']}")
+            expect(report["luminaires"] == {"found": 3, "written": 3}, f"{name}: luminaires {report['luminaires']}")
+
+
+def real_drawings():
+    folder = pathlib.Path(os.environ.get("LUXGATE_SHARED_DATA", "/nowhere")) / "dxf"
+    for path in sorted(folder.glob("*.[dD][xX][fF]")):
+        done = run("import", path, "--suggest-map")
+        expect(done.returncode in (0, 2) and (done.returncode == 0) == (done.stderr == ""), f"{path.name}: {done.returncode} {done.stderr}")
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+shutil.copy(EXAMPLES / "photometry/lambert_panel_600.ies", WORK / "panel.ies")
+the_way_of_a_project()
+refusals()
+by_ezdxf()
+real_drawings()
+if problems:
+    sys.exit("\n".join(problems))
+print("a drawing is a project, and its changes are taken over")

@@ -1,0 +1,217 @@
+#include "report/tools/import/dxf_design.h"
+
+#include "calc/scene/polygon.h"
+#include "report/tools/import/dxf_outlines.h"
+#include "tests/unit/report/tools/import/dxf_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using test_support::DxfText;
+using ::testing::HasSubstr;
+
+cli::ImportMap a_map() {
+  cli::ImportMap map;
+  map.room.push_back({"ROOM", "NAME", 2.8, 0.7, 0.5, 0.2, {}, false, 1});
+  cli::MapLuminaire luminaire;
+  luminaire.type = "LUM*";
+  luminaire.height = {cli::FromAttribute{"H"}, cli::FromZ{}};
+  map.luminaire.push_back(luminaire);
+  return map;
+}
+
+cli::Design design(const std::string& text, const cli::ImportMap& map,
+                   const std::string& unit = "mm") {
+  std::string problem;
+  const auto drawing = cli::read_dxf(text, problem);
+  EXPECT_TRUE(drawing) << problem;
+  auto made = cli::design_of_dxf(*drawing, "plan.dxf", map, unit, problem);
+  EXPECT_EQ(problem, "");
+  return made ? std::move(*made) : cli::Design();
+}
+
+bool has_note(const cli::Design& design, cli::DesignNote::Kind kind, const std::string& part,
+              std::size_t count = 1) {
+  for (const cli::DesignNote& note : design.note) {
+    const std::string all = note.what + ": " + note.why;
+    if (note.kind == kind && all.find(part) != all.npos && note.count == count) return true;
+  }
+  return false;
+}
+using NoteKind = cli::DesignNote::Kind;
+
+TEST(DxfDesign, OutlinesAreRoomsWithTheirNames) {
+  DxfText text;
+  text.section("ENTITIES").rectangle("room", 0, 0, 6000, 4000, "1F");
+  text.entity("TEXT", "NAME").at(100, 100).add(1, "Office");
+  text.entity("TEXT", "NAME").at(100, 3000).add(1, "101").end();
+  const cli::Design made = design(text.whole(), a_map());
+  ASSERT_EQ(made.room.size(), 1u);
+  EXPECT_EQ(made.room[0].name, "101 Office");
+  EXPECT_EQ(made.room[0].source.key, "1F");
+  EXPECT_DOUBLE_EQ(calc::signed_area(made.room[0].outline_m), 24.0);
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "no block LUM* is in the drawing"));
+}
+
+TEST(DxfDesign, LinesThatMeetAreAnOutline) {
+  DxfText text;
+  text.section("ENTITIES").line("ROOM", 0, 0, 6000, 0).line("ROOM", 6000, 4000, 6000, 0);
+  text.line("ROOM", 6000, 4000, 0, 4000).line("ROOM", 0, 0.4, 0, 4000);
+  text.line("ROOM", 9000, 0, 9000, 5).end();
+  const cli::Design made = design(text.whole(), a_map());
+  ASSERT_EQ(made.room.size(), 1u);
+  EXPECT_NEAR(calc::signed_area(made.room[0].outline_m), 24.0, 0.01);
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "lines do not meet"));
+}
+
+TEST(DxfDesign, OpenOutlinesAreClosedOnlyOnRequest) {
+  DxfText text;
+  text.section("ENTITIES").entity("LWPOLYLINE", "ROOM").add(70, 0);
+  text.add(10, 0).add(20, 0).add(10, 5000).add(20, 0).add(10, 5000).add(20, 4000).end();
+  cli::ImportMap map = a_map();
+  EXPECT_TRUE(design(text.whole(), map).room.empty());
+  map.room[0].closes = true;
+  EXPECT_EQ(design(text.whole(), map).room.size(), 1u);
+}
+
+TEST(DxfDesign, CrossingOutlinesAreLeftOut) {
+  DxfText text;
+  text.section("ENTITIES").entity("LWPOLYLINE", "ROOM").add(70, 1);
+  text.add(10, 0).add(20, 0).add(10, 5000).add(20, 4000).add(10, 5000).add(20, 0);
+  text.add(10, 0).add(20, 4000).end();
+  const cli::Design made = design(text.whole(), a_map());
+  EXPECT_TRUE(made.room.empty());
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "its sides cross or touch each other"));
+}
+
+DxfText with_luminaires() {
+  DxfText text;
+  text.section("BLOCKS").block("LUM_A").line("0", -300, 0, 300, 0).add(0, "ENDBLK").end();
+  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000);
+  return text;
+}
+
+TEST(DxfDesign, HeightsComeInTheOrderOfTheMap) {
+  DxfText text = with_luminaires();
+  text.insert("LUM_A", "L", 1000, 1000, 2500, "A").add(66, 1);
+  text.entity("ATTRIB", "0").add(1, "2,7 m").add(2, "H").entity("SEQEND", "L");
+  text.insert("LUM_A", "L", 2000, 1000, 2500, "B");
+  text.insert("LUM_A", "L", 3000, 1000, 0, "C");
+  text.insert("LUM_A", "L", 4000, 1000, 2500, "D").add(66, 1);
+  text.entity("ATTRIB", "0").add(1, "high").add(2, "H").entity("SEQEND", "L").end();
+  const cli::Design made = design(text.whole(), a_map());
+  ASSERT_EQ(made.luminaire.size(), 4u);
+  EXPECT_DOUBLE_EQ(made.luminaire[0].position_m.z, 2.7);
+  EXPECT_DOUBLE_EQ(made.luminaire[1].position_m.z, 2.5);
+  EXPECT_FALSE(made.luminaire[2].has_height);
+  EXPECT_DOUBLE_EQ(made.luminaire[3].position_m.z, 2.5);
+  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its attribute H is no height"));
+}
+
+TEST(DxfDesign, PartsAtOnePlaceAreOneLuminaire) {
+  DxfText text = with_luminaires();
+  text.insert("LUM_A", "L", 1000, 1000, 2500, "A").insert("LUM_A", "L", 1000, 1000, 2500, "B");
+  text.insert("LUM_A", "L", 1000, 1001, 2500, "C").end();
+  const cli::Design made = design(text.whole(), a_map());
+  EXPECT_EQ(made.luminaire.size(), 2u);
+  EXPECT_TRUE(has_note(made, NoteKind::taken, "parts of one luminaire"));
+}
+
+TEST(DxfDesign, TurnsAndMirrorsAreKept) {
+  DxfText text = with_luminaires();
+  text.insert("LUM_A", "L", 1000, 1000, 2500, "A").add(50, -90.27);
+  text.insert("LUM_A", "L", 2000, 1000, 2500, "B").add(41, -1.0).add(50, 90.0);
+  text.insert("LUM_A", "L", 3000, 1000, 2500, "C").add(210, 1.0).add(220, 0.0).add(230, 0.0).end();
+  const cli::Design made = design(text.whole(), a_map());
+  ASSERT_EQ(made.luminaire.size(), 2u);
+  EXPECT_NEAR(made.luminaire[0].rotation_deg, 269.73, 1.0e-9);
+  EXPECT_TRUE(made.luminaire[1].is_mirrored);
+  EXPECT_DOUBLE_EQ(made.luminaire[1].rotation_deg, 270.0);
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "it stands tilted"));
+}
+
+TEST(DxfDesign, FurnitureIsABoxAsTheBlockStands) {
+  DxfText text;
+  text.section("BLOCKS").block("DESK", 100, 0).rectangle("0", 100, 0, 1600, 800);
+  text.add(0, "ENDBLK").end();
+  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000);
+  text.insert("DESK", "F", 3000, 1000, 0, "A").add(50, 90.0).end();
+  cli::ImportMap map = a_map();
+  map.furniture.push_back({"DESK", "", 0.75, 0.4, 9});
+  const cli::Design made = design(text.whole(), map);
+  ASSERT_EQ(made.box.size(), 1u);
+  EXPECT_NEAR(made.box[0].centre_m.x, 2.6, 1.0e-12);
+  EXPECT_NEAR(made.box[0].centre_m.y, 1.8, 1.0e-12);
+  EXPECT_NEAR(made.box[0].size_m.x, 1.6, 1.0e-12);
+  EXPECT_DOUBLE_EQ(made.box[0].rotation_deg, 90.0);
+}
+
+TEST(DxfDesign, FarDrawingsGetAnOriginOfTheirOwn) {
+  DxfText text;
+  text.section("ENTITIES").rectangle("ROOM", 4500123456.0, 100.0, 6000, 4000).end();
+  const cli::Design made = design(text.whole(), a_map());
+  EXPECT_EQ(made.origin_m, glm::dvec3(4500000.0, 0.0, 0.0));
+  ASSERT_EQ(made.room.size(), 1u);
+  EXPECT_NEAR(made.room[0].outline_m[0].x, 123.456, 1.0e-6);
+}
+
+TEST(DxfDesign, WhatIsAskedForAndHiddenIsSaid) {
+  DxfText text;
+  text.section("TABLES").layer("ROOM", -7, 0).end();
+  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000).entity("SPLINE", "ROOM").end();
+  const cli::Design made = design(text.whole(), a_map());
+  EXPECT_TRUE(made.room.empty());
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "its layer is off or frozen"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "SPLINE: no kind that is read"));
+}
+
+TEST(ImportUnit, StatedUnitsWin) {
+  const cli::ImportUnit unit = cli::choose_unit("mm", "--unit", 1, true, {});
+  EXPECT_EQ(unit.name, "mm");
+  EXPECT_EQ(unit.reason, "stated by --unit; the header says in");
+}
+
+TEST(ImportUnit, HeadersAreBelievedOnlyWhereRoomsAreRooms) {
+  const std::vector<double> areas = {24.0e6, 30.0e6, 36.0e6};
+  EXPECT_EQ(cli::choose_unit("", "", 4, false, areas).name, "mm");
+  // The same in inches: 20000 m2.
+  const cli::ImportUnit inch = cli::choose_unit("", "", 1, false, areas);
+  EXPECT_EQ(inch.name, "");
+  EXPECT_THAT(inch.problem, HasSubstr("30 m2 in mm"));
+  // No room from 1.5 to 900 m2 passes with inch and mm exchanged, either way.
+  for (double area = 1.5; area < 900.0; area *= 1.1) {
+    const double inch_m = 0.0254, mm_m = 0.001;
+    EXPECT_EQ(cli::choose_unit("", "", 1, false, {area / (mm_m * mm_m)}).name, "") << area;
+    EXPECT_EQ(cli::choose_unit("", "", 4, false, {area / (inch_m * inch_m)}).name, "") << area;
+  }
+  EXPECT_NE(cli::choose_unit("", "", 4, true, areas).problem, "");
+  EXPECT_NE(cli::choose_unit("", "", {}, false, areas).problem, "");
+  EXPECT_NE(cli::choose_unit("", "", 4, false, {}).problem, "");
+}
+
+TEST(SuggestMap, IsReadBack) {
+  DxfText text = with_luminaires();
+  text.insert("LUM_A", "L", 1000, 1000, 2500).end();
+  std::string problem;
+  const auto drawing = cli::read_dxf(text.whole(), problem);
+  ASSERT_TRUE(drawing);
+  std::string map = cli::suggest_map(*drawing, "plan.dxf");
+  EXPECT_THAT(map, HasSubstr("\"LUM_A\": 1 times, on \"L\""));
+  calc::Diagnostics diagnostics;
+  EXPECT_TRUE(cli::read_import_map(map, "map.toml", diagnostics));
+  // With the first room taken in.
+  const std::size_t at = map.find("# [[room]]");
+  ASSERT_NE(at, map.npos);
+  for (std::size_t line = at; map[line] == '#'; line = map.find('\n', line) + 1) map.erase(line, 2);
+  const auto read = cli::read_import_map(map, "map.toml", diagnostics);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->room.size(), 1u);
+}
+
+}  // namespace
