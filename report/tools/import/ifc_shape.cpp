@@ -20,7 +20,7 @@ namespace cli {
 namespace {
 
 constexpr int kDeepestShape = 32;               // mapped items and clippings
-constexpr double kUpright = 1.0e-5;             // sine of the angle to the vertical
+constexpr double kUprightAxis = 1.0e-5;             // sine of the angle to the vertical
 constexpr double kLevel_m = 1.0e-3;             // heights that are nearer are one
 constexpr double kSameArea = 1.0e-3;            // relative: of ceiling and floor
 constexpr std::size_t kComparisonsOfWork = 16;  // of two corners, as long as a byte of text
@@ -151,7 +151,7 @@ class SolidReader {
     const IfcProfile profile = ifc_profile(file_, a[0], doubt);
     const glm::dvec3 z(world[2]);
     const auto is_upright = [](const glm::dvec3& v) {
-      return std::fabs(v.x) + std::fabs(v.y) <= kUpright * std::fabs(v.z);
+      return std::fabs(v.x) + std::fabs(v.y) <= kUprightAxis * std::fabs(v.z);
     };
     Solid& result = solid.emplace_back();
     const auto base = [&](const std::vector<glm::dvec2>& outline) {

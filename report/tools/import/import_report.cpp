@@ -13,24 +13,24 @@
 namespace cli {
 namespace {
 
-using Kind = DesignNote::Kind;
+using NoteKind = DesignNote::Kind;
 constexpr std::size_t kMostLines = 30;  // of a part of the text
 
-constexpr std::pair<Kind, const char*> kParts[] = {
-    {Kind::left_out, "Left out, though the map asks for it"},
-    {Kind::doubt, "To be looked at"},
-    {Kind::taken, "Taken otherwise than it is drawn"},
-    {Kind::not_asked, "Not asked for"}};
+constexpr std::pair<NoteKind, const char*> kParts[] = {
+    {NoteKind::left_out, "Left out, though the map asks for it"},
+    {NoteKind::doubt, "To be looked at"},
+    {NoteKind::taken, "Taken otherwise than it is drawn"},
+    {NoteKind::not_asked, "Not asked for"}};
 
-const char* json_name(Kind kind) {
+const char* json_name(NoteKind kind) {
   switch (kind) {
-    case Kind::left_out:
+    case NoteKind::left_out:
       return "left-out";
-    case Kind::doubt:
+    case NoteKind::doubt:
       return "doubt";
-    case Kind::taken:
+    case NoteKind::taken:
       return "taken";
-    case Kind::not_asked:
+    case NoteKind::not_asked:
       return "not-asked";
   }
   return "";

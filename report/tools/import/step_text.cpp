@@ -32,11 +32,13 @@ std::string quoted(std::string_view text) {
   return "'" + calc::shorten_utf8(calc::printable(text.substr(0, 200)), 40) + "'";
 }
 
+}  // namespace
+
 // Where a reader is in the text. Every function leaves a reason in problem() when it returns false
 // or nothing; what was read before is then of no use.
-class Cursor {
+class StepCursor {
  public:
-  explicit Cursor(std::string_view text) : text_(text) {}
+  explicit StepCursor(std::string_view text) : text_(text) {}
 
   std::size_t at() const { return at_; }
   std::size_t problem_at() const { return problem_at_; }
@@ -217,7 +219,7 @@ class Cursor {
   std::string problem_;
 };
 
-}  // namespace
+namespace {}  // namespace
 
 std::optional<double> StepValue::number() const {
   if (kind_ != Kind::number) return std::nullopt;
@@ -226,7 +228,7 @@ std::optional<double> StepValue::number() const {
 
 std::optional<std::uint64_t> StepValue::reference() const {
   if (kind_ != Kind::reference) return std::nullopt;
-  return Cursor(slice_).reference();
+  return StepCursor(slice_).reference();
 }
 
 std::optional<std::string> StepValue::text() const {
@@ -241,13 +243,13 @@ std::string StepValue::enumeration() const {
 
 std::string StepValue::type_name() const {
   if (kind_ != Kind::typed) return {};
-  return upper(Cursor(slice_).name());
+  return upper(StepCursor(slice_).name());
 }
 
 std::vector<StepValue> StepValue::items() const {
   std::vector<StepValue> items;
   if (kind_ != Kind::list && kind_ != Kind::typed) return items;
-  Cursor cursor(slice_);
+  StepCursor cursor(slice_);
   cursor.name();
   cursor.skip();
   cursor.list(0, &items);  // cannot fail: the text was gone through when it was opened
@@ -451,7 +453,7 @@ class StepText::Opener {
 
   std::string_view bytes_;
   StepText& text_;
-  Cursor cursor_;
+  StepCursor cursor_;
   std::string key_;
 };
 
