@@ -4,17 +4,13 @@
 #include <cstddef>
 
 namespace calc {
-namespace {
 
-// Directions across the axis, 90 degrees apart; of a vertical axis +x, +y, -x, -y.
 glm::dvec3 side_of_axis(const glm::dvec3& axis, std::size_t quarter) {
   const glm::dvec3 aside = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 first = glm::normalize(aside - glm::dot(aside, axis) * axis);
   const glm::dvec3 side = quarter % 2 == 0 ? first : glm::cross(axis, first);
   return quarter < 2 ? side : -side;
 }
-
-}  // namespace
 
 std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid) {
   std::vector<Receiver> receivers;

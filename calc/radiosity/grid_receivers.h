@@ -5,9 +5,16 @@
 #include "calc/radiosity/receiver.h"
 #include "calc/scene/sensor_grid.h"
 
+#include <glm/glm.hpp>
+
+#include <cstddef>
 #include <vector>
 
 namespace calc {
+
+// Unit directions across the unit axis, 90 degrees apart; quarter: 0 to 3. Of a vertical axis +x,
+// +y, -x, -y.
+glm::dvec3 side_of_axis(const glm::dvec3& axis, std::size_t quarter);
 
 // One per point, in order, in local coordinates; of a derived quantity several, all of the first
 // kind before those of the next: of modelling the cylinder, then the plane across its axis; of

@@ -1,5 +1,6 @@
 #include "report/tools/export/export.h"
 
+#include "calc/base/text.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
@@ -11,11 +12,14 @@
 #include "report/tools/export/gltf_files.h"
 #include "report/tools/export/radiance_lights.h"
 #include "report/tools/export/radiance_scene.h"
+#include "report/tools/export/radiance_sensors.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -25,30 +29,53 @@ namespace {
 namespace fs = std::filesystem;
 using calc::DiagnosticId;
 
-// Grids of all planes of planar illuminance; what is left out is said.
+// Grids of all planes of illuminance; what is left out is said.
 std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std::string>& ids,
                                        std::vector<std::string>& changed,
                                        calc::Diagnostics& diagnostics) {
   std::vector<calc::SensorGrid> grids;
   for (const calc::CalcPlane& plane : space.planes) {
-    if (plane.kernel != calc::ReceiverKernel::planar ||
-        plane.derived != calc::DerivedQuantity::none) {
+    if (!radiance::is_sum_of_sensors(plane.derived)) {
       changed.push_back(fmt::format(
-          "plane '{}' is of quantity '{}', which rtrace -I does not give: it is missing", plane.id,
-          calc::quantity_name(plane.kernel, plane.derived)));
+          "plane '{}' is of quantity '{}', which is no sum of illuminances: it is missing",
+          plane.id, calc::quantity_name(plane.kernel, plane.derived)));
       continue;
     }
     std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
     if (!grid) continue;
+    const std::string words = radiance::sum_words(*grid);
+    if (!words.empty()) changed.push_back(words);
     ids.push_back(plane.id);
     grids.push_back(std::move(*grid));
   }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   return grids;
 }
 
+// Null and no error if the id is "".
+const calc::LightScene* find_scene(const calc::Project& project, const std::string& id,
+                                   calc::Diagnostics& diagnostics) {
+  if (id.empty()) return nullptr;
+  std::vector<std::string_view> ids;
+  for (const calc::LightScene& scene : project.scenes) {
+    if (scene.id == id) return &scene;
+    ids.push_back(scene.id);
+  }
+  diagnostics.report(DiagnosticId::output_not_possible, {project.path, 0, 0},
+                     ids.empty()
+                         ? fmt::format("--scene '{}': the project has no scene", id)
+                         : fmt::format("--scene: the project has no scene '{}'; known: {}{}", id,
+                                       calc::join_choices(ids), calc::suggestion(id, ids)));
+  return nullptr;
+}
+
 std::vector<ExportedFile> radiance_files(const calc::Project& project, const calc::Space& space,
+                                         const std::string& scene_id,
                                          std::vector<std::string>& notes,
                                          calc::Diagnostics& diagnostics) {
+  const calc::LightScene* levels = find_scene(project, scene_id, diagnostics);
+  if (diagnostics.has_errors()) return {};
   std::vector<std::string> ids, changed;
   const std::vector<calc::SensorGrid> grids = grids_of(space, ids, changed, diagnostics);
   std::vector<radiance::Plane> planes;
@@ -58,12 +85,22 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
   if (planes.empty() || scene.luminaires.empty()) {
     diagnostics.report(DiagnosticId::output_not_possible, space.where,
                        fmt::format("space '{}' has no {} to export", space.id,
-                                   planes.empty() ? "plane of planar illuminance" : "luminaire"));
+                                   planes.empty() ? "plane of illuminance" : "luminaire"));
     return {};
   }
-  radiance::LightFiles lights = radiance::write_lights(scene);
+  radiance::LightFiles lights = radiance::write_lights(
+      scene,
+      levels == nullptr ? std::vector<std::pair<std::string, double>>() : levels->level_of_group);
+  if (lights.data.empty()) {
+    diagnostics.report(
+        DiagnosticId::output_not_possible, space.where,
+        fmt::format("space '{}' has no luminaire with light to export{}", space.id,
+                    levels == nullptr ? "" : fmt::format(" in scene '{}'", levels->id)));
+    return {};
+  }
   changed.insert(changed.end(), lights.changed.begin(), lights.changed.end());
   notes = changed;
+  const radiance::Light light{levels, std::move(changed)};
   std::size_t all = 0;
   for (const calc::Space& each : project.spaces) all += each.planes.size();
   const bool is_partial = planes.size() < all;
@@ -73,9 +110,10 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
       {"luminaires.rad", std::move(lights.scene)},
       {"luxgate.cal", radiance::kFunctions},
       {"points.txt", radiance::write_points(planes)},
+      {"weights.txt", radiance::write_weights(planes)},
       {"points.csv", radiance::write_point_table(planes)},
-      {"run.sh", radiance::write_script(is_partial)},
-      {"README.md", radiance::write_readme(project, space, scene, planes, is_partial, changed)}};
+      {"run.sh", radiance::write_script(scene, light, is_partial)},
+      {"README.md", radiance::write_readme(project, space, scene, planes, is_partial, light)}};
   for (radiance::LightFiles::Data& data : lights.data) {
     files.push_back({std::move(data.name), std::move(data.text)});
   }
@@ -128,7 +166,7 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
   }
   std::vector<std::string> notes;
   const std::vector<ExportedFile> exported =
-      is_radiance ? radiance_files(*project, *spaces.front(), notes, diagnostics)
+      is_radiance ? radiance_files(*project, *spaces.front(), options.scene, notes, diagnostics)
                   : gltf_files({options.seed, options.jobs}, *project, spaces, notes, diagnostics);
   if (exported.empty()) return "";
   std::string problem = obstacle(options, exported, files);

@@ -10,6 +10,9 @@ namespace {
 
 // "" = nothing is wrong.
 std::string export_contradiction(const ExportOptions& options) {
+  if (options.target == kGltf && !options.scene.empty()) {
+    return "--scene is for radiance: a model has the light of full output";
+  }
   return options.folder.empty() ? "-o FOLDER is needed" : "";
 }
 
@@ -29,6 +32,8 @@ Command export_syntax(ExportOptions& options) {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
       jobs_option(options.jobs, "a model"),
+      {"--scene", "ID", "Of radiance: luminaires at the levels of this scene; else at full output",
+       some_text(options.scene)},
       seed_option(options.seed),
       {"--space", "ID",
        "Which space; radiance needs it if there are several, gltf takes all without it",
@@ -37,8 +42,10 @@ Command export_syntax(ExportOptions& options) {
       allow_option(options.allowed)};
   command.notes =
       "radiance writes a scene that Radiance calculates as it is: materials, surfaces, luminaires\n"
-      "with their photometry, the points of all planes of planar illuminance (those of workplaces\n"
-      "too), a script and a README.md.\n\n"
+      "with their photometry, the points of all planes of illuminance (those of workplaces too), "
+      "a\n"
+      "script and a README.md. Planes of cylindrical, semicylindrical, hemispherical and scalar\n"
+      "illuminance are sums over directions; ratings and ratios are left out, with a message.\n\n"
       "gltf writes ROOM.glb of every room, or of that of --space: a model that any viewer opens,\n"
       "with the maintained illuminance of the surfaces as colours on the scale of all that are\n"
       "written, and as numbers (_ILLUMINANCE_LX), luminaires, planes and legend. For pictures: it\n"

@@ -15,6 +15,7 @@ struct ExportOptions {
   std::string target;  // "radiance" or "gltf"
   std::string project, folder;
   std::string space;                    // "" = the only one; for gltf all
+  std::string scene;                    // of radiance: whose levels hold; "" = full output
   std::vector<std::string> rule_files;  // packs besides those delivered, folders too
   std::vector<std::string> allowed;     // see --allow
   bool overwrites = false;

@@ -5,6 +5,7 @@
 #include "calc/scene/prepared_scene.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cli::radiance {
@@ -15,8 +16,15 @@ inline constexpr double kLumensPerWatt = 179.0;
 inline constexpr double kPointRadius_m = 0.005;
 
 // luxgate.cal. Arguments: 1 a factor in W/(sr m2) per cd; 2 to 4, 5 to 7, 8 to 10 the directions of
-// C0, C90 and gamma = 180 in the world; 11 to 13 the areas of a box across those, m2.
+// C0, C90 and gamma = 180 in the world; of bodies 11 to 13 the areas of their flat faces across
+// those, m2; of prisms for cylinders 14 and 15: what the side shows along the first and the second
+// direction across the axis, m2, in the order x, y, z, x.
 extern const char* const kFunctions;
+
+// Faces around a cylinder. Radiance's own `cylinder` is no choice: of the rays it aims into the
+// body some meet an end before the side, and their light is lost (R / L of it at 45 degrees, with
+// radius R and length L).
+inline constexpr int kPrismFaces = 16;
 
 struct LightFiles {
   std::string scene;  // luminaires.rad
@@ -30,8 +38,11 @@ struct LightFiles {
 // A number as Radiance reads it, without a minus before zero.
 std::string number(double value);
 
-// Every luminaire at full output with its maintenance factor, in world coordinates.
-LightFiles write_lights(const calc::PreparedScene& scene);
+// Every luminaire with its maintenance factor, in world coordinates. levels: what the light of
+// dimming groups is multiplied by, in [0, 1]; groups not named are at 1. What is at 0 is left out
+// and named in the scene's text.
+LightFiles write_lights(const calc::PreparedScene& scene,
+                        const std::vector<std::pair<std::string, double>>& levels);
 
 // A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and
 // no change if the web cannot be put so (a lateral table whose beam falls between the angles;

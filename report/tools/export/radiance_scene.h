@@ -16,17 +16,28 @@ struct Plane {
   const calc::SensorGrid* grid;
 };
 
-// Points are lifted off surfaces they may lie in by this distance, along their normals.
-inline constexpr double kLift_m = 1e-4;
+// What the light is, and what a reader must know of it.
+struct Light {
+  const calc::LightScene* scene = nullptr;  // null: full output
+  std::vector<std::string> changed = {};    // not as in luxgate, in words
+};
+
+// Diffuse reflections until less than 0.2 % of the reflected light is still under way, from the
+// mean reflectance by area: rtrace -ab. 1 to 100.
+int ambient_bounces(const calc::PreparedScene& scene);
 
 // is_partial: a result of the project has points besides these.
-std::string write_materials(const calc::PreparedScene& scene);    // materials.rad
-std::string write_surfaces(const calc::PreparedScene& scene);     // surfaces.rad
-std::string write_points(const std::vector<Plane>& planes);       // points.txt: x y z nx ny nz
+std::string write_materials(const calc::PreparedScene& scene);  // materials.rad
+std::string write_surfaces(const calc::PreparedScene& scene);   // surfaces.rad
+// points.txt: x y z nx ny nz, a line for each sensor of each point.
+std::string write_points(const std::vector<Plane>& planes);
+// weights.txt, line by line: the point, from 1, and what the sensor counts in it.
+std::string write_weights(const std::vector<Plane>& planes);
 std::string write_point_table(const std::vector<Plane>& planes);  // points.csv: which they are
-std::string write_script(bool is_partial);                        // run.sh
+std::string write_script(const calc::PreparedScene& scene, const Light& light,
+                         bool is_partial);  // run.sh
 std::string write_readme(const calc::Project& project, const calc::Space& space,
                          const calc::PreparedScene& scene, const std::vector<Plane>& planes,
-                         bool is_partial, const std::vector<std::string>& changed);
+                         bool is_partial, const Light& light);
 
 }  // namespace cli::radiance

@@ -6,8 +6,12 @@
 #include "calc/base/units.h"
 #include "calc/project/project_xml.h"
 #include "calc/radiosity/rays.h"
+#include "calc/radiosity/receiver.h"
 #include "calc/radiosity/solve.h"
 #include "report/tools/export/radiance_lights.h"
+#include "report/tools/export/radiance_scene.h"
+#include "report/tools/export/radiance_sensors.h"
+#include "tests/support/command_lines.h"
 #include "tests/support/scratch_folder.h"
 
 #include <gtest/gtest.h>
@@ -82,16 +86,19 @@ struct Data {
 
 struct Web {
   std::string function, data;
-  std::array<double, 13> arg{};
+  std::vector<double> arg;
 };
 
 struct Source {
   std::string web;
-  std::vector<glm::dvec3> corners;  // empty: a sphere
+  std::vector<glm::dvec3> corners;  // empty: a sphere, or a ring where there is a direction
   glm::dvec3 centre{0.0};
   double radius = 0.0;
+  glm::dvec3 towards{0.0};
 
+  bool is_sphere() const { return corners.empty() && towards == glm::dvec3(0.0); }
   glm::dvec3 normal() const {
+    if (corners.empty()) return towards;
     return glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
   }
 };
@@ -156,13 +163,11 @@ struct Exported {
       rho[id] = numbers[0];
     } else if (type == "brightdata") {
       ASSERT_EQ(modifier, "void");
-      ASSERT_EQ(numbers.size(), 13u);
       ASSERT_GE(words.size(), 4u);
+      ASSERT_EQ(numbers.size(), words[0].starts_with("lg_prism") ? 15u : 13u);
       EXPECT_EQ(words[2], "luxgate.cal");
       EXPECT_EQ(words.back(), "lg_gamma");
-      Web web{words[0], words[1], {}};
-      std::copy(numbers.begin(), numbers.end(), web.arg.begin());
-      webs[id] = web;
+      webs[id] = {words[0], words[1], numbers};
       const auto [entry, is_new] = data.try_emplace(words[1], folder / words[1]);
       EXPECT_EQ(entry->second.at.size() + 3, words.size());
     } else if (type == "light") {
@@ -171,7 +176,13 @@ struct Exported {
       webs[id] = webs[modifier];
     } else if (type == "sphere") {
       ASSERT_EQ(numbers.size(), 4u);
-      sources.push_back({modifier, {}, {numbers[0], numbers[1], numbers[2]}, numbers[3]});
+      sources.push_back({modifier, {}, {numbers[0], numbers[1], numbers[2]}, numbers[3], {}});
+    } else if (type == "ring") {
+      ASSERT_EQ(numbers.size(), 8u);
+      EXPECT_EQ(numbers[6], 0.0);
+      const glm::dvec3 towards(numbers[3], numbers[4], numbers[5]);
+      EXPECT_NEAR(glm::length(towards), 1.0, 1e-12);
+      sources.push_back({modifier, {}, {numbers[0], numbers[1], numbers[2]}, numbers[7], towards});
     } else if (type == "polygon") {
       ASSERT_EQ(numbers.size() % 3, 0u);
       std::vector<glm::dvec3> corners;
@@ -179,7 +190,7 @@ struct Exported {
         corners.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
       }
       if (webs.contains(modifier)) {
-        sources.push_back({modifier, corners});
+        sources.push_back({modifier, corners, {}, 0.0, {}});
         return;
       }
       ASSERT_TRUE(rho.contains(modifier)) << modifier;
@@ -205,9 +216,41 @@ struct Exported {
     const double cd = data.at(web.data)(c, std::acos(std::clamp(-z, -1.0, 1.0)) / degree);
     if (web.function == "lg_even") return web.arg[0] * cd;
     if (web.function == "lg_flat") return web.arg[0] * cd / std::max(std::abs(z), 1e-5);
-    EXPECT_EQ(web.function, "lg_box");
-    return web.arg[0] * cd /
-           (web.arg[10] * std::abs(x) + web.arg[11] * std::abs(y) + web.arg[12] * std::abs(z));
+    double shown =
+        web.arg[10] * std::abs(x) + web.arg[11] * std::abs(y) + web.arg[12] * std::abs(z);
+    if (web.function != "lg_box") {
+      const std::array<double, 3> d3{x, y, z};
+      const std::size_t axis = std::string("xyz").find(web.function.back());
+      EXPECT_EQ(web.function.substr(0, 9), "lg_prism_");
+      const double p = web.arg[13] * d3[(axis + 1) % 3], q = web.arg[14] * d3[(axis + 2) % 3];
+      const double turns = 16.0 * std::atan2(q, p) / (2.0 * calc::kPi);
+      shown +=
+          std::hypot(p, q) * std::cos((turns - std::floor(turns) - 0.5) * 2.0 * calc::kPi / 16.0);
+    }
+    return web.arg[0] * cd / shown;
+  }
+
+  // Area in m2 of a flat source.
+  static double area_m2(const Source& source) {
+    if (source.corners.empty()) return calc::kPi * source.radius * source.radius;
+    const std::vector<glm::dvec3>& c = source.corners;
+    double area = 0.0;
+    for (std::size_t k = 1; k + 1 < c.size(); ++k) {
+      area += 0.5 * glm::length(glm::cross(c[k] - c[0], c[k + 1] - c[0]));
+    }
+    return area;
+  }
+
+  // cd in the unit direction, as whoever is far away sees all sources.
+  double far_intensity_cd(const glm::dvec3& out) const {
+    double cd = 0.0;
+    for (const Source& source : sources) {
+      const double facing = source.is_sphere() ? 1.0 : glm::dot(source.normal(), out);
+      if (!(facing > 0.0)) continue;
+      cd += cli::radiance::kLumensPerWatt * area_m2(source) * facing *
+            radiance(webs.at(source.web), -out);
+    }
+    return cd;
   }
 };
 
@@ -224,11 +267,13 @@ class Estimator {
       double area = calc::kPi * source.radius * source.radius;
       if (!source.corners.empty()) {
         y = on_polygon(source, area);
+      } else if (!source.is_sphere()) {
+        y = on_ring(source);
       }
       const glm::dvec3 w = y - x;
       const double d = glm::length(w), cosine = glm::dot(n, w) / d;
       double facing = 1.0;
-      if (!source.corners.empty()) facing = -glm::dot(source.normal(), w) / d;
+      if (!source.is_sphere()) facing = -glm::dot(source.normal(), w) / d;
       if (cosine <= 0.0 || facing <= 0.0) continue;
       const double lx = cli::radiance::kLumensPerWatt * area * facing * cosine / (d * d) *
                         exported_.radiance(exported_.webs.at(source.web), w / d);
@@ -263,6 +308,15 @@ class Estimator {
 
  private:
   double uniform() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+
+  glm::dvec3 on_ring(const Source& source) {
+    const glm::dvec3 aside =
+        std::abs(source.towards.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(source.towards, aside));
+    const double r = source.radius * std::sqrt(uniform()), angle = 2.0 * calc::kPi * uniform();
+    return source.centre +
+           r * (std::cos(angle) * u + std::sin(angle) * glm::cross(source.towards, u));
+  }
 
   // Even over the polygon, cut into triangles about its first corner.
   glm::dvec3 on_polygon(const Source& source, double& area) {
@@ -428,25 +482,280 @@ TEST(RadianceExport, AnglesThatFloatCannotTellApartAreNotWritten) {
   EXPECT_FALSE(writes(1e-6));
 }
 
-TEST(RadianceExport, LeavesOutWhatIsNoPlanarIlluminanceAndSaysSo) {
+TEST(RadianceExport, LeavesOutRatingsAndRatiosAndSaysSo) {
   const fs::path folder = scratch("quantities");
   cli::ExportOptions options = options_for(
       std::string(LUXGATE_SOURCE_DIR) + "/tests/golden/ratings-and-power/project.xml", folder);
   options.space = "lit";
   const cli::CommandOutcome outcome = cli::run_export(options, calc::DiskFileReader());
   ASSERT_EQ(outcome.code, cli::kAllMet);
-  for (const char* words : {"plane 'towards' is of quantity 'ugr'", "'away' is of quantity 'ugr'",
-                            "plane 'modelling' is of quantity 'modelling'",
-                            "plane 'four' is of quantity 'cylindrical-4'"}) {
+  for (const char* words :
+       {"plane 'towards' is of quantity 'ugr', which is no sum", "'away' is of quantity 'ugr'",
+        "plane 'modelling' is of quantity 'modelling'"}) {
     EXPECT_NE(outcome.text.find(words), std::string::npos) << outcome.text;
   }
   const std::string points = text_of(folder / "points.csv");
   EXPECT_NE(points.find("\nplanar,"), std::string::npos) << points;
-  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 2) << points;
+  EXPECT_NE(points.find(",cylindrical-4\n"), std::string::npos) << points;
+  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 3) << points;
+  EXPECT_EQ(text_of(folder / "weights.txt"), "1 1\n2 0.25\n2 0.25\n2 0.25\n2 0.25\n");
   // The result has more: compare needs to be told.
   EXPECT_NE(text_of(folder / "run.sh").find("--tolerance 2% --partial\""), std::string::npos);
   EXPECT_NE(text_of(folder / "README.md").find("radiance.csv --partial`"), std::string::npos);
   fs::remove_all(folder);
+}
+
+// A room with one luminaire of the shape in each of two dimming groups, and planes of all
+// quantities that are sums. Sizes in m along H 0, across and up, as LM-63 has them.
+fs::path shaped_project(const std::string& name, const std::string& sizes) {
+  const fs::path folder = scratch(name);
+  fs::create_directories(folder);
+  std::ofstream(folder / "lamp.ies")
+      << "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
+         "TILT=NONE\n1 -1 1 7 5 1 2 "
+      << sizes
+      << "\n1 1 12\n0 30 60 90 120 150 180\n0 90 180 270 360\n"
+         "100 90 60 50 40 20 10\n100 80 70 60 50 20 10\n100 70 90 40 40 20 10\n"
+         "100 60 80 70 60 20 10\n100 90 60 50 40 20 10\n";
+  std::ofstream(folder / "project.xml")
+      << "<luxgate version='1'><material id='m' reflectance='0.5'/>"
+         "<luminaire-type id='t' photometry='lamp.ies'/>"
+         "<scene id='night'><dim group='a' level='0.25'/><dim group='b' level='0'/></scene>"
+         "<scene id='off'><dim group='a' level='0'/><dim group='b' level='0'/></scene>"
+         "<room id='r' size='8 6 3' floor='m' walls='m' ceiling='m'>"
+         "<luminaire id='l' type='t' position='2 3 2' axis='0 0.6 -0.8' rotation='20' group='a'/>"
+         "<luminaire id='k' type='t' position='6 3 2' group='b'/>"
+         "<plane id='p' origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1'/>"
+         "<plane id='c' origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1' quantity='cylindrical'/>"
+         "<plane id='s' origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1' quantity='semicylindrical'"
+         " direction='1 0 0'/>"
+         "<plane id='h' origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1' quantity='hemispherical'/>"
+         "</room></luxgate>";
+  return folder;
+}
+
+struct Shape {
+  const char *name, *sizes;
+  calc::OpeningShape shape;
+  glm::dvec3 size_m;  // along the luminaire's axes
+};
+
+class ExportedShape : public testing::TestWithParam<Shape> {};
+
+// In every direction the intensity of the file, and sources as large as the opening.
+TEST_P(ExportedShape, ShinesAsThePhotometrySays) {
+  const Shape& shape = GetParam();
+  const fs::path folder = shaped_project(shape.name, shape.sizes);
+  const std::string project_file = (folder / "project.xml").string();
+  const calc::DiskFileReader disk;
+  const cli::CommandOutcome outcome =
+      cli::run_export(options_for(project_file, folder / "out"), disk);
+  ASSERT_EQ(outcome.code, cli::kAllMet)
+      << (outcome.diagnostics.empty() ? "" : outcome.diagnostics[0].message);
+  calc::Diagnostics diagnostics;
+  const auto project = calc::load_project(disk, project_file, diagnostics);
+  ASSERT_TRUE(project);
+  const calc::PreparedScene scene = calc::prepare_scene(*project, project->spaces[0]);
+  ASSERT_EQ(scene.luminaires.size(), 2u);
+  ASSERT_EQ(scene.luminaires[0].opening.shape, shape.shape);
+
+  Exported exported(folder / "out");
+  std::erase_if(exported.sources,
+                [](const Source& source) { return !source.web.starts_with("light_1_"); });
+  const calc::PlacedLuminaire& luminaire = scene.luminaires[0];
+  const glm::dmat3 to_luminaire = glm::transpose(luminaire.world_from_luminaire);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  double flux_lm = 0.0, expected_lm = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    const glm::dvec3 out =
+        glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+    const glm::dvec3 local = to_luminaire * out;
+    double c = std::atan2(local.y, local.x);
+    if (c < 0.0) c += 2.0 * calc::kPi;
+    const double cd = luminaire.flux_scale * scene.channels[luminaire.channel].maintenance_factor *
+                      luminaire.web->intensity_cd(c, std::acos(std::clamp(-local.z, -1.0, 1.0)));
+    flux_lm += exported.far_intensity_cd(out);
+    expected_lm += cd;
+    // Flat openings have no light for those who see them edge-on.
+    if (shape.size_m.z == 0.0 && std::abs(local.z) < 1e-3) continue;
+    ASSERT_NEAR(exported.far_intensity_cd(out), cd, 1e-9 * cd) << local.x << " " << local.y;
+  }
+  EXPECT_NEAR(flux_lm, expected_lm, 1e-9 * expected_lm);
+
+  glm::dvec3 low(1e300), high(-1e300);
+  const auto reach = [&](const glm::dvec3& world) {
+    const glm::dvec3 p = to_luminaire * (world - scene.origin_m - luminaire.position_m);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  };
+  for (const Source& source : exported.sources) {
+    for (const glm::dvec3& corner : source.corners) reach(corner);
+    if (!source.corners.empty()) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 step = glm::dvec3(luminaire.world_from_luminaire[axis]);
+      step -= glm::dot(step, source.towards) * source.towards;
+      reach(source.centre + source.radius * step);
+      reach(source.centre - source.radius * step);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(high[axis], -low[axis], 1e-9) << axis;
+    // A prism's corners may stand out; faces of flat openings stand off their plane by 0.1 mm.
+    EXPECT_NEAR(high[axis] - low[axis], shape.size_m[axis], 0.02 * shape.size_m[axis] + 3e-4)
+        << axis;
+  }
+  fs::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ExportedShape,
+    testing::Values(
+        Shape{"point", "0 0 0", calc::OpeningShape::point, {0.01, 0.01, 0.01}},
+        Shape{"rectangle", "0.3 0.9 0", calc::OpeningShape::rectangle, {0.9, 0.3, 0.0}},
+        Shape{"disk", "-0.6 -0.6 0", calc::OpeningShape::disk, {0.6, 0.6, 0.0}},
+        Shape{"ellipse", "-0.3 -0.9 0", calc::OpeningShape::disk, {0.9, 0.3, 0.0}},
+        Shape{"box", "0.3 0.9 0.1", calc::OpeningShape::box, {0.9, 0.3, 0.1}},
+        Shape{"upright", "-0.2 -0.2 0.5", calc::OpeningShape::cylinder, {0.2, 0.2, 0.5}},
+        Shape{"elliptical", "-0.2 -0.4 0.5", calc::OpeningShape::cylinder, {0.4, 0.2, 0.5}},
+        Shape{"along", "-0.1 0.9 -0.1", calc::OpeningShape::cylinder_c0, {0.9, 0.1, 0.1}},
+        Shape{"across", "0.9 -0.1 -0.1", calc::OpeningShape::cylinder_c90, {0.1, 0.9, 0.1}},
+        Shape{"sphere", "-0.3 -0.3 -0.3", calc::OpeningShape::ellipsoid, {0.3, 0.3, 0.3}}),
+    [](const auto& parameter) { return std::string(parameter.param.name); });
+
+// Polygons of many corners lose 6 % of it in Radiance, which samples a square of their area.
+TEST(RadianceExport, DisksAreRings) {
+  const fs::path folder = shaped_project("rings", "-0.6 -0.6 0");
+  const cli::CommandOutcome outcome = cli::run_export(
+      options_for((folder / "project.xml").string(), folder / "out"), calc::DiskFileReader());
+  ASSERT_EQ(outcome.code, cli::kAllMet);
+  EXPECT_NE(text_of(folder / "out/luminaires.rad")
+                .find("light_2_shine ring light_2_below\n0\n0\n8\n 6 3 1.9999\n 0 0 -1\n 0 0.3\n"),
+            std::string::npos)
+      << text_of(folder / "out/luminaires.rad");
+  const Exported exported(folder / "out");
+  ASSERT_EQ(exported.sources.size(), 4u);  // both sides of two
+  for (const Source& source : exported.sources) {
+    EXPECT_NEAR(Exported::area_m2(source), calc::kPi * 0.09, 1e-9);
+  }
+  fs::remove_all(folder);
+}
+
+TEST(RadianceExport, AModelHasNoScene) {
+  const cli::TestLine line =
+      cli::parse_words({"export", "gltf", "a.xml", "-o", "folder", "--scene", "night"});
+  EXPECT_FALSE(line.is_good);
+  EXPECT_NE(line.err.find("--scene is for radiance"), std::string::npos) << line.err;
+}
+
+TEST(RadianceExport, ASceneDimsItsGroups) {
+  const fs::path folder = shaped_project("scenes", "0.3 0.9 0");
+  cli::ExportOptions options = options_for((folder / "project.xml").string(), folder / "full");
+  const calc::DiskFileReader disk;
+  ASSERT_EQ(cli::run_export(options, disk).code, cli::kAllMet);
+  EXPECT_NE(text_of(folder / "full/README.md")
+                .find("All luminaires are at full output; `--scene` takes the levels of a scene "
+                      "(night, off)."),
+            std::string::npos);
+  options.folder = (folder / "night").string();
+  options.scene = "night";
+  ASSERT_EQ(cli::run_export(options, disk).code, cli::kAllMet);
+  const Exported full(folder / "full"), night(folder / "night");
+  ASSERT_EQ(full.webs.count("light_2_web"), 1u);
+  EXPECT_EQ(night.webs.count("light_2_web"), 0u);
+  EXPECT_DOUBLE_EQ(night.webs.at("light_1_web").arg[0], 0.25 * full.webs.at("light_1_web").arg[0]);
+  EXPECT_NE(text_of(folder / "night/luminaires.rad").find("# light_2: its group is at level 0."),
+            std::string::npos);
+  EXPECT_NE(text_of(folder / "night/README.md")
+                .find("Levels are those of scene `night`: group `a` at 0.25, group `b` at 0, all "
+                      "else at 1."),
+            std::string::npos);
+  EXPECT_EQ(text_of(folder / "night/run.sh").find("Next: luxgate compare"), std::string::npos);
+
+  const auto problem = [&](const char* scene) {
+    options.folder = (folder / "none").string();
+    options.scene = scene;
+    const cli::CommandOutcome outcome = cli::run_export(options, disk);
+    EXPECT_EQ(outcome.code, cli::kNotJudged);
+    EXPECT_FALSE(fs::exists(folder / "none"));
+    return outcome.diagnostics.empty() ? "" : outcome.diagnostics[0].message;
+  };
+  EXPECT_NE(problem("nihgt").find("no scene 'nihgt'; known: night or off; did you mean 'night'?"),
+            std::string::npos)
+      << problem("nihgt");
+  EXPECT_NE(problem("off").find("no luminaire with light to export in scene 'off'"),
+            std::string::npos)
+      << problem("off");
+  fs::remove_all(folder);
+}
+
+// Light from one direction after the other: what the sum of planes makes of it, and the kernel.
+TEST(RadianceExport, SumsOverDirectionsAreTheQuantities) {
+  const glm::dvec3 up(0, 0, 1), aside(0.6, 0.8, 0);
+  struct Case {
+    calc::ReceiverKernel kernel;
+    glm::dvec3 axis;
+    double allowed;  // in units of what the kernel's sphere or cylinder sees at most
+  };
+  for (const Case& one : {Case{calc::ReceiverKernel::planar, aside, 1e-12},
+                          Case{calc::ReceiverKernel::cylindrical, up, 0.0023 / calc::kPi},
+                          Case{calc::ReceiverKernel::cylindrical, aside, 0.0023 / calc::kPi},
+                          Case{calc::ReceiverKernel::semicylindrical, aside, 0.0023 / calc::kPi},
+                          Case{calc::ReceiverKernel::hemispherical, up, 0.005 / 4.0},
+                          Case{calc::ReceiverKernel::hemispherical, aside, 0.005 / 4.0},
+                          Case{calc::ReceiverKernel::scalar, up, 0.005 / 4.0}}) {
+    calc::SensorGrid grid;
+    grid.kernel = one.kernel;
+    grid.position_m = {{1, 2, 3}};
+    grid.normal = {one.axis};
+    const auto sensors = cli::radiance::sensors_of(grid, 0);
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    double worst = 0.0;
+    for (int k = 0; k < 5000; ++k) {
+      const glm::dvec3 w =
+          glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+      double sum = 0.0;
+      for (const auto& sensor : sensors) {
+        EXPECT_NEAR(glm::length(sensor.direction), 1.0, 1e-12);
+        EXPECT_LE(glm::distance(sensor.position_m, grid.position_m[0]), 1.1e-4);
+        sum += sensor.weight * std::max(0.0, glm::dot(sensor.direction, w));
+      }
+      worst =
+          std::max(worst, std::abs(sum - calc::response_times_distance(one.kernel, one.axis, w)));
+    }
+    EXPECT_LE(worst, one.allowed) << calc::kernel_name(one.kernel);
+  }
+}
+
+TEST(RadianceExport, TheMeanOfFourPlanesIsThat) {
+  calc::SensorGrid grid;
+  grid.kernel = calc::ReceiverKernel::cylindrical;
+  grid.derived = calc::DerivedQuantity::four_planes;
+  grid.position_m = {{1, 2, 3}};
+  grid.normal = {{0, 0, 1}};
+  const auto sensors = cli::radiance::sensors_of(grid, 0);
+  ASSERT_EQ(sensors.size(), 4u);
+  const glm::dvec3 expected[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_LE(glm::distance(sensors[k].direction, expected[k]), 1e-12);
+    EXPECT_EQ(sensors[k].weight, 0.25);
+  }
+}
+
+TEST(RadianceExport, BouncesGoByTheReflectances) {
+  calc::PreparedScene scene;
+  scene.vertex_m = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.triangle = {{0, 1, 2}, {0, 1, 3}};
+  const auto bounces = [&](double one, double other) {
+    scene.reflectance = {one, other};
+    return cli::radiance::ambient_bounces(scene);
+  };
+  EXPECT_EQ(bounces(0.0, 0.0), 1);
+  EXPECT_EQ(bounces(0.5, 0.5), 9);   // 0.5^9 = 0.00195
+  EXPECT_EQ(bounces(0.8, 0.2), 9);   // by area
+  EXPECT_EQ(bounces(0.7, 0.7), 18);  // 0.7^18 = 0.0016
+  EXPECT_EQ(bounces(1.0, 1.0), 100);
 }
 
 TEST(RadianceExport, HasThePlanesOfWorkplaces) {
@@ -498,6 +807,44 @@ TEST(RadianceExport, KnowsTheUsersRulePacks) {
   fs::remove_all(folder);
 }
 
+// Several directions for a point: as many numbers as there are points, each the weighted sum.
+TEST(RadianceExport, TheScriptAddsUpDirections) {
+  const fs::path folder = shaped_project("sums", "0 0 0");
+  ASSERT_EQ(cli::run_export(options_for((folder / "project.xml").string(), folder / "out"),
+                            calc::DiskFileReader())
+                .code,
+            cli::kAllMet);
+  const fs::path bin = folder / "bin";
+  fs::create_directories(bin);
+  std::ofstream(bin / "oconv") << "#!/bin/sh\n";
+  // Light from straight above: what a plane has of it is its normal's z.
+  std::ofstream(bin / "rtrace")
+      << "#!/bin/sh\nawk '{ e = $6 > 0 ? $6 / 1.79 : 0; print e, e, e }'\n";
+  for (const char* program : {"oconv", "rtrace"}) {
+    fs::permissions(bin / program, fs::perms::owner_all, fs::perm_options::add);
+  }
+  const std::string quoted = "'" + folder.string();
+  ASSERT_EQ(
+      std::system(
+          ("PATH=" + quoted + "/bin':\"$PATH\" " + quoted + "/out/run.sh' > /dev/null").c_str()),
+      0);
+  std::istringstream csv(text_of(folder / "out/radiance.csv"));
+  std::string line;
+  ASSERT_TRUE(std::getline(csv, line));
+  EXPECT_EQ(line, "plane,column,row,x,y,z,quantity,lx");
+  const std::map<std::string, double> expected{
+      {"planar", 100.0}, {"cylindrical", 0.0}, {"semicylindrical", 0.0}, {"hemispherical", 50.0}};
+  std::size_t rows = 0;
+  for (; std::getline(csv, line); ++rows) {
+    const std::size_t comma = line.rfind(','), before = line.rfind(',', comma - 1);
+    const std::string quantity = line.substr(before + 1, comma - before - 1);
+    ASSERT_TRUE(expected.contains(quantity)) << line;
+    EXPECT_NEAR(std::stod(line.substr(comma + 1)), expected.at(quantity), 0.15) << line;
+  }
+  EXPECT_EQ(rows, 4u);
+  fs::remove_all(folder);
+}
+
 // By the shell itself; and by Radiance where it is installed.
 TEST(RadianceExport, TheScriptRuns) {
   const auto shell = [](const std::string& command) { return std::system(command.c_str()); };
@@ -532,6 +879,12 @@ TEST(RadianceExport, TheScriptRuns) {
   ASSERT_EQ(shell(with_them + "RAYPATH=/usr/lib/ray " + name + "/run.sh > " + name + "/said.txt"),
             0);
   EXPECT_EQ(text_of(folder / "seen.txt"), "path=.:/usr/lib/ray\n");
+  // A line that rtrace leaves out is no darkness.
+  fs::remove(folder / "radiance.csv");
+  std::ofstream(bin / "rtrace") << "#!/bin/sh\necho '1.5 1.5 1.5'\n";
+  EXPECT_NE(shell(with_them + name + "/run.sh > /dev/null 2> " + name + "/said.txt"), 0);
+  EXPECT_NE(text_of(folder / "said.txt").find("did not answer for all points"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder / "radiance.csv"));
   fs::remove_all(bin);
   if (shell("command -v oconv > /dev/null && command -v rtrace > /dev/null") != 0) {
     fs::remove_all(folder);
