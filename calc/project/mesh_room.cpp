@@ -1,6 +1,7 @@
 #include "calc/project/mesh_room.h"
 
 #include "calc/base/sentences.h"
+#include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "calc/meshes/mesh_shells.h"
 #include "calc/project/mesh_attributes.h"
@@ -46,6 +47,7 @@ class MeshRoomReader {
   // False after an error.
   bool read(RoomPlan& plan) {
     find_pieces();
+    if (reader_.has("shell") && reader_.text("shell") == kAllShells) return read_all();
     const std::optional<std::size_t> chosen = choose();
     if (!chosen || !is_room(*chosen)) return false;
     const Piece room = candidate(*chosen);
@@ -122,7 +124,6 @@ class MeshRoomReader {
   }
 
   bool has_open() const { return !open_.shell.triangle.empty(); }
-  std::size_t candidates() const { return closed_.size() + (has_open() ? 1 : 0); }
   bool is_open(std::size_t index) const { return index == closed_.size(); }
   const Piece& candidate(std::size_t index) const {
     return is_open(index) ? open_ : closed_[index];
@@ -148,17 +149,21 @@ class MeshRoomReader {
     return is_in(inner.body, outer);
   }
 
-  std::optional<std::size_t> choose() {
-    if (reader_.has("shell")) {
-      const int number = reader_.integer("shell", 1);
-      if (!reader_.ok()) return std::nullopt;
-      if (static_cast<std::size_t>(number) <= candidates()) {
-        return static_cast<std::size_t>(number) - 1;
-      }
-      reader_.report(DiagnosticId::number_out_of_range, reader_.where("shell"), "shell", "room",
-                     number, fmt::format("one of: {}", list()));
-      return std::nullopt;
+  // With "shell": from 1, of closed ones only.
+  std::optional<std::size_t> choose_by_number() {
+    const std::string words = reader_.text("shell");
+    const std::optional<int> number = parse_integer(words);
+    if (number && *number >= 1 && static_cast<std::size_t>(*number) <= closed_.size()) {
+      return static_cast<std::size_t>(*number) - 1;
     }
+    if (words.empty()) return std::nullopt;  // said
+    reader_.report(DiagnosticId::number_out_of_range, reader_.where("shell"), "shell", "room",
+                   shorten_utf8(words, 40), fmt::format("one of: {}", list()));
+    return std::nullopt;
+  }
+
+  std::optional<std::size_t> choose() {
+    if (reader_.has("shell")) return choose_by_number();
     if (closed_.empty()) return std::size_t{0};
     const BoundingBox& largest = closed_[0].shell.bounds;
     std::vector<std::size_t> beside;
@@ -208,34 +213,48 @@ class MeshRoomReader {
     return std::nullopt;
   }
 
-  // "1 ('hall', 4 x 5 x 3 m), 2 (open surfaces, 6 x 6 x 3 m)"
+  // "1 ('hall', 4 x 5 x 3 m), 2 ('desk', 1 x 2 x 0.75 m) or \"all\" (...)"
   std::string list() const {
     constexpr std::size_t kMostListed = 8;
     std::string words;
-    for (std::size_t i = 0; i < candidates(); ++i) {
-      if (i >= kMostListed && !is_open(i)) continue;
-      const Piece& piece = candidate(i);
+    for (std::size_t i = 0; i < std::min(closed_.size(), kMostListed); ++i) {
+      const Piece& piece = closed_[i];
       const glm::dvec3 size = piece.shell.bounds.upper - piece.shell.bounds.lower;
-      const std::string name = is_open(i)           ? "all surfaces that are not closed"
-                               : piece.name.empty() ? "closed"
-                                                    : "'" + shorten_utf8(piece.name, 40) + "'";
-      words += fmt::format("{}{} ({}, {:.4g} x {:.4g} x {:.4g} m)", words.empty() ? "" : ", ",
-                           i + 1, name, size.x, size.y, size.z);
+      words += fmt::format("{} ({}{:.4g} x {:.4g} x {:.4g} m), ", i + 1,
+                           piece.name.empty() ? "" : "'" + shorten_utf8(piece.name, 40) + "', ",
+                           size.x, size.y, size.z);
     }
     if (closed_.size() > kMostListed) {
-      words += fmt::format(" and {} smaller closed ones", closed_.size() - kMostListed);
+      words += fmt::format("up to {}, smaller ones, ", closed_.size());
     }
-    return words;
+    return words + "or \"all\" (the room is what lies between all surfaces, such as thick walls)";
+  }
+
+  // The room is between the solids.
+  bool read_all() {
+    const TriangleMesh& mesh = *placed_.mesh;
+    if (!encloses_something(placed_.vertex_m, mesh.triangle)) return refuse_sheet();
+    if (has_open()) add_body(open_.body, "shell");
+    std::size_t solids = 0;
+    for (Piece& piece : closed_) {
+      piece.body.is_closed = true;
+      add_body(std::move(piece.body), fmt::format("solid{}", ++solids));
+    }
+    space_.notes.push_back(say<Sentence::mesh_room_between>(space_.surfaces_file, solids,
+                                                            open_.shell.triangle.size()));
+    return true;
+  }
+
+  bool refuse_sheet() {
+    reader_.report(DiagnosticId::mesh_room_encloses_nothing, reader_.where("file"), space_.id,
+                   space_.surfaces_file);
+    return false;
   }
 
   bool is_room(std::size_t chosen) {
     if (!is_open(chosen)) return true;
     const OpenEdges open = open_edges(open_.body.vertex_m, open_.body.triangle);
-    if (!encloses_something(open_.body.vertex_m, open_.body.triangle)) {
-      reader_.report(DiagnosticId::mesh_room_encloses_nothing, reader_.where("file"), space_.id,
-                     space_.surfaces_file);
-      return false;
-    }
+    if (!encloses_something(open_.body.vertex_m, open_.body.triangle)) return refuse_sheet();
     if (open.count == 0) {
       refuse(
           "shells have edges in common, so that they are not told apart; make each an object of "

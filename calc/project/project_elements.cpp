@@ -165,6 +165,8 @@ const ValueType kRouteLineType{.name = "routeLine",
 // Of single attributes.
 const ValueType kMeshFormatType{
     .name = "meshFormat", .base = &kAnyText, .words = names_of<MeshFormat>()};
+const ValueType kMeshShellType{
+    .name = "meshShell", .base = &kAnyText, .pattern = R"(all|[1-9][0-9]{0,7})"};
 const ValueType kGridRoundingType{
     .name = "gridRounding", .base = &kAnyText, .words = names_of<GridRounding>()};
 const ValueType kRoomSurfaceType{
@@ -867,9 +869,10 @@ const ElementRow kMeshRoomElement{
                    {"file", &kTextType},
                    kMeshFormatAttribute,
                    kMeshNodeAttribute,
-                   {"shell", &kCountType, optional,
-                    "Of a mesh: which of its shells is the room, counted from the largest; the "
-                    "number behind the last closed one is all that is not closed."},
+                   {"shell", &kMeshShellType, optional,
+                    "Of a mesh: which of its closed shells is the room, counted from the largest; "
+                    "or \"all\": the room is what lies between all surfaces, such as walls with a "
+                    "thickness, which points outside it are not told from."},
                    kPositionAttribute,
                    kRotationAttribute,
                    kMeshScaleAttribute,

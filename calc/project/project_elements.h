@@ -65,6 +65,8 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
     kLuminaireRingElement, kLuminaireListElement;
 
 // A room of either form; the schema has one for both.
+// Of the attribute "shell" of a room of a mesh: the room is what lies between all surfaces.
+inline constexpr std::string_view kAllShells = "all";
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement, kMeshRoomElement;
 extern const ElementRow kRoadElement, kLuminaireRowElement, kRoadStripElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;

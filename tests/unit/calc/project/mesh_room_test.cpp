@@ -91,7 +91,8 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
             "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': what is the room in 'hall.obj' "
             "is not clear: shell 2 lies in shell 1 and its faces look the other way, so that it "
             "may be a solid in the room, or the room within thick walls; name one with "
-            "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m)");
+            "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
+            "room is what lies between all surfaces, such as thick walls)");
   const Loaded chosen = load_room(thick, R"( shell="2")");
   ASSERT_TRUE(chosen.project) << chosen.messages;
   ASSERT_EQ(room_of(chosen).bodies.size(), 1u);
@@ -133,8 +134,8 @@ TEST(MeshRoom, LeaksAreMeasuredAndAllowed) {
       "closed: 4 edges, 14 m together, have no neighbour; the longest, 4 m, begins at (0.000, "
       "0.000, 2.500) m; light may get out there, and points outside the room are not told "
       "from those in it\n"
-      "dir/p.xml: warning[project-without-planes]: the project has no plane, so that nothing "
-      "can be calculated");
+      "dir/p.xml: warning[project-without-planes]: the project has no <plane>: there is "
+      "nothing to calculate");
   EXPECT_FALSE(room_of(loaded).bodies.at(0).encloses_room);
   EXPECT_FALSE(room_of(loaded).bodies.at(0).is_closed);
   EXPECT_EQ(room_of(loaded).outline_m.size(), 4u);
@@ -151,6 +152,39 @@ TEST(MeshRoom, ClosedFurnitureInAnOpenShellIsNotTheRoom) {
   EXPECT_EQ(room_of(loaded).bodies[0].triangle.size(), 10u);
   EXPECT_FALSE(room_of(loaded).bodies[0].encloses_room);
   EXPECT_TRUE(room_of(loaded).bodies[1].is_closed);
+}
+
+// A floor, a ceiling and four walls, each of them a box.
+TEST(MeshRoom, WithAllTheRoomLiesBetweenTheSolids) {
+  ObjText text;
+  text.box("floor", {0, 0, -0.2}, {4, 3, 0}, false).box("roof", {0, 0, 2.5}, {4, 3, 2.7}, false);
+  text.box("south", {0, -0.2, -0.2}, {4, 0, 2.7}, false);
+  text.box("north", {0, 3, -0.2}, {4, 3.2, 2.7}, false);
+  text.box("west", {-0.2, -0.2, -0.2}, {0, 3.2, 2.7}, false);
+  text.box("east", {4, -0.2, -0.2}, {4.2, 3.2, 2.7}, false);
+  EXPECT_THAT(load_room(text.text()).messages, HasSubstr("6 closed shells stand side by side"));
+  const Loaded loaded = load_room(text.text(), R"( shell="all")",
+                                  R"(<luminaire id="l" type="spot" position="2 1.5 2.4"/>)"
+                                  R"(<plane id="p" origin="-0.2 0 0.8" u="4.4 0 0" v="0 3 0" )"
+                                  R"(count="22 3"/>)");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const Space& space = room_of(loaded);
+  ASSERT_EQ(space.bodies.size(), 6u);
+  for (const Body& body : space.bodies) {
+    EXPECT_TRUE(body.is_closed);
+    EXPECT_FALSE(body.encloses_room);
+  }
+  EXPECT_TRUE(space.outline_m.empty());
+  EXPECT_THAT(space.notes.at(0), HasSubstr("lies between 6 closed solids and 0 triangles"));
+  Diagnostics diagnostics;
+  const auto grid = make_sensor_grid(space.planes.at(0), space, diagnostics);
+  ASSERT_TRUE(grid);
+  EXPECT_TRUE(grid->has_unknown_walls);
+  EXPECT_EQ(grid->position_m.size(), 60u);  // six of 66 lie in the walls
+  EXPECT_THAT(load_room(text.text(), R"( shell="some")").messages,
+              HasSubstr("attribute 'shell' of <room>: some is not allowed; expected one of: 1 ("));
+  EXPECT_THAT(load_room(kTableObj, R"( shell="all")").messages,
+              HasSubstr("error[mesh-room-encloses-nothing]"));
 }
 
 TEST(MeshRoom, AFlatSheetIsNoRoom) {
