@@ -28,7 +28,7 @@ std::string upper(std::string_view text) {
 }
 
 // "'abc'" of what stands in a file, short and harmless.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   return "'" + calc::shorten_utf8(calc::printable(text.substr(0, 200)), 40) + "'";
 }
 
@@ -125,7 +125,7 @@ class StepCursor {
       name();
       if (!skip()) return std::nullopt;
       if (front() != '(') {
-        fail(begin, fmt::format("a value is expected, {} stands there", quoted(from(begin))));
+        fail(begin, fmt::format("a value is expected, {} stands there", in_quotes(from(begin))));
         return std::nullopt;
       }
       return list(depth) ? result(StepValue::Kind::typed) : std::nullopt;
@@ -161,7 +161,7 @@ class StepCursor {
   }
 
   std::string here() const {
-    return is_end() ? std::string("the end of the file") : quoted(text_.substr(at_, 1));
+    return is_end() ? std::string("the end of the file") : in_quotes(text_.substr(at_, 1));
   }
 
  private:
@@ -191,7 +191,7 @@ class StepCursor {
     while (!is_end() && is_name_part(text_[at_])) ++at_;
     if (front() != '.' || at_ == begin + 1) {
       return fail(begin, fmt::format("{} is no enumeration such as .METRE.",
-                                     quoted(text_.substr(begin, at_ - begin + 1))));
+                                     in_quotes(text_.substr(begin, at_ - begin + 1))));
     }
     ++at_;
     return true;
@@ -211,7 +211,7 @@ class StepCursor {
       ++at_;
     }
     if (calc::parse_number(from(begin))) return true;
-    return fail(begin, fmt::format("{} is no finite number", quoted(from(begin))));
+    return fail(begin, fmt::format("{} is no finite number", in_quotes(from(begin))));
   }
 
   std::string_view text_;
@@ -292,7 +292,7 @@ class StepText::Opener {
     const std::string found = upper(cursor_.name());
     if (found != word) {
       return cursor_.fail(begin, fmt::format("{} is expected, {} stands there", word,
-                                             found.empty() ? cursor_.here() : quoted(found)));
+                                             found.empty() ? cursor_.here() : in_quotes(found)));
     }
     return cursor_.take(';');
   }
@@ -321,7 +321,7 @@ class StepText::Opener {
                        ? fmt::format("DATA or END-ISO-10303-21 is expected, {} stands there",
                                      cursor_.here())
                        : fmt::format("the section {} is not read; only HEADER and DATA are",
-                                     quoted(name)));
+                                     in_quotes(name)));
       }
       if (!cursor_.skip()) return false;
       if (cursor_.front() == '(' && !list_here()) return false;
@@ -365,7 +365,7 @@ class StepText::Opener {
           begin, cursor_.is_end()
                      ? std::string("the file ends before ENDSEC of its data: it was cut")
                      : fmt::format("an instance (#12=...) or ENDSEC is expected, {} stands there",
-                                   name.empty() ? cursor_.here() : quoted(name)));
+                                   name.empty() ? cursor_.here() : in_quotes(name)));
     }
   }
 
