@@ -575,10 +575,10 @@ TEST_P(ExportedShape, ShinesAsThePhotometrySays) {
     if (c < 0.0) c += 2.0 * calc::kPi;
     const double cd = luminaire.flux_scale * scene.channels[luminaire.channel].maintenance_factor *
                       luminaire.web->intensity_cd(c, std::acos(std::clamp(-local.z, -1.0, 1.0)));
-    flux_lm += exported.far_intensity_cd(out);
-    expected_lm += cd;
     // Flat openings have no light for those who see them edge-on.
     if (shape.size_m.z == 0.0 && std::abs(local.z) < 1e-3) continue;
+    flux_lm += exported.far_intensity_cd(out);
+    expected_lm += cd;
     ASSERT_NEAR(exported.far_intensity_cd(out), cd, 1e-9 * cd) << local.x << " " << local.y;
   }
   EXPECT_NEAR(flux_lm, expected_lm, 1e-9 * expected_lm);
@@ -680,9 +680,9 @@ TEST(RadianceExport, ASceneDimsItsGroups) {
     EXPECT_FALSE(fs::exists(folder / "none"));
     return outcome.diagnostics.empty() ? "" : outcome.diagnostics[0].message;
   };
-  EXPECT_NE(problem("nihgt").find("no scene 'nihgt'; known: night or off; did you mean 'night'?"),
+  EXPECT_NE(problem("nght").find("no scene 'nght'; known: night or off; did you mean 'night'?"),
             std::string::npos)
-      << problem("nihgt");
+      << problem("nght");
   EXPECT_NE(problem("off").find("no luminaire with light to export in scene 'off'"),
             std::string::npos)
       << problem("off");
@@ -698,9 +698,9 @@ TEST(RadianceExport, SumsOverDirectionsAreTheQuantities) {
     double allowed;  // in units of what the kernel's sphere or cylinder sees at most
   };
   for (const Case& one : {Case{calc::ReceiverKernel::planar, aside, 1e-12},
-                          Case{calc::ReceiverKernel::cylindrical, up, 0.0023 / calc::kPi},
-                          Case{calc::ReceiverKernel::cylindrical, aside, 0.0023 / calc::kPi},
-                          Case{calc::ReceiverKernel::semicylindrical, aside, 0.0023 / calc::kPi},
+                          Case{calc::ReceiverKernel::cylindrical, up, 0.0019 / calc::kPi},
+                          Case{calc::ReceiverKernel::cylindrical, aside, 0.0019 / calc::kPi},
+                          Case{calc::ReceiverKernel::semicylindrical, aside, 0.0019 / calc::kPi},
                           Case{calc::ReceiverKernel::hemispherical, up, 0.005 / 4.0},
                           Case{calc::ReceiverKernel::hemispherical, aside, 0.005 / 4.0},
                           Case{calc::ReceiverKernel::scalar, up, 0.005 / 4.0}}) {
