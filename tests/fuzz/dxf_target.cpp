@@ -39,6 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto design = cli::design_of_dxf(*drawing, "a.dxf", a_map(), "mm", problem);
   require(design.has_value() == problem.empty());
   if (!design) return 0;
+  fuzz::count_result();
   for (const cli::DesignRoom& room : design->room) {
     require(room.outline_m.size() >= 3 && calc::signed_area(room.outline_m) > 0.0);
     require(calc::is_simple_polygon(room.outline_m));

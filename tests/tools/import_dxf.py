@@ -136,7 +136,7 @@ def by_ezdxf():
             block = document.blocks.new("LUM")
             block.add_line((-300, 0), (300, 0))
             space = document.modelspace()
-            space.add_polyline2d([(0, 0), (6000, 0), (6000, 4000), (0, 4000)], dxfattribs={"layer": "A-AREA", "flags": 1})
+            space.add_polyline2d([(0, 0), (6000, 0), (6000, 4000), (0, 4000)], dxfattribs={"layer": "A-AREA"}).close(True)
             space.add_text("101 Büro", dxfattribs={"layer": "A-AREA-IDEN", "insert": (100, 100)})
             space.add_blockref("LUM", (1500, 2000, 2700), dxfattribs={"rotation": 30})
             space.add_blockref("LUM", (4500, 1000, 2700), dxfattribs={"row_count": 2, "row_spacing": 2000})
