@@ -234,7 +234,7 @@ class MeshRoomReader {
   bool read_all() {
     const TriangleMesh& mesh = *placed_.mesh;
     if (!encloses_something(placed_.vertex_m, mesh.triangle)) return refuse_sheet();
-    if (has_open()) add_body(open_.body, "shell");
+    if (has_open()) add_body(open_.body, "sheets");
     std::size_t solids = 0;
     for (Piece& piece : closed_) {
       piece.body.is_closed = true;

@@ -14,7 +14,8 @@ namespace calc {
 // Objects of the file are taken apart into shells first, then what is left of all objects together.
 // Without "shell" the room is the closed shell that has everything else in it, or, if nothing is
 // closed that reaches as far, all open surfaces together. It is an error if that is not clear:
-// several shells side by side, or one in the other that may be the room in a thick building.
+// several shells side by side, or one in the other that may be the room in a thick building. With
+// shell="all" there is no "<room>.shell": all that is closed is a solid, and the room is between.
 void read_mesh_surfaces(ProjectContext& context, ElementReader& reader, Space& space,
                         RoomPlan& plan);
 

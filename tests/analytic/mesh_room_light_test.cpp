@@ -37,13 +37,13 @@ std::optional<calc::Project> load(const std::string& room, const std::string& ob
 }
 
 // The triangles in their order, each with its own three vertices.
-std::string obj_of(const std::vector<glm::vec3>& vertex, const std::vector<glm::uvec3>& triangle,
+std::string obj_of(const std::vector<glm::dvec3>& vertex, const std::vector<glm::uvec3>& triangle,
                    bool turned) {
   std::string text;
   std::size_t next = 1;
   for (const glm::uvec3& t : triangle) {
     for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 p(vertex[t[i]]);
+      const glm::dvec3& p = vertex[t[i]];
       text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
     }
     text += turned ? fmt::format("f {} {} {}\n", next, next + 2, next + 1)
@@ -66,7 +66,7 @@ Solved solve(const calc::Project& project) {
   calc::Diagnostics diagnostics;
   const auto grid = calc::make_sensor_grid(space.planes.at(0), space, diagnostics);
   Solved solved{grid.value(), {}};
-  solved.solution = solve_with_paths(calc::prepare_scene(project, space), solved.grid, 3, 512);
+  solved.solution = solve_with_paths(calc::prepare_scene(project, space), solved.grid, 3, 8192);
   return solved;
 }
 
@@ -77,14 +77,20 @@ TEST(MeshRoomLight, IsThatOfThePrism) {
                           "v 0 0 0", 0.6);
   ASSERT_TRUE(prism);
   const Solved expected = solve(*prism);
-  const calc::PreparedScene scene = calc::prepare_scene(*prism, prism->spaces[0]);
+  std::vector<glm::dvec3> vertex_m;
+  std::vector<glm::uvec3> triangle;
+  for (const calc::Body& body : prism->spaces[0].bodies) {
+    const auto first = static_cast<std::uint32_t>(vertex_m.size());
+    vertex_m.insert(vertex_m.end(), body.vertex_m.begin(), body.vertex_m.end());
+    for (const glm::uvec3& t : body.triangle) triangle.push_back(t + first);
+  }
   const double phi = 400.0 * calc::kPi;
   for (const bool turned : {false, true}) {
     SCOPED_TRACE(turned);
     const auto project = load(fmt::format(R"(<room id="r" file="hall.obj" units="m" up="z" )"
                                           R"(material="m">{}</room>)",
                                           kInside),
-                              obj_of(scene.vertex_m, scene.triangle, turned), 0.6);
+                              obj_of(vertex_m, triangle, turned), 0.6);
     ASSERT_TRUE(project);
     EXPECT_FALSE(project->spaces[0].shell);
     EXPECT_TRUE(project->spaces[0].bodies.at(0).encloses_room);
@@ -121,12 +127,13 @@ TEST(MeshRoomLight, OfASphereIsThatOfTheClosedForm) {
     SCOPED_TRACE(rho);
     calc::PreparedScene sphere;
     add_sphere(sphere, 1.5, 1, rho);
+    const std::vector<glm::dvec3> vertex_m(sphere.vertex_m.begin(), sphere.vertex_m.end());
     for (const bool turned : {false, true}) {
       const auto project =
           load(R"(<room id="r" file="hall.obj" units="m" up="z" material="m">)"
                R"(<luminaire id="l" type="lamp" position="0 0 0"/>)"
-               R"(<plane id="p" origin="-0.1 -0.1 0.5" u="0.2 0 0" v="0 0.2 0"/></room>)",
-               obj_of(sphere.vertex_m, sphere.triangle, turned), rho);
+               R"(<plane id="p" origin="-0.1 -0.1 -0.5" u="0.2 0 0" v="0 0.2 0"/></room>)",
+               obj_of(vertex_m, sphere.triangle, turned), rho);
       ASSERT_TRUE(project);
       const calc::Space& space = project->spaces[0];
       ASSERT_EQ(space.bodies.size(), 1u);

@@ -26,20 +26,27 @@ namespace {
 // Below it a model is furniture rather than a room, and open edges mean nothing.
 constexpr double kRoomShare = 0.3;
 
-SurfaceReport report_of(const calc::SurfaceModel& model, bool is_room) {
+// What a model is for.
+enum class ModelUse : std::uint8_t {
+  other,
+  room,           // one sheet around its inside
+  between_solids  // a room, too, whose walls have two faces
+};
+
+SurfaceReport report_of(const calc::SurfaceModel& model, ModelUse use) {
   SurfaceReport surface;
-  surface.is_room = is_room;
+  surface.is_room = use != ModelUse::other;
   surface.findings = calc::check_surface(model);
-  surface.escape = measure_escape(model, surface.findings.bounds_m, is_room);
+  surface.escape = measure_escape(model, surface.findings.bounds_m, use == ModelUse::room);
   return surface;
 }
 
 // The rooms of a building; each model has its own rays, so that they may run at the same time.
 std::vector<SurfaceReport> reports_of(const std::vector<calc::SurfaceModel>& models,
-                                      const std::vector<std::uint8_t>& is_room) {
+                                      const std::vector<ModelUse>& uses) {
   std::vector<SurfaceReport> surfaces(models.size());
   tbb::parallel_for(std::size_t{0}, models.size(),
-                    [&](std::size_t i) { surfaces[i] = report_of(models[i], is_room[i] != 0); });
+                    [&](std::size_t i) { surfaces[i] = report_of(models[i], uses[i]); });
   return surfaces;
 }
 
@@ -100,9 +107,17 @@ void examine_mesh(const std::string& bytes, const calc::FileReader& files,
   const calc::SourceLocation where{report.path, 0, 0};
   const calc::SurfaceModel model =
       calc::surface_of(*mesh, metres_per_unit(axes->units), axes->up == "y");
-  report.surfaces.push_back(report_of(model, false));
+  report.surfaces.push_back(report_of(model, ModelUse::other));
   calc::warn_about_surface(report.surfaces.back().findings, where, diagnostics);
   warn_about_leaks(report.surfaces.back(), report.path, where, diagnostics);
+}
+
+ModelUse use_of(const calc::Space& space) {
+  if (!space.shell && space.surfaces_file.empty()) return ModelUse::other;
+  const bool has_shell =
+      std::any_of(space.bodies.begin(), space.bodies.end(),
+                  [&](const calc::Body& body) { return body.id == space.id + ".shell"; });
+  return space.is_from_mesh && !has_shell ? ModelUse::between_solids : ModelUse::room;
 }
 
 void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnostics,
@@ -111,12 +126,12 @@ void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnosti
   if (!project) return;
   report.kind = "project";
   std::vector<calc::SurfaceModel> models;
-  std::vector<std::uint8_t> is_room;
+  std::vector<ModelUse> uses;
   for (const calc::Space& space : project->spaces) {
     models.push_back(calc::surface_of(*project, space));
-    is_room.push_back(space.shell || !space.surfaces_file.empty() ? 1 : 0);
+    uses.push_back(use_of(space));
   }
-  report.surfaces = reports_of(models, is_room);
+  report.surfaces = reports_of(models, uses);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const calc::Space& space = project->spaces[i];
     SurfaceReport& surface = report.surfaces[i];
@@ -163,7 +178,7 @@ void examine_gbxml(std::string bytes, calc::Diagnostics& diagnostics, GeometryRe
     if (!room) continue;
     for (const calc::Diagnostic& d : of_room.all()) report.diagnostics.push_back(d);
   }
-  report.surfaces = reports_of(models, std::vector<std::uint8_t>(models.size(), 1));
+  report.surfaces = reports_of(models, std::vector<ModelUse>(models.size(), ModelUse::room));
   for (std::size_t i = 0; i < models.size(); ++i) {
     const calc::GbxmlSpace& space = building->space[i];
     SurfaceReport& surface = report.surfaces[i];
