@@ -19,6 +19,7 @@ luxgate_test(cli_tests
     unit/report/tools/import/import_map_test.cpp
     unit/report/tools/import/project_merge_test.cpp
     unit/report/tools/import/project_text_test.cpp
+    unit/report/tools/import/step_text_test.cpp
     unit/report/tools/init/init_test.cpp
     unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp

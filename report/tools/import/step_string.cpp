@@ -1,0 +1,142 @@
+// Strings of STEP text: escapes and alphabets.
+#include "calc/base/encoding.h"
+#include "calc/base/utf8.h"
+#include "report/tools/import/step_text.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace cli {
+namespace {
+
+constexpr char32_t kUnknownLetter = 0xFFFD;
+
+std::optional<char32_t> hex(std::string_view digits) {
+  std::uint32_t value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
+// Letter of the upper half of an ISO 8859 alphabet.
+char32_t letter_of_page(char page, char32_t byte) {
+  if (page == 'A' || byte == 0xA0 || byte == 0xAD || byte < 0xA0) return byte;
+  if (page != 'E') return kUnknownLetter;
+  if (byte == 0xF0) return 0x2116;  // numero sign
+  if (byte == 0xFD) return 0xA7;    // section sign
+  return byte - 0xA0 + 0x400;
+}
+
+class StringReader {
+ public:
+  explicit StringReader(std::string_view text) : rest_(text) {}
+
+  std::string read() {
+    while (!rest_.empty()) step();
+    flush();
+    return std::move(result_);
+  }
+  bool is_sure() const { return is_sure_; }
+
+ private:
+  void step() {
+    const char c = rest_.front();
+    if (c == '\'') {  // doubled: the text of a string holds no other
+      raw_ += c;
+      rest_.remove_prefix(rest_.starts_with("''") ? 2 : 1);
+    } else if (c == '\r' || c == '\n') {
+      rest_.remove_prefix(1);  // a long string goes on in the next line
+    } else if (c == '\\') {
+      escape();
+    } else {
+      raw_ += c;
+      rest_.remove_prefix(1);
+    }
+  }
+
+  void escape() {
+    if (rest_.starts_with("\\\\")) {
+      raw_ += '\\';
+      rest_.remove_prefix(2);
+    } else if (rest_.starts_with("\\X2\\")) {
+      wide(4);
+    } else if (rest_.starts_with("\\X4\\")) {
+      wide(8);
+    } else if (rest_.starts_with("\\X\\") && rest_.size() >= 5) {
+      letter(hex(rest_.substr(3, 2)));
+      rest_.remove_prefix(5);
+    } else if (rest_.starts_with("\\S\\") && rest_.size() >= 4) {
+      const auto byte = static_cast<unsigned char>(rest_[3]);
+      letter(byte < 0x80 ? std::optional(letter_of_page(page_, byte + 0x80u)) : std::nullopt);
+      rest_.remove_prefix(4);
+    } else if (rest_.size() >= 4 && rest_[1] == 'P' && rest_[3] == '\\' && rest_[2] >= 'A' &&
+               rest_[2] <= 'I') {
+      page_ = rest_[2];
+      rest_.remove_prefix(4);
+    } else {  // written by somebody who does not know that it must be doubled
+      raw_ += '\\';
+      rest_.remove_prefix(1);
+    }
+  }
+
+  // Characters of 4 (UTF-16) or 8 digits up to \X0\.
+  void wide(std::size_t digits) {
+    rest_.remove_prefix(4);
+    char32_t high = 0;  // first half of a pair that waits for its second
+    while (!rest_.empty() && !rest_.starts_with("\\")) {
+      const std::optional<char32_t> code = hex(rest_.substr(0, digits));
+      rest_.remove_prefix(std::min(digits, rest_.size()));
+      const bool is_low = code && digits == 4 && *code >= 0xDC00 && *code <= 0xDFFF;
+      if (high != 0 && is_low) {
+        letter(0x10000 + ((high - 0xD800) << 10) + (*code - 0xDC00));
+        high = 0;
+        continue;
+      }
+      if (high != 0) letter(std::nullopt);
+      high = code && digits == 4 && *code >= 0xD800 && *code <= 0xDBFF ? *code : 0;
+      if (high == 0) letter(code);
+    }
+    if (high != 0) letter(std::nullopt);
+    if (rest_.starts_with("\\X0\\")) {
+      rest_.remove_prefix(4);
+    } else {
+      is_sure_ = false;
+    }
+  }
+
+  void letter(std::optional<char32_t> code) {
+    flush();
+    const bool is_known = code && *code != 0 && *code != kUnknownLetter && *code <= 0x10FFFF &&
+                          (*code < 0xD800 || *code > 0xDFFF);
+    if (!is_known) is_sure_ = false;
+    result_ += calc::utf8_from_code_point(is_known ? *code : kUnknownLetter);
+  }
+
+  // What was written as plain bytes.
+  void flush() {
+    if (calc::first_invalid_utf8(raw_)) {
+      is_sure_ = false;
+      result_ += calc::utf8_from_windows_1252(raw_);
+    } else {
+      result_ += raw_;
+    }
+    raw_.clear();
+  }
+
+  std::string_view rest_;
+  std::string raw_, result_;
+  char page_ = 'A';
+  bool is_sure_ = true;
+};
+
+}  // namespace
+
+std::string step_string(std::string_view between_quotes, bool* is_sure) {
+  StringReader reader(between_quotes);
+  std::string text = reader.read();
+  if (is_sure != nullptr && !reader.is_sure()) *is_sure = false;
+  return text;
+}
+
+}  // namespace cli

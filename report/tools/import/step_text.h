@@ -1,0 +1,119 @@
+#pragma once
+// The text form of STEP data (ISO 10303-21), in which IFC files are written: a header, and numbered
+// instances `#12=NAME(arguments);`. The text is gone through once, when it is opened; after that
+// arguments are read from it when somebody asks. So memory is that of the text and 28 bytes for
+// each instance.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+// Why a file cannot be read. line: from 1; 0 = it is about the whole file.
+struct StepProblem {
+  std::size_t line = 0;
+  std::string what;
+};
+
+// Lists within lists, typed values included.
+inline constexpr int kDeepestStepList = 64;
+
+// An argument: a slice of the text, so that it lives no longer than that.
+class StepValue {
+ public:
+  enum class Kind {
+    null,         // $
+    derived,      // *
+    number,       // 3, 0.5, 1.E-5
+    text,         // 'a'
+    enumeration,  // .METRE.
+    binary,       // "0FF"
+    reference,    // #12
+    list,         // (a,b)
+    typed         // IFCLABEL('a')
+  };
+
+  StepValue() = default;
+  StepValue(Kind kind, std::string_view slice) : slice_(slice), kind_(kind) {}
+
+  Kind kind() const { return kind_; }
+  bool is_null() const { return kind_ == Kind::null || kind_ == Kind::derived; }
+  std::string_view slice() const { return slice_; }  // as it is written
+
+  // Each is empty where the value is of another kind.
+  std::optional<double> number() const;            // finite
+  std::optional<std::uint64_t> reference() const;  // of an instance, which may not exist
+  std::optional<std::string> text() const;         // UTF-8, all escapes resolved
+  std::string enumeration() const;                 // in capitals, without its dots: "METRE"
+  std::string type_name() const;                   // of a typed value, in capitals
+  // Of a list, or what stands between the brackets of a typed value.
+  std::vector<StepValue> items() const;
+  // The only argument of a typed value, else the value itself.
+  StepValue untyped() const;
+
+ private:
+  std::string_view slice_;
+  Kind kind_ = Kind::null;
+};
+
+// A string as it stands between its quotes, in UTF-8. is_sure becomes false where letters had to be
+// guessed: bytes that are no UTF-8 are taken for Windows-1252, a page of \P\ other than 8859-1 and
+// 8859-5, and escapes that mean no character, give U+FFFD.
+std::string step_string(std::string_view between_quotes, bool* is_sure = nullptr);
+
+class StepText {
+ public:
+  StepText(StepText&&) = default;
+  StepText& operator=(StepText&&) = default;
+
+  // The bytes must outlive the result. Empty with a problem: a syntax error anywhere, an end before
+  // its time, a number that is given twice. Instances that nobody wrote may be referred to.
+  static std::optional<StepText> open(std::string_view bytes, StepProblem& problem);
+
+  const std::vector<std::string>& schema() const { return schema_; }  // "IFC4", in capitals
+  const std::string& writer() const { return writer_; }  // the program, as FILE_NAME says it
+  bool is_utf8() const { return is_utf8_; }              // the whole text
+
+  // Instances count from 0 in the order of their numbers.
+  std::size_t size() const { return instance_.size(); }
+  std::optional<std::uint32_t> find(std::uint64_t number) const;
+  std::optional<std::uint32_t> find(const StepValue& reference) const;
+  std::uint64_t number(std::uint32_t instance) const { return instance_[instance].number; }
+  // In capitals; "" for an instance that is several at once: #1=(A()B()).
+  const std::string& name(std::uint32_t instance) const { return *name_[instance_[instance].name]; }
+  std::size_t line(std::uint32_t instance) const;  // from 1
+  std::size_t bytes(std::uint32_t instance) const { return instance_[instance].size; }
+  // Of a name in capitals.
+  std::span<const std::uint32_t> of_name(std::string_view name) const;
+  std::vector<StepValue> arguments(std::uint32_t instance) const;  // none of several at once
+
+ private:
+  StepText() = default;
+
+  struct Instance {
+    std::uint64_t number;
+    std::uint32_t name, begin, size;  // begin, size: the arguments with their brackets
+  };
+  class Opener;
+
+  std::size_t line_at(std::size_t offset) const;
+
+  std::string_view bytes_;
+  std::vector<Instance> instance_;
+  std::map<std::string, std::uint32_t, std::less<>> name_number_;
+  std::vector<const std::string*> name_;          // keys of name_number_
+  std::vector<std::uint32_t> by_name_, name_at_;  // instances by name; where each name begins
+  std::vector<std::uint32_t> lines_before_;       // line ends before each block of the text
+  std::vector<std::string> schema_;
+  std::string writer_;
+  bool is_utf8_ = true;
+};
+
+}  // namespace cli
