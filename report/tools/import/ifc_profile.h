@@ -1,0 +1,31 @@
+#pragma once
+// Plane outlines of IFC: profiles of extrusions, and the curves that they are made of.
+
+#include "report/tools/import/ifc_file.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+inline constexpr double kChordError_m = 1.0e-3;    // of arcs that become chords
+inline constexpr double kOutlineGap_m = 1.0e-3;    // ends of curves that are nearer meet
+inline constexpr double kSamePoint_m = 1.0e-6;     // corners that are nearer are one
+inline constexpr std::size_t kMostCorners = 5000;  // of one outline
+
+// Metres, in the profile's own plane. Corners in any direction, the first one not repeated; an
+// outline may cross itself.
+struct IfcProfile {
+  std::vector<glm::dvec2> outer;
+  std::vector<std::vector<glm::dvec2>> inner;
+};
+
+// Throws IfcLeftOut. doubt: what was done to it that the file does not say.
+IfcProfile ifc_profile(IfcFile& file, const StepValue& reference, std::vector<std::string>& doubt);
+
+// Without corners at the place of the one before them, the end included.
+void drop_same_points(std::vector<glm::dvec2>& outline);
+
+}  // namespace cli
