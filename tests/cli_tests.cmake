@@ -19,6 +19,7 @@ luxgate_test(cli_tests
     unit/report/tools/import/import_map_test.cpp
     unit/report/tools/import/project_merge_test.cpp
     unit/report/tools/import/project_text_test.cpp
+    unit/report/tools/import/ifc_design_test.cpp
     unit/report/tools/import/ifc_shape_test.cpp
     unit/report/tools/import/ifc_units_test.cpp
     unit/report/tools/import/step_text_test.cpp
