@@ -8,6 +8,7 @@
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/dxf_design.h"
 #include "report/tools/import/dxf_drawing.h"
+#include "report/tools/import/ifc_import.h"
 #include "report/tools/import/import_map.h"
 #include "report/tools/import/import_report.h"
 #include "report/tools/import/project_merge.h"
@@ -47,7 +48,7 @@ std::optional<Design> read_design(const std::string& bytes, const ImportOptions&
   std::string problem;
   std::optional<Design> design;
   if (begins_like_step(bytes)) {
-    problem = "this is an IFC file, which is not read yet";
+    design = design_of_ifc(bytes, options.file, map, options.unit, problem);
   } else if (const std::optional<DxfDrawing> drawing = read_dxf(bytes, problem)) {
     design = design_of_dxf(*drawing, options.file, map, options.unit, problem);
   }
