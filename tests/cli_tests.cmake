@@ -13,16 +13,17 @@ luxgate_test(cli_tests
     unit/report/shell/help_text_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
-    unit/report/tools/import/ifc_design_test.cpp
-    unit/report/tools/import/ifc_shape_test.cpp
-    unit/report/tools/import/ifc_units_test.cpp
-    unit/report/tools/import/step_text_test.cpp
     unit/report/tools/import/dxf_design_test.cpp
     unit/report/tools/import/dxf_drawing_test.cpp
     unit/report/tools/import/dxf_pairs_test.cpp
+    unit/report/tools/import/ifc_design_test.cpp
+    unit/report/tools/import/ifc_import_test.cpp
+    unit/report/tools/import/ifc_shape_test.cpp
+    unit/report/tools/import/ifc_units_test.cpp
     unit/report/tools/import/import_map_test.cpp
     unit/report/tools/import/project_merge_test.cpp
     unit/report/tools/import/project_text_test.cpp
+    unit/report/tools/import/step_text_test.cpp
     unit/report/tools/init/init_test.cpp
     unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp

@@ -76,6 +76,7 @@ struct DesignNote {
 struct Design {
   std::string file, writer;       // writer: who wrote the file, as it says; may be empty
   std::string unit, unit_reason;  // "mm", "stated by the map; the header says inch"
+  double metres_per_unit = 1.0;   // of numbers that stay text, such as attributes
   glm::dvec3 origin_m{0.0};       // taken away from all coordinates
   std::vector<DesignRoom> room;
   std::vector<DesignLuminaire> luminaire;

@@ -90,6 +90,7 @@ class DesignReader {
     design_.writer = calc::printable(text_.writer());
     design_.unit = file_.units().name;
     design_.unit_reason = file_.units().reason;
+    design_.metres_per_unit = file_.units().metres;
     for (const std::string& doubt : file_.units().doubt) {
       note(DesignNote::Kind::doubt, "unit of length", doubt, "");
     }
@@ -353,11 +354,13 @@ class DesignReader {
     for (const std::uint32_t terminal : text_.of_name("IFCFLOWTERMINAL")) {
       if (lights_.contains(terminal)) continue;
       const auto type = type_.find(terminal);
-      left_out(terminal,
-               type == type_.end()
-                   ? std::string("it has no type, so nobody can tell whether it gives "
-                                 "light")
-                   : fmt::format("it is of an {}, no luminaire", text_.name(type->second)));
+      if (type == type_.end()) {
+        left_out(terminal, "it has no type, so nobody can tell whether it gives light");
+      } else {
+        note(DesignNote::Kind::not_asked, text_.name(terminal),
+             fmt::format("it is of an {}, no luminaire", text_.name(type->second)),
+             place(terminal));
+      }
     }
   }
 
@@ -535,7 +538,7 @@ class DesignReader {
       std::size_t count = 0;
       for (const std::uint32_t thing : all) count += lights_.contains(thing) ? 0u : 1u;
       if (count == 0) continue;
-      note(DesignNote::Kind::left_out, std::string(one.name), std::string(one.why),
+      note(DesignNote::Kind::not_asked, std::string(one.name), std::string(one.why),
            place(all.front()), count);
     }
     if (text_.of_name("IFCSPACE").empty()) {

@@ -8,7 +8,7 @@
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/dxf_design.h"
 #include "report/tools/import/dxf_drawing.h"
-#include "report/tools/import/ifc_design.h"
+#include "report/tools/import/ifc_import.h"
 #include "report/tools/import/import_map.h"
 #include "report/tools/import/import_report.h"
 #include "report/tools/import/project_merge.h"
@@ -23,7 +23,6 @@
 #include <set>
 #include <system_error>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cli {
@@ -43,64 +42,13 @@ struct NewFile {
 
 bool begins_like_step(const std::string& bytes) { return bytes.compare(0, 9, "ISO-10303") == 0; }
 
-// What a map says of a model: all rooms by the first [[room]], luminaires and furniture by types.
-void apply_to_model(ImportMap& map, Design& design) {
-  DesignNotes notes(design);
-  map.room.front().layer = "room";  // materials are named by it
-  if (map.room.size() > 1) {
-    notes.doubt("rooms", "all go by the first [[room]] of the map: a model has no layers",
-                fmt::format("map line {}", map.room[1].line));
-  }
-  for (DesignLuminaire& luminaire : design.luminaire) {
-    for (std::size_t i = 0; !luminaire.rule && i < map.luminaire.size(); ++i) {
-      if (matches_name(map.luminaire[i].type, luminaire.type)) luminaire.rule = i;
-    }
-    if (!luminaire.rule ||
-        std::holds_alternative<FromZ>(map.luminaire[*luminaire.rule].height.front())) {
-      continue;
-    }
-    notes.doubt("luminaire " + luminaire.type, "its height is the model's, not the map's",
-                luminaire.source.place);
-  }
-  std::vector<DesignBox> boxes;
-  for (DesignBox& box : design.box) {
-    const auto rule =
-        std::find_if(map.furniture.begin(), map.furniture.end(), [&](const MapFurniture& one) {
-          return !one.type.empty() && matches_name(one.type, box.name);
-        });
-    if (rule == map.furniture.end()) {
-      notes.add(DesignNote::Kind::not_asked, "furniture " + box.name, "the map does not name it",
-                box.source.place);
-      continue;
-    }
-    box.rule = static_cast<std::size_t>(rule - map.furniture.begin());
-    boxes.push_back(std::move(box));
-  }
-  design.box = std::move(boxes);
-}
-
-std::optional<Design> read_model(const std::string& bytes, const ImportOptions& options,
-                                 ImportMap& map, std::string& problem) {
-  IfcOptions ifc;
-  const std::string& unit = options.unit.empty() ? map.unit : options.unit;
-  if (!unit.empty()) ifc.metres_per_unit = metres_per_import_unit(unit);
-  StepProblem found;
-  std::optional<Design> design = read_ifc(bytes, options.file, ifc, found);
-  if (design) {
-    apply_to_model(map, *design);
-  } else {
-    problem = found.line > 0 ? fmt::format("line {}: {}", found.line, found.what) : found.what;
-  }
-  return design;
-}
-
 std::optional<Design> read_design(const std::string& bytes, const ImportOptions& options,
-                                  ImportMap& map, calc::Diagnostics& diagnostics) {
+                                  const ImportMap& map, calc::Diagnostics& diagnostics) {
   const calc::SourceLocation where{options.file, 0, 0};
   std::string problem;
   std::optional<Design> design;
   if (begins_like_step(bytes)) {
-    design = read_model(bytes, options, map, problem);
+    design = design_of_ifc(bytes, options.file, map, options.unit, problem);
   } else if (const std::optional<DxfDrawing> drawing = read_dxf(bytes, problem)) {
     design = design_of_dxf(*drawing, options.file, map, options.unit, problem);
   }
@@ -237,7 +185,7 @@ ExitCode run_import(const ImportOptions& options) {
   if (options.suggests_map) return run_suggest(options, plan.bytes);
   const calc::FileContent map_file = read(options.map);
   if (!map_file.ok()) return failed();
-  std::optional<ImportMap> map = read_import_map(map_file.bytes, options.map, diagnostics);
+  const std::optional<ImportMap> map = read_import_map(map_file.bytes, options.map, diagnostics);
   if (!map) return failed();
   if (map->room.empty()) {
     diagnostics.report(DiagnosticId::config_value, {options.map, 0, 0}, "room",

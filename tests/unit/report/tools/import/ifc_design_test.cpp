@@ -33,9 +33,10 @@ std::vector<std::string> notes(const Design& design, const std::string& why) {
   std::vector<std::string> result;
   for (const DesignNote& note : design.note) {
     if (note.why.find(why) == std::string::npos) continue;
-    const char* kind = note.kind == DesignNote::Kind::taken   ? "taken"
-                       : note.kind == DesignNote::Kind::doubt ? "doubt"
-                                                              : "left out";
+    const char* kind = note.kind == DesignNote::Kind::taken       ? "taken"
+                       : note.kind == DesignNote::Kind::doubt     ? "doubt"
+                       : note.kind == DesignNote::Kind::not_asked ? "not asked"
+                                                                  : "left out";
     result.push_back(std::string(kind) + ": " + std::to_string(note.count) + " x " + note.what);
   }
   return result;
@@ -186,7 +187,7 @@ TEST(IfcDesign, FlowTerminalsOfIfc2x3AreLuminairesByTheirType) {
            "IFC2X3");
   ASSERT_EQ(design.luminaire.size(), 2u);
   EXPECT_EQ(design.luminaire[0].type, "Panel");
-  EXPECT_THAT(notes(design, "IFCOUTLETTYPE"), ElementsAre("left out: 1 x IFCFLOWTERMINAL"));
+  EXPECT_THAT(notes(design, "IFCOUTLETTYPE"), ElementsAre("not asked: 1 x IFCFLOWTERMINAL"));
   EXPECT_THAT(notes(design, "nobody can tell whether it gives light"),
               ElementsAre("left out: 1 x IFCFLOWTERMINAL"));
   EXPECT_THAT(notes(design, "says 'switch'"), ElementsAre("doubt: 1 x IFCFLOWTERMINAL"));
@@ -246,8 +247,8 @@ TEST(IfcDesign, FurnitureIsTheBoxAroundItsType) {
 
 TEST(IfcDesign, WhatIsPassedOverIsCounted) {
   const Design design = read(kRoom + "#30=IFCWINDOW();#31=IFCWINDOW();#32=IFCWALL();");
-  EXPECT_THAT(notes(design, "no daylight"), ElementsAre("left out: 2 x IFCWINDOW"));
-  EXPECT_THAT(notes(design, "stands in it"), ElementsAre("left out: 1 x IFCWALL"));
+  EXPECT_THAT(notes(design, "no daylight"), ElementsAre("not asked: 2 x IFCWINDOW"));
+  EXPECT_THAT(notes(design, "stands in it"), ElementsAre("not asked: 1 x IFCWALL"));
   EXPECT_THAT(notes(read(""), "no IFCSPACE"), ElementsAre("doubt: 1 x rooms"));
 }
 

@@ -1,0 +1,77 @@
+#include "report/tools/import/ifc_import.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/unit/report/tools/import/ifc_text.h"
+
+namespace {
+
+using cli::Design;
+using cli::ImportMap;
+using test_support::ifc_extrusion;
+using test_support::ifc_file;
+using test_support::ifc_space;
+using ::testing::HasSubstr;
+
+// A room of 4 m x 6 m x 3 m with a panel under its ceiling and a switch.
+std::string office() {
+  return ifc_file(ifc_space(ifc_extrusion("#11=IFCRECTANGLEPROFILEDEF(.AREA.,$,$,4000.,6000.);")) +
+                  "#40=IFCLOCALPLACEMENT(#800,#41);#41=IFCAXIS2PLACEMENT3D(#42,$,$);"
+                  "#42=IFCCARTESIANPOINT((500.,500.,2900.));"
+                  "#43=IFCLIGHTFIXTURE('l1',$,'A',$,'Panel 600',#40,$,'1',$);"
+                  "#44=IFCLIGHTFIXTURE('l2',$,'B',$,'Switch',#40,$,'2',$);");
+}
+
+ImportMap map_with(std::vector<cli::HeightSource> height) {
+  ImportMap map;
+  map.room.resize(2);
+  map.room[0].layer = "corridor*";
+  cli::MapLuminaire panel;
+  panel.type = "panel*";
+  panel.height = std::move(height);
+  map.luminaire.push_back(panel);
+  map.ignore = {"switch"};
+  return map;
+}
+
+Design read(const ImportMap& map) {
+  std::string problem;
+  const auto design = cli::design_of_ifc(office(), "a.ifc", map, "", problem);
+  EXPECT_TRUE(design) << problem;
+  return design.value_or(Design());
+}
+
+TEST(IfcImport, RulesOfTheMapTakeRoomsAndLuminaires) {
+  const Design design = read(map_with({cli::FromZ()}));
+  ASSERT_EQ(design.room.size(), 1u);
+  EXPECT_EQ(design.room[0].rule, 1u);  // it is no corridor
+  ASSERT_EQ(design.luminaire.size(), 1u);
+  EXPECT_EQ(design.luminaire[0].rule, 0u);
+  EXPECT_EQ(design.luminaire[0].position_m.z, 2.9);
+}
+
+TEST(IfcImport, TheMapSaysTheHeight) {
+  EXPECT_EQ(read(map_with({2.5})).luminaire.at(0).position_m.z, 2.5);
+  const cli::FromAttribute tag{"Tag"};  // 1 mm above the floor
+  EXPECT_EQ(read(map_with({tag})).luminaire.at(0).position_m.z, 0.001);
+  EXPECT_FALSE(read(map_with({cli::FromAttribute{"no"}})).luminaire.at(0).has_height);
+}
+
+TEST(IfcImport, ARoomThatNoRuleFitsHasNone) {
+  ImportMap map = map_with({cli::FromZ()});
+  map.room.pop_back();
+  EXPECT_EQ(read(map).room.at(0).rule, 1u);  // beyond the list
+  map.room[0].layer = "off*";
+  EXPECT_EQ(read(map).room.at(0).rule, 0u);
+}
+
+TEST(IfcImport, BrokenFilesHaveALine) {
+  std::string problem;
+  EXPECT_FALSE(cli::design_of_ifc("ISO-10303-21;\nHEAD", "a.ifc", ImportMap(), "", problem));
+  EXPECT_THAT(problem, HasSubstr("line 2: HEADER is expected"));
+}
+
+}  // namespace
