@@ -542,7 +542,7 @@ class DesignReader {
            place(all.front()), count);
     }
     if (text_.of_name("IFCSPACE").empty()) {
-      note(DesignNote::Kind::doubt, "rooms", "there is no IFCSPACE in this file", "");
+      note(DesignNote::Kind::left_out, "rooms", "there is no IFCSPACE in this file", "");
     }
   }
 
