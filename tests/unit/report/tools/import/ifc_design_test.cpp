@@ -249,7 +249,7 @@ TEST(IfcDesign, WhatIsPassedOverIsCounted) {
   const Design design = read(kRoom + "#30=IFCWINDOW();#31=IFCWINDOW();#32=IFCWALL();");
   EXPECT_THAT(notes(design, "no daylight"), ElementsAre("not asked: 2 x IFCWINDOW"));
   EXPECT_THAT(notes(design, "stands in it"), ElementsAre("not asked: 1 x IFCWALL"));
-  EXPECT_THAT(notes(read(""), "no IFCSPACE"), ElementsAre("doubt: 1 x rooms"));
+  EXPECT_THAT(notes(read(""), "no IFCSPACE"), ElementsAre("left out: 1 x rooms"));
 }
 
 TEST(IfcDesign, TheUserMaySayTheUnit) {
