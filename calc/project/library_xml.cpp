@@ -110,8 +110,13 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
   const LuminousOpening& opening = web.opening();
   const auto refuse = [&](std::string_view attribute, const std::string& expected) {
     const std::string_view where = reader.has("dimensions") ? "dimensions" : attribute;
-    reader.report(DiagnosticId::number_out_of_range, reader.where(where), where, "housing",
-                  reader.text(where), expected);
+    const std::string value =
+        where == "dimensions" && housing.size_m
+            ? fmt::format("file ({:.4g} x {:.4g} m, {:.4g} m deep)", housing.size_m->x,
+                          housing.size_m->y, housing.depth_m)
+            : reader.text(where);
+    reader.report(DiagnosticId::number_out_of_range, reader.where(where), where, "housing", value,
+                  expected);
   };
   if (opening.shape == OpeningShape::point) {
     reader.report(DiagnosticId::missing_form, reader.where(), "housing",
@@ -130,10 +135,8 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
   }
   if (housing.size_m && (housing.size_m->x < opening.along_c0_m - kRounding_m ||
                          housing.size_m->y < opening.along_c90_m - kRounding_m)) {
-    refuse(
-        "size",
-        fmt::format("at least the luminous opening, {:.4g} x {:.4g} m; {:.4g} x {:.4g} m is less",
-                    opening.along_c0_m, opening.along_c90_m, housing.size_m->x, housing.size_m->y));
+    refuse("size", fmt::format("at least the luminous opening, {:.4g} x {:.4g} m",
+                               opening.along_c0_m, opening.along_c90_m));
   }
   const double backwards = backward_share(web);
   if (housing.depth_m > 0.0 && backwards > kNoLight) {

@@ -177,7 +177,14 @@ void warn_luminaires_in_solids(const Space& space, Diagnostics& diagnostics) {
     const BoundingBox box = bounding_box(body.vertex_m);
     for (const Luminaire& luminaire : space.luminaires) {
       if (is_housing_of(body, luminaire)) continue;
-      if (locate_point(body, box, luminaire.position_m) != SolidSide::inside) continue;
+      // An opening in its very surface may look into it.
+      constexpr double kBefore_m = 1.0e-3;
+      const glm::dvec3 before_m =
+          luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
+      if (locate_point(body, box, luminaire.position_m) != SolidSide::inside &&
+          locate_point(body, box, before_m) != SolidSide::inside) {
+        continue;
+      }
       buried.add(luminaire.id, luminaire.where);
       solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
     }

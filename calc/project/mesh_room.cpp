@@ -129,24 +129,33 @@ class MeshRoomReader {
     return is_open(index) ? open_ : closed_[index];
   }
 
-  // Most of its corners are: furniture may stick in the floor.
-  static bool is_in(const Body& body, const Piece& room) {
+  // Most of the corners that are not on the room's surface: furniture may stick in the floor, and
+  // what stands on the roof has no corner inside. Of what has all corners on it, its middle.
+  static bool is_in(const Body& body, const SolidLocator& room) {
     constexpr std::size_t kMostSamples = 64;
     const std::size_t step = body.vertex_m.size() / kMostSamples + 1;
-    std::size_t inside = 0, samples = 0;
+    std::size_t inside = 0, outside = 0;
     for (std::size_t i = 0; i < body.vertex_m.size(); i += step) {
-      ++samples;
-      const SolidSide side = locate_point(room.body, room.shell.bounds, body.vertex_m[i]);
-      if (side != SolidSide::outside) ++inside;
+      const SolidSide side = room.locate(body.vertex_m[i]);
+      if (side == SolidSide::inside) ++inside;
+      if (side == SolidSide::outside) ++outside;
     }
-    return 2 * inside >= samples && samples > 0;
+    if (inside + outside > 0) return inside >= outside;
+    return room.locate(bounding_box(body.vertex_m).centre()) != SolidSide::outside;
   }
 
-  bool stands_in(std::size_t index, std::size_t room) const {
+  // Made when it is first asked for.
+  const SolidLocator& locator(std::size_t room) {
+    if (!locator_ || located_ != room) locator_.emplace(candidate(room).body);
+    located_ = room;
+    return *locator_;
+  }
+
+  bool stands_in(std::size_t index, std::size_t room) {
     const Piece &inner = candidate(index), &outer = candidate(room);
     if (box_volume(inner.shell.bounds) >= box_volume(outer.shell.bounds)) return false;
     if (is_open(room)) return outer.shell.bounds.contains(inner.shell.bounds.centre());
-    return is_in(inner.body, outer);
+    return is_in(inner.body, locator(room));
   }
 
   // With "shell": from 1, of closed ones only.
@@ -185,17 +194,22 @@ class MeshRoomReader {
 
   std::optional<std::size_t> choose_largest() {
     const Piece& room = closed_[0];
+    double filled = 0.0;  // by all that stand in it, one in another counted twice
     for (std::size_t i = 1; i < closed_.size(); ++i) {
       const Piece& inner = closed_[i];
-      const bool is_large =
-          box_volume(inner.shell.bounds) > kMostOfRoom * box_volume(room.shell.bounds);
+      filled += box_volume(inner.shell.bounds);
+      const bool is_large = filled > kMostOfRoom * box_volume(room.shell.bounds);
       const bool is_hollow =
           room.shell.faces == FacesLook::outward && inner.shell.faces == FacesLook::inward;
       if (!is_large && !is_hollow) continue;
       return refuse(fmt::format(
-          "shell {} lies in shell 1 and {}, so that it may be a solid in the room, or the room "
+          "shell {} lies in shell 1 and {}, so that it may be a solid in the room, or a room "
           "within thick walls",
-          i + 1, is_large ? "fills most of it" : "its faces look the other way"));
+          i + 1,
+          is_hollow ? "its faces look the other way"
+          : box_volume(inner.shell.bounds) > kMostOfRoom * box_volume(room.shell.bounds)
+              ? "fills most of it"
+              : "fills most of it together with the larger ones"));
     }
     if (has_open() &&
         box_volume(open_.shell.bounds) > kMostOfRoom * box_volume(room.shell.bounds) &&
@@ -289,17 +303,17 @@ class MeshRoomReader {
       solid.is_closed = true;
       add_body(std::move(solid), fmt::format("solid{}", ++solids));
     }
-    if (!is_open(chosen) && has_open()) add_sheets(room, left_out);
+    if (!is_open(chosen) && has_open()) add_sheets(chosen, left_out);
     if (!left_out.empty()) warn_left_out(left_out);
   }
 
   // Those that are not in the room would not change its light.
-  void add_sheets(const Piece& room, std::vector<std::uint32_t>& left_out) {
+  void add_sheets(std::size_t room, std::vector<std::uint32_t>& left_out) {
     std::vector<std::uint32_t> inside;
     for (const MeshShell& sheet : find_shells(open_.body.vertex_m, open_.body.triangle)) {
       std::vector<std::uint32_t> triangles;
       for (const std::uint32_t t : sheet.triangle) triangles.push_back(open_.shell.triangle[t]);
-      std::vector<std::uint32_t>& to = is_in(body_of(triangles), room) ? inside : left_out;
+      std::vector<std::uint32_t>& to = is_in(body_of(triangles), locator(room)) ? inside : left_out;
       to.insert(to.end(), triangles.begin(), triangles.end());
     }
     std::sort(inside.begin(), inside.end());
@@ -345,6 +359,8 @@ class MeshRoomReader {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<std::uint32_t> local_of_;  // of a vertex in the body that is being made
   std::vector<Piece> closed_;
+  std::optional<SolidLocator> locator_;  // of the candidate located_
+  std::size_t located_ = 0;
   Piece open_{{}, {}, {}};
 };
 

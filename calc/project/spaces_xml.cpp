@@ -11,6 +11,7 @@
 #include "calc/project/room_plan.h"
 #include "calc/project/route_xml.h"
 #include "calc/project/workplace_xml.h"
+#include "calc/scene/housing.h"
 #include "calc/scene/polygon.h"
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
     space.luminaires.push_back(std::move(luminaire));
   }
   if (surroundings.objects_are_good && surroundings.room_is_good) {
+    fit_housings(context.project, space);
     settle_coincident_surfaces(space, shell_bodies, context.diagnostics);
   }
   surroundings.origin_m = origin_m;

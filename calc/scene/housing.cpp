@@ -2,12 +2,15 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/scene/opening_fit.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace calc {
@@ -148,18 +151,36 @@ struct NamedMesh {
   Mesh mesh;
 };
 
+// Of a flat opening.
+NamedMesh face_of(const LuminousOpening& opening, const Housing& housing) {
+  return {"face", false, sheet(outline_of(opening, housing))};
+}
+
 std::vector<NamedMesh> meshes_of(const LuminousOpening& opening, const Housing& housing) {
   std::vector<NamedMesh> meshes;
   if (opening.is_body()) {
     meshes.push_back({"housing", true, inside_of(opening)});
     return meshes;
   }
-  const Outline outline = outline_of(opening, housing);
-  meshes.push_back({"face", false, sheet(outline)});
+  meshes.push_back(face_of(opening, housing));
   if (housing.depth_m > 0.0) {
-    meshes.push_back({"housing", true, prism(outline, 0.0, housing.depth_m)});
+    meshes.push_back({"housing", true, prism(outline_of(opening, housing), 0.0, housing.depth_m)});
   }
   return meshes;
+}
+
+Body placed(NamedMesh named, const Luminaire& luminaire, std::uint32_t material) {
+  Body body;
+  body.id = luminaire.id + "." + named.name;
+  body.housing_of = luminaire.id;
+  body.where = luminaire.where;
+  body.is_closed = named.is_closed;
+  body.material_of.assign(named.mesh.triangle.size(), material);
+  body.triangle = std::move(named.mesh.triangle);
+  for (const glm::dvec3& p : named.mesh.vertex_m) {
+    body.vertex_m.push_back(luminaire.position_m + luminaire.world_from_luminaire * p);
+  }
+  return body;
 }
 
 }  // namespace
@@ -177,19 +198,34 @@ std::vector<Body> housing_bodies(const Project& project, const Luminaire& lumina
   std::vector<Body> bodies;
   if (!type.housing) return bodies;
   for (NamedMesh& named : meshes_of(project.webs[type.web].opening(), *type.housing)) {
-    Body body;
-    body.id = luminaire.id + "." + named.name;
-    body.housing_of = luminaire.id;
-    body.where = luminaire.where;
-    body.is_closed = named.is_closed;
-    body.material_of.assign(named.mesh.triangle.size(), type.housing->material);
-    body.triangle = std::move(named.mesh.triangle);
-    for (const glm::dvec3& p : named.mesh.vertex_m) {
-      body.vertex_m.push_back(luminaire.position_m + luminaire.world_from_luminaire * p);
-    }
-    bodies.push_back(std::move(body));
+    bodies.push_back(placed(std::move(named), luminaire, type.housing->material));
   }
   return bodies;
+}
+
+void fit_housings(const Project& project, Space& space) {
+  std::map<std::string_view, const Luminaire*> luminaire_of;
+  for (const Luminaire& luminaire : space.luminaires) luminaire_of[luminaire.id] = &luminaire;
+  // A housing that becomes a face may cut another luminaire: until nothing changes.
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    OpeningFit fit(space);
+    std::vector<std::pair<std::size_t, Body>> faces;
+    for (std::size_t i = 0; i < space.bodies.size(); ++i) {
+      const Body& body = space.bodies[i];
+      if (body.housing_of.empty() || !body.is_closed) continue;
+      const Luminaire& luminaire = *luminaire_of.at(body.housing_of);
+      const LuminaireType& type = project.luminaire_types[luminaire.type];
+      const LuminousOpening& opening = project.webs[type.web].opening();
+      if (!fit.is_cut(opening, luminaire)) continue;
+      faces.emplace_back(
+          i, placed(face_of(flattened(opening), *type.housing), luminaire, type.housing->material));
+    }
+    for (auto& [index, face] : faces) {
+      space.bodies[index] = std::move(face);
+      has_changed = true;
+    }
+  }
 }
 
 std::size_t housing_triangles(const Project& project, const LuminaireType& type) {

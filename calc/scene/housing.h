@@ -26,6 +26,11 @@ double backward_share(const PhotometricWeb& web);
 // housing is not smaller, and that none with a depth hides light that goes backwards.
 std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire);
 
+// Of luminaires whose luminous body is cut (opening_fit.h) and counts as flat, a body about its
+// centre would hide the light: these get the face of the flat opening instead. Once all bodies and
+// luminaires of the space are there.
+void fit_housings(const Project& project, Space& space);
+
 // Of these bodies.
 std::size_t housing_triangles(const Project& project, const LuminaireType& type);
 

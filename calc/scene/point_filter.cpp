@@ -30,6 +30,27 @@ PointFilter::PointFilter(const Space& space, ReceiverKernel kernel, const Boundi
       solids_.push_back(solid);
     }
   }
+  if (space.is_from_mesh && !around_room_) find_bounds();
+}
+
+// Inside and outside of a shell with gaps are not told apart, but beyond all of it is outside.
+void PointFilter::find_bounds() {
+  const std::string shell = space_.id + ".shell";
+  for (const Body& body : space_.bodies) {
+    if (body.id == shell) room_bounds_ = bounding_box(body.vertex_m);
+  }
+  if (!room_bounds_ || space_.outline_m.empty()) return;
+  constexpr double kSame_m = 1.0e-3;
+  outline_is_all_ = true;
+  for (const glm::length_t axis : {0, 1}) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const glm::dvec2& corner : space_.outline_m) {
+      low = std::min(low, corner[axis]);
+      high = std::max(high, corner[axis]);
+    }
+    outline_is_all_ = outline_is_all_ && low <= room_bounds_->lower[axis] + kSame_m &&
+                      high >= room_bounds_->upper[axis] - kSame_m;
+  }
 }
 
 PointStand PointFilter::stand(const CandidatePoint& candidate) const {
@@ -54,6 +75,11 @@ bool PointFilter::is_beside_room(const glm::dvec3& point) const {
 // Floor, walls and ceiling themselves count as inside.
 bool PointFilter::is_outside_room(const glm::dvec3& point) const {
   if (space_.shell) return !is_in_prism(point);
+  if (room_bounds_) {
+    if (!room_bounds_->contains(point)) return true;
+    return outline_is_all_ && !contains_point(space_.outline_m, glm::dvec2(point)) &&
+           distance_to_boundary(space_.outline_m, glm::dvec2(point)) > offset_m_;
+  }
   return around_room_ &&
          locate_point(*around_room_->body, around_room_->box, point) == SolidSide::outside;
 }

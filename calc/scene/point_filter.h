@@ -68,6 +68,7 @@ class PointFilter {
     BoundingBox box;
   };
 
+  void find_bounds();
   bool is_in_prism(const glm::dvec3& point) const;
   bool is_outside_room(const glm::dvec3& point) const;
   const Body* solid_around(const glm::dvec3& point) const;
@@ -80,7 +81,9 @@ class PointFilter {
   double offset_m_;
   NearTriangles near_;
   std::vector<Solid> solids_;
-  std::optional<Solid> around_room_;  // of a room of a mesh that is closed
+  std::optional<Solid> around_room_;        // of a room of a mesh that is closed
+  std::optional<BoundingBox> room_bounds_;  // of one that is not: of all its surfaces
+  bool outline_is_all_ = false;             // nothing of it lies beyond the outline of its floor
 };
 
 }  // namespace calc

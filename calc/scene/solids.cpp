@@ -177,6 +177,70 @@ SolidSide locate_point(const Body& body, const BoundingBox& box, const glm::dvec
   return SolidSide::on_surface;
 }
 
+SolidLocator::SolidLocator(const Body& body)
+    : body_(body), box_(bounding_box(body.vertex_m)), gap_(surface_tolerance(box_)) {
+  constexpr double kMostColumns = 512.0;
+  columns_ = static_cast<std::size_t>(
+      std::clamp(std::sqrt(0.5 * static_cast<double>(body.triangle.size())), 1.0, kMostColumns));
+  // Counted first, then filled in.
+  begin_.assign(columns_ * columns_ + 1, 0);
+  const auto for_each_column = [&](const glm::uvec3& t, auto visit) {
+    BoundingBox around;
+    for (int i = 0; i < 3; ++i) around.add(body.vertex_m[t[i]]);
+    const std::size_t x0 = column(around.lower.x - gap_, 0), x1 = column(around.upper.x + gap_, 0);
+    const std::size_t y0 = column(around.lower.y - gap_, 1), y1 = column(around.upper.y + gap_, 1);
+    for (std::size_t y = y0; y <= y1; ++y) {
+      for (std::size_t x = x0; x <= x1; ++x) visit(y * columns_ + x);
+    }
+  };
+  for (const glm::uvec3& t : body.triangle) {
+    for_each_column(t, [&](std::size_t at) { ++begin_[at + 1]; });
+  }
+  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  triangle_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::uint32_t t = 0; t < body.triangle.size(); ++t) {
+    for_each_column(body.triangle[t], [&](std::size_t at) { triangle_[next[at]++] = t; });
+  }
+}
+
+std::size_t SolidLocator::column(double along, std::size_t axis) const {
+  const auto i = static_cast<glm::length_t>(axis);
+  const double size = box_.upper[i] - box_.lower[i];
+  if (!(size > 0.0)) return 0;
+  const double at = (along - box_.lower[i]) / size * static_cast<double>(columns_);
+  return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(columns_ - 1)));
+}
+
+SolidSide SolidLocator::locate(const glm::dvec3& point) const {
+  if (!BoundingBox{box_.lower - gap_, box_.upper + gap_}.contains(point)) {
+    return SolidSide::outside;
+  }
+  const std::size_t at = column(point.y, 1) * columns_ + column(point.x, 0);
+  const auto corners = [&](std::size_t i, const glm::dvec3& from) {
+    return corners_from(body_, body_.triangle[triangle_[i]], from);
+  };
+  for (std::size_t i = begin_[at]; i < begin_[at + 1]; ++i) {
+    if (touches_origin(corners(i, point), gap_)) return SolidSide::on_surface;
+  }
+  // Farther than gap_ from the surface, so that a shift of less changes nothing but which edges the
+  // upright ray meets.
+  constexpr int kAttempts = 16;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Ray way = generic_ray(attempt);
+    const glm::dvec3 from = point + 0.4 * gap_ * glm::dvec3(way.slant_x, way.slant_y, 0.0);
+    bool odd = false, is_clear = true;
+    for (std::size_t i = begin_[at]; i < begin_[at + 1] && is_clear; ++i) {
+      const Corners t = corners(i, from);
+      const Hit hit = intersect({0.0, 0.0}, t);
+      is_clear = hit != Hit::unclear || !has_area(t);
+      if (hit == Hit::yes) odd = !odd;
+    }
+    if (is_clear) return odd ? SolidSide::inside : SolidSide::outside;
+  }
+  return locate_point(body_, box_, point);
+}
+
 bool contains_point(const Body& body, const glm::dvec3& point) {
   return locate_point(body, bounding_box(body.vertex_m), point) == SolidSide::inside;
 }

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -42,6 +43,25 @@ enum class SolidSide { outside, on_surface, inside };
 // within 1e-9 of the box's diagonal (plus the rounding of the coordinates). O(triangles), but O(1)
 // for points outside the box.
 SolidSide locate_point(const Body& body, const BoundingBox& box, const glm::dvec3& point);
+
+// The same for many points of one body, which must outlive it: what stands over a point is found in
+// a grid of columns.
+class SolidLocator {
+ public:
+  explicit SolidLocator(const Body& body);
+  SolidSide locate(const glm::dvec3& point) const;
+
+ private:
+  std::size_t column(double along, std::size_t axis) const;
+
+  const Body& body_;
+  BoundingBox box_;
+  double gap_;
+  std::size_t columns_ = 1;  // along x and along y
+  // Triangles over or within gap_ of a column, one column behind the other.
+  std::vector<std::uint32_t> triangle_;
+  std::vector<std::size_t> begin_;  // columns_ * columns_ + 1
+};
 
 // True for SolidSide::inside only. Computes the bounding box each time: for a few points.
 bool contains_point(const Body& body, const glm::dvec3& point);

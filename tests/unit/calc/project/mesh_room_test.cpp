@@ -110,6 +110,50 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
               HasSubstr("attribute 'shell' of <room>: 3 is not allowed; expected one of: 1 ('ho"));
 }
 
+// What touches the room from outside stands in no part of it, however small it is.
+TEST(MeshRoom, ShellsThatTouchFromOutsideAreBesideIt) {
+  for (const auto& [low, high] :
+       {std::pair(glm::dvec3(1, 1, 2.5), glm::dvec3(2, 2, 3.5)),  // on the roof
+        std::pair(glm::dvec3(4, 1, 0), glm::dvec3(5, 2, 1))}) {   // at a wall
+    EXPECT_THAT(
+        load_room(ObjText().box("a", kLow, kHigh, true).box("b", low, high, true).text()).messages,
+        HasSubstr("2 closed shells stand side by side"));
+  }
+  // From floor to ceiling, all corners are on the room's surface.
+  const Loaded column = load_room(
+      ObjText().box("a", kLow, kHigh, true).box("b", {1, 1, 0}, {1.2, 1.2, 2.5}, false).text(),
+      R"( shell="1")");
+  ASSERT_TRUE(column.project) << column.messages;
+  EXPECT_EQ(room_of(column).bodies.size(), 2u);
+}
+
+TEST(MeshRoom, ManyShellsThatFillItTogetherMayBeTheRooms) {
+  ObjText building;
+  building.box("hull", {0, 0, 0}, {9, 7, 3}, false);
+  building.box("a", {0.1, 0.1, 0.1}, {4.4, 3.4, 2.9}, false);
+  building.box("b", {4.6, 0.1, 0.1}, {8.9, 3.4, 2.9}, false);
+  building.box("c", {0.1, 3.6, 0.1}, {4.4, 6.9, 2.9}, false);
+  building.box("d", {4.6, 3.6, 0.1}, {8.9, 6.9, 2.9}, false);
+  EXPECT_THAT(load_room(building.text()).messages,
+              HasSubstr("fills most of it together with the larger ones"));
+}
+
+// A shell with a gap does not tell inside from outside, but what lies beyond all of it is outside.
+TEST(MeshRoom, PointsBeyondAnOpenShellAreOutside) {
+  const Loaded loaded = load_room(
+      ObjText().box("hall", kLow, kHigh, true, 3).text(), "",
+      R"(<luminaire id="l" type="spot" position="2 1.5 2.4"/><plane id="p" origin="-1 0 0.8" )"
+      R"(u="5 0 0" v="0 3 0" count="10 6"/>)");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_THAT(loaded.messages, HasSubstr("mesh-room-open"));
+  const Space& space = room_of(loaded);
+  Diagnostics diagnostics;
+  const auto grid = make_sensor_grid(space.planes.at(0), space, diagnostics);
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->dropped.size(), 12u);
+  for (const DroppedPoint& point : grid->dropped) EXPECT_EQ(point.reason, DropReason::outside_room);
+}
+
 TEST(MeshRoom, ShellsSideBySideAreAnError) {
   const std::string two =
       ObjText().box("a", kLow, kHigh, true).box("b", {5, 0, 0}, {9, 3, 2.4}, true).text();

@@ -161,6 +161,40 @@ TEST(Housing, OfALuminousBodyLiesWithinIt) {
   }
 }
 
+// A cord into a luminous box makes its opening flat: a body about it would hide all its light.
+TEST(Housing, OfALuminousBodyThatIsCutIsAFace) {
+  const testing::Loaded loaded =
+      room_with(type_of("box.ies", "<housing material=\"white\"/>"),
+                kHanging +
+                    "<luminaire id=\"far\" type=\"t\" position=\"1 1 1\"/>"
+                    "<box id=\"cord\" size=\"0.01 0.01 0.4\" position=\"2 1.5 2.095\" "
+                    "material=\"white\"/>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_THAT(loaded.messages, HasSubstr("luminous-body-cut"));
+  ASSERT_EQ(housings(loaded).size(), 2u);
+  EXPECT_EQ(housings(loaded)[0]->id, "l.face");
+  EXPECT_NEAR(area_m2(*housings(loaded)[0]), 0.36, 1e-12);
+  EXPECT_EQ(housings(loaded)[1]->id, "far.housing");
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  EXPECT_FALSE(scene.luminaires[0].opening.is_body());
+  EXPECT_TRUE(scene.luminaires[1].opening.is_body());
+}
+
+// Three in a row that reach into each other: none sends its light from within a housing.
+TEST(Housing, OfBodiesThatOverlapAreFaces) {
+  const testing::Loaded loaded =
+      room_with(type_of("box.ies", "<housing material=\"white\"/>"),
+                "<luminaire-line id=\"row\" type=\"t\" from=\"0.2 1.5 2\" to=\"3.77 1.5 2\" "
+                "count=\"3\"/>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  ASSERT_EQ(housings(loaded).size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_FALSE(scene.luminaires[i].opening.is_body());
+    EXPECT_FALSE(housings(loaded)[i]->is_closed);
+  }
+}
+
 // A luminaire set into the ceiling is a piece of it with another reflectance.
 TEST(Housing, AFaceInTheCeilingCoversIt) {
   const testing::Loaded loaded =
@@ -224,7 +258,8 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
       {"panel.ldt", "<housing material=\"white\" dimensions=\"file\" depth=\"0.1\"/>",
        "has both 'dimensions' and 'depth'"},
       {"larger.ldt", "<housing material=\"white\" dimensions=\"file\"/>",
-       "expected at least the luminous opening, 0.4 x 1.2 m; 0.32 x 1.25 m is less"},
+       "file (0.32 x 1.25 m, 0.08 m deep) is not allowed; expected at least the luminous opening, "
+       "0.4 x 1.2 m"},
       {"flat.ies", "<housing/>", "<housing> needs the attribute 'material'"},
       {"flat.ies", "<housing material=\"white\"/><housing material=\"white\"/>",
        "<luminaire-type> needs one <housing> at most"},

@@ -153,5 +153,28 @@ TEST(Box, KnowsWhatItHolds) {
   EXPECT_FALSE(some.contains({4, 5.1, 2}));
 }
 
+// Corners, edges and faces of a coarse grid, and places between.
+TEST(SolidLocator, SaysWhatLocatePointSays) {
+  Body both = box({0, 0, 0}, {2, 1, 1});
+  const Body other = box({0.5, 0.25, 1}, {1, 0.75, 2});
+  const auto first = static_cast<std::uint32_t>(both.vertex_m.size());
+  both.vertex_m.insert(both.vertex_m.end(), other.vertex_m.begin(), other.vertex_m.end());
+  for (const glm::uvec3& t : other.triangle) both.triangle.push_back(t + first);
+  const SolidLocator locator(both);
+  const BoundingBox bounds = bounding_box(both.vertex_m);
+  int inside = 0;
+  for (int z = -1; z <= 17; ++z) {
+    for (int y = -1; y <= 9; ++y) {
+      for (int x = -1; x <= 17; ++x) {
+        const glm::dvec3 point(0.125 * x, 0.125 * y, 0.125 * z);
+        const SolidSide side = locate_point(both, bounds, point);
+        ASSERT_EQ(locator.locate(point), side) << x << " " << y << " " << z;
+        inside += side == SolidSide::inside ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
 }  // namespace
 }  // namespace calc
