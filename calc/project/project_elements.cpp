@@ -819,7 +819,7 @@ map gives the surfaces of one surfaceType, or the openings of one openingType, a
 own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
 "on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.
 
-Or a closed shell of a mesh file, which is told from gbXML by its contents: file, units, up and all else that <mesh>
+Or a closed shell of a mesh file, which is told from gbXML by its contents: file, units, up and all else that mesh
 has to place it, in world coordinates, as is everything in such a room. Its faces may look inward or outward. The room
 is the shell that has all others in it, which are solids; where that is not clear "shell" names one, as the message
 does. Surfaces that are not closed are taken with a warning, if they enclose anything. Planes in such a room cannot be

@@ -27,7 +27,7 @@ constexpr int kDeepestStructure = 32;         // steps from a thing up to its st
 constexpr std::size_t kMostAttributes = 200;  // of one luminaire
 constexpr std::size_t kMostNotes = 1000;      // that differ
 constexpr double kFarOrigin_m = 1000.0;       // where an origin is taken away
-constexpr double kVertical = 1.0e-5;           // sine of the angle to the vertical
+constexpr double kVertical = 1.0e-5;          // sine of the angle to the vertical
 // What a room of a building has: beyond it the unit may be wrong.
 constexpr double kLeastArea_m2 = 1.0, kMostArea_m2 = 1.0e5;
 constexpr double kLeastHeight_m = 1.8, kMostHeight_m = 60.0;

@@ -20,7 +20,7 @@ namespace cli {
 namespace {
 
 constexpr int kDeepestShape = 32;               // mapped items and clippings
-constexpr double kUprightAxis = 1.0e-5;             // sine of the angle to the vertical
+constexpr double kUprightAxis = 1.0e-5;         // sine of the angle to the vertical
 constexpr double kLevel_m = 1.0e-3;             // heights that are nearer are one
 constexpr double kSameArea = 1.0e-3;            // relative: of ceiling and floor
 constexpr std::size_t kComparisonsOfWork = 16;  // of two corners, as long as a byte of text
