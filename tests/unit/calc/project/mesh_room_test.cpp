@@ -90,7 +90,7 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
   EXPECT_EQ(load_room(thick).messages,
             "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': what is the room in 'hall.obj' "
             "is not clear: shell 2 lies in shell 1 and its faces look the other way, so that it "
-            "may be a solid in the room, or the room within thick walls; name one with "
+            "may be a solid in the room, or a room within thick walls; name one with "
             "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
             "room is what lies between all surfaces, such as thick walls)");
   const Loaded chosen = load_room(thick, R"( shell="2")");
