@@ -94,8 +94,11 @@ bool is_element(const FileHead& head, std::initializer_list<std::string_view> na
 }
 
 constexpr std::string_view kToMesh = "export it as OBJ, STL, PLY or glTF";
+constexpr std::string_view kDrawing =
+    "'luxgate import' begins a project with it, or export bodies as OBJ, STL, PLY or glTF";
 constexpr std::string_view kToRooms =
-    "export its rooms as gbXML, or its bodies as OBJ, STL, PLY or glTF";
+    "'luxgate import' begins a project with it, or export its rooms as gbXML, or bodies as OBJ, "
+    "STL, PLY or glTF";
 constexpr std::string_view kToPhotometry =
     "ask the manufacturer for LM-63 (.ies), EULUMDAT (.ldt), TM-33 or GLDF";
 constexpr std::string_view kUnpack = "unpack it and name the file inside";
@@ -137,7 +140,7 @@ constexpr KindRow kKinds[] = {
      [](const FileHead& h) { return begins(h, "\xFF\xFE\xFF\x0ES\0k\0e\0t\0"sv); },
      ".skp"},
     {{"an AutoCAD drawing (DWG)", FileUse::other, kToMesh}, is_dwg, ".dwg"},
-    {{"an AutoCAD drawing (DXF)", FileUse::other, kToMesh},
+    {{"an AutoCAD drawing (DXF)", FileUse::other, kDrawing},
      [](const FileHead& h) { return begins(h, "AutoCAD Binary DXF"sv) || is_text_dxf(h); },
      ".dxf"},
     {{"an IFC building model", FileUse::other, kToRooms},

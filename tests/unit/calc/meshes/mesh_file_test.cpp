@@ -42,8 +42,8 @@ TEST(MeshFile, BytesThatAreNoMeshAreRefused) {
 TEST(MeshFile, FilesOfOtherKindsAreNamed) {
   EXPECT_EQ(parse("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\n", "a.obj").messages,
             "a.obj: error[file-of-other-kind]: this is an IFC building model, and a mesh (OBJ, "
-            "STL, PLY or glTF) is wanted here; export its rooms as gbXML, or its bodies as OBJ, "
-            "STL, PLY or glTF");
+            "STL, PLY or glTF) is wanted here; 'luxgate import' begins a project with it, or "
+            "export its rooms as gbXML, or bodies as OBJ, STL, PLY or glTF");
   // A mesh under a foreign name is a mesh.
   EXPECT_EQ(parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "tile.rad").mesh->format,
             MeshFormat::obj);
