@@ -48,6 +48,8 @@ std::string id_part(std::string_view text) {
                          c == '_' || c == '.' || c == '-';
     if (is_fine) {
       id += c;
+    } else if (c == '$') {  // of a GlobalId, which an id cannot have: so that the way back is clear
+      id += ':';
     } else if (!calc::is_utf8_continuation(c) && c != '*' && c != '?') {
       id += '_';
     }

@@ -65,6 +65,16 @@ TEST(ProjectText, WritesRoomsAndWhatStandsInThem) {
               HasSubstr("<luminaire id=\"L-2A\" type=\"panel\" position=\"1.2346 2 2.5\"/>"));
 }
 
+// What a GlobalId may have and an id may not, so that results lead back to the model.
+TEST(ProjectText, GlobalIdsCanBeReadFromIds) {
+  cli::Design design = a_design();
+  design.room[0].source.key = "0$_Ab3$$9";
+  design.luminaire.push_back(luminaire("1$x", {1, 2, 5.5}));
+  const cli::ProjectText text = cli::project_text(design, a_map(), {"photometry/panel.ies"});
+  EXPECT_THAT(text.xml, HasSubstr("<room id=\"room-0:_Ab3::9\""));
+  EXPECT_THAT(text.xml, HasSubstr("<luminaire id=\"L-1:x\""));
+}
+
 TEST(ProjectText, WhatCannotBeWrittenIsSaid) {
   cli::Design design = a_design();
   design.luminaire = {luminaire("1", {9, 9, 5}), luminaire("2", {1, 1, 6.0}),
