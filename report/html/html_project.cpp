@@ -57,10 +57,9 @@ std::string product_note(const Texts& t, const LuminaireRow& row) {
   if (!row.colour_rendering.empty())
     add(t.say<Text::colour_rendering>(escape_html(row.colour_rendering)));
   if (!row.housing_material.empty()) {
-    add(row.housing_depth_m > 0.0
-            ? t.say<Text::housing_deep>(escape_html(row.housing_material),
-                                        format_metres(t, row.housing_depth_m))
-            : t.say<Text::housing_face>(escape_html(row.housing_material)));
+    add(row.housing_depth_m > 0.0 ? t.say<Text::housing_deep>(escape_html(row.housing_material),
+                                                              format_metres(t, row.housing_depth_m))
+                                  : t.say<Text::housing_face>(escape_html(row.housing_material)));
   }
   return words.empty() ? "" : "<span class=\"note\">" + words + "</span>";
 }
