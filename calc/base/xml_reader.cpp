@@ -28,12 +28,13 @@ std::string shown(std::string_view word) { return shorten_utf8(word, 30); }
 
 }  // namespace
 
+bool is_id_character(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '.' || c == ':' || c == '-';
+}
+
 bool is_id(std::string_view text) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '.' || c == ':' || c == '-';
-  };
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_allowed);
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_id_character);
 }
 
 ElementReader::ElementReader(const XmlElement& element, Diagnostics& diagnostics)

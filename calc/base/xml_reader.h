@@ -15,7 +15,9 @@
 
 namespace calc {
 
-// True for a non-empty text of A-Z, a-z, digits and _ . : -
+// A-Z, a-z, digits and _ . : -
+bool is_id_character(char c);
+// True for a non-empty text of these.
 bool is_id(std::string_view text);
 
 // Getters report problems and then return something harmless of the right size: check ok() before

@@ -122,6 +122,8 @@ std::vector<SheetColumn> type_columns() {
           {"Power of all (W)", 12},
           {"Highest intensity (cd)", 12, 0},
           {"Maintenance factor", 13},
+          {"Material of the housing", 16},
+          {"Depth of the housing (m)", 12, 3},
           {"Photometry file", 24},
           {"Format", 14},
           {"SHA-256 of the file", 20}};
@@ -149,6 +151,8 @@ std::vector<TableCell> type_row(const ProjectPart& project, const LuminaireRow& 
           stated(row.count * row.power_w, has_power || row.count == 0),
           TableNumber{row.max_intensity_cd},
           TableNumber{row.maintenance_factor},
+          row.housing_material,
+          stated(row.housing_depth_m, !row.housing_material.empty()),
           row.photometry_file,
           row.format,
           row.sha256};

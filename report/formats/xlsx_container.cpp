@@ -92,15 +92,8 @@ constexpr std::uint32_t kMidnight = 0, kFirstDay = 0x21;  // 1980-01-01
 
 }  // namespace
 
-void ZipFile::write(std::string_view bytes) {
-  sink_.write(bytes);
-  written_ += bytes.size();
-}
-
-void ZipFile::add(const std::string& name, const PackedFile& file) {
-  const Entry entry{name, file.checksum_, fits_32(file.packed_.size()), fits_32(file.size_),
-                    fits_32(written_)};
-  std::string head("PK\x03\x04");
+// What stands before a file and in the list at the end, from the version that is needed on.
+void ZipFile::add_facts(const Entry& entry, std::string& head) {
   add_16(kZipVersion, head);
   add_16(kNoFlags, head);
   add_16(kDeflated, head);
@@ -110,6 +103,18 @@ void ZipFile::add(const std::string& name, const PackedFile& file) {
   add_32(entry.packed, head);
   add_32(entry.size, head);
   add_16(static_cast<std::uint32_t>(entry.name.size()), head);
+}
+
+void ZipFile::write(std::string_view bytes) {
+  sink_.write(bytes);
+  written_ += bytes.size();
+}
+
+void ZipFile::add(const std::string& name, const PackedFile& file) {
+  const Entry entry{name, file.checksum_, fits_32(file.packed_.size()), fits_32(file.size_),
+                    fits_32(written_)};
+  std::string head("PK\x03\x04");
+  add_facts(entry, head);
   add_16(0, head);  // nothing extra
   write(head + entry.name);
   fits_32(written_ + entry.packed);
@@ -122,16 +127,8 @@ void ZipFile::finish() {
   const std::uint32_t begin = fits_32(written_);
   for (const Entry& entry : entries_) {
     std::string head("PK\x01\x02");
-    add_16(kZipVersion, head);
-    add_16(kZipVersion, head);
-    add_16(kNoFlags, head);
-    add_16(kDeflated, head);
-    add_16(kMidnight, head);
-    add_16(kFirstDay, head);
-    add_32(entry.checksum, head);
-    add_32(entry.packed, head);
-    add_32(entry.size, head);
-    add_16(static_cast<std::uint32_t>(entry.name.size()), head);
+    add_16(kZipVersion, head);  // that wrote it
+    add_facts(entry, head);
     for (int i = 0; i < 4; ++i) add_16(0, head);  // extra, comment, disk, kind
     add_32(0, head);                              // of the file system
     add_32(entry.offset, head);

@@ -50,6 +50,7 @@ class ZipFile {
     std::string name;
     std::uint32_t checksum, packed, size, offset;
   };
+  static void add_facts(const Entry& entry, std::string& head);
   void write(std::string_view bytes);
 
   Sink& sink_;

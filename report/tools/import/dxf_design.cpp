@@ -5,9 +5,11 @@
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
 #include "calc/scene/polygon.h"
+#include "report/tools/import/design_heights.h"
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/design_rooms.h"
 #include "report/tools/import/dxf_outlines.h"
+#include "report/tools/import/dxf_unit.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +25,6 @@
 namespace cli {
 namespace {
 
-constexpr double kLowestBelievedArea_m2 = 1.5, kHighestBelievedArea_m2 = 900.0;
 constexpr double kLowestArea_m2 = 1.0, kHighestArea_m2 = 1.0e5;
 constexpr double kOnePlace_m = 1.0e-4;  // parts of one luminaire
 constexpr double kNameReach_m = 0.5;    // of a text beside an outline
@@ -40,68 +41,6 @@ bool is_outline_kind(Kind kind) {
   return kind == Kind::line || kind == Kind::polyline || kind == Kind::arc || kind == Kind::circle;
 }
 bool is_surface_kind(Kind kind) { return kind == Kind::outline || kind == Kind::face; }
-
-std::string unit_of_header(std::optional<int> header) {
-  switch (header.value_or(0)) {
-    case 1:
-      return "in";
-    case 2:
-      return "ft";
-    case 4:
-      return "mm";
-    case 5:
-      return "cm";
-    case 6:
-      return "m";
-    default:
-      return "";
-  }
-}
-
-std::string header_words(std::optional<int> header) {
-  const std::string unit = unit_of_header(header);
-  if (!unit.empty()) return "the header says " + unit;
-  if (!header || *header == 0) return "the header says none";
-  return fmt::format("the header says number {}, which is none of {}", *header,
-                     calc::join_choices(kImportUnits));
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// "44.6 m2 in mm, 4460 m2 in cm ..."
-std::string areas_in_units(double area) {
-  std::string text;
-  for (const std::string_view unit : kImportUnits) {
-    const double metres = *metres_per_import_unit(unit);
-    text +=
-        fmt::format("{}{:.3g} m2 in {}", text.empty() ? "" : ", ", area * metres * metres, unit);
-  }
-  return text;
-}
-
-// "2800", "2,80 m": a number, with a unit behind it where there is one. In metres.
-std::optional<double> length_of_text(const std::string& text, double metres_per_unit) {
-  std::string number(calc::trim(text));
-  double factor = metres_per_unit;
-  for (const std::string_view unit : {"mm", "cm", "m"}) {
-    if (number.size() <= unit.size() ||
-        calc::ascii_lowered(number).compare(number.size() - unit.size(), unit.size(), unit) != 0) {
-      continue;
-    }
-    number = calc::trim(std::string_view(number).substr(0, number.size() - unit.size()));
-    factor = *metres_per_import_unit(unit);
-    break;
-  }
-  if (std::count(number.begin(), number.end(), ',') == 1 && number.find('.') == number.npos) {
-    number[number.find(',')] = '.';
-  }
-  const std::optional<double> value = calc::parse_number(number);
-  return value ? std::optional(*value * factor) : std::nullopt;
-}
 
 // DLX_BLD1_FL0_CONT: "BLD1_FL0".
 std::string storey_of(const std::string& layer) {
@@ -209,14 +148,8 @@ class Builder {
     return own_key(key);
   }
   std::string own_key(const std::string& wanted) {
-    std::string key;
-    for (const char c : wanted) {
-      const bool is_fine = calc::is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           c == '_' || c == '.' || c == '-';
-      key += is_fine ? c : '_';
-    }
-    const int times = ++used_[key];
-    return times == 1 ? key : own_key(fmt::format("{}-{}", key, times));
+    const int times = ++used_[wanted];
+    return times == 1 ? wanted : own_key(fmt::format("{}-{}", wanted, times));
   }
 
   bool is_ignored(const std::string& layer) const {
@@ -559,7 +492,7 @@ class Builder {
       luminaire.rotation_deg = rotation_of(placed.to_world);
       luminaire.is_mirrored = is_mirrored(placed.to_world);
       add_attributes(placed, luminaire);
-      set_height(rule, what, luminaire);
+      set_height(rule, luminaire);
       if (luminaire.is_mirrored) {
         notes_.doubt(what, "it is mirrored in the drawing: its light is turned, not mirrored",
                      place_of(placed));
@@ -614,7 +547,7 @@ class Builder {
     luminaire.attribute.insert(luminaire.attribute.end(), list.begin(), list.end());
   }
 
-  void set_height(const MapLuminaire& rule, const std::string& what, DesignLuminaire& luminaire) {
+  void set_height(const MapLuminaire& rule, DesignLuminaire& luminaire) {
     const double z = luminaire.position_m.z;
     const std::optional<std::size_t> room =
         room_at(design_, luminaire.position_m, std::nullopt, luminaire.storey);
@@ -632,17 +565,8 @@ class Builder {
       if (const double* number = std::get_if<double>(&source)) {
         above = *number;
       } else {
-        const std::string& name = std::get<FromAttribute>(source).name;
-        for (const auto& [tag, value] : luminaire.attribute) {
-          if (!matches_name(name, tag) || calc::trim(value).empty()) continue;
-          above = length_of_text(value, metres_);
-          if (!above || !(*above > 0.0) || *above > 1000.0) {
-            above.reset();
-            notes_.doubt(what, fmt::format("its attribute {} is no height", tag),
-                         luminaire.source.place);
-          }
-          break;
-        }
+        above =
+            height_of_attribute(luminaire, std::get<FromAttribute>(source).name, metres_, notes_);
       }
       if (!above) continue;
       luminaire.position_m.z = design_.room[*room].floor_z_m + *above;
@@ -833,48 +757,6 @@ class Builder {
 };
 
 }  // namespace
-
-ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
-                       std::optional<int> header, bool is_dialux, std::vector<double> area_units) {
-  ImportUnit unit;
-  const std::string by_header = unit_of_header(header);
-  if (!stated.empty()) {
-    unit.name = stated;
-    unit.reason = fmt::format("stated by {}", stated_by);
-    if (by_header != stated) unit.reason += "; " + header_words(header);
-    return unit;
-  }
-  const std::string ask =
-      "state it by --unit or 'unit' in the map: " + calc::join_choices(kImportUnits);
-  const std::string sizes =
-      area_units.empty()
-          ? "no closed outline of a room is there to tell by (see 'close' of the map for open ones)"
-          : fmt::format("the {} of {} outlines of rooms would have {}", "median", area_units.size(),
-                        areas_in_units(median_of(area_units)));
-  if (is_dialux) {
-    unit.problem = fmt::format(
-        "the unit is not known: {}, and DIALux says there what it does not mean; {}; {}",
-        header_words(header), sizes, ask);
-  } else if (by_header.empty() || area_units.empty()) {
-    unit.problem =
-        fmt::format("the unit is not known: {}; {}; {}", header_words(header), sizes, ask);
-  } else {
-    const double metres = *metres_per_import_unit(by_header);
-    const double area = median_of(area_units) * metres * metres;
-    if (area < kLowestBelievedArea_m2 || area > kHighestBelievedArea_m2) {
-      unit.problem =
-          fmt::format("{}, which is hardly true: {}; {}", header_words(header), sizes, ask);
-    } else {
-      unit.name = by_header;
-      unit.reason =
-          fmt::format("as the header says; the {} has {:.3g} m2",
-                      area_units.size() == 1 ? "only room"
-                                             : fmt::format("median of {} rooms", area_units.size()),
-                      area);
-    }
-  }
-  return unit;
-}
 
 std::optional<Design> design_of_dxf(const DxfDrawing& drawing, const std::string& file,
                                     const ImportMap& map, const std::string& unit_option,

@@ -18,17 +18,6 @@ inline constexpr double kLargestChordError_m = 0.001;
 // Ends of lines this close are one corner.
 inline constexpr double kSamePlace_m = 0.001;
 
-struct ImportUnit {
-  std::string name, reason;  // as Design::unit
-  std::string problem;       // in words: then there is no unit
-};
-// stated: by --unit, else by the map; "" = by nobody. area_units: of the rooms' outlines, in square
-// units of the file. The header is believed only where the median room would have 1.5 to 900 m2:
-// within that, millimetres taken for inches or the other way round are always seen; and not of
-// DIALux, which writes inches whatever it means.
-ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
-                       std::optional<int> header, bool is_dialux, std::vector<double> area_units);
-
 // Empty if and only if `problem` says why. Whatever the map names and the drawing does not have is
 // a note (Kind::left_out).
 std::optional<Design> design_of_dxf(const DxfDrawing& drawing, const std::string& file,

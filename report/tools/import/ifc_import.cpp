@@ -1,6 +1,6 @@
 #include "report/tools/import/ifc_import.h"
 
-#include "calc/base/text.h"
+#include "report/tools/import/design_heights.h"
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/design_rooms.h"
 #include "report/tools/import/ifc_design.h"
@@ -85,22 +85,14 @@ class RuleFinder {
       if (const auto* given = std::get_if<double>(&source)) {
         above_m = *given;
       } else {
-        above_m = by_attribute(one, std::get<FromAttribute>(source).name);
+        above_m = height_of_attribute(one, std::get<FromAttribute>(source).name, metres_per_unit_,
+                                      notes_);
       }
       if (!above_m) continue;
       if (room) one.position_m.z = design_.room[*room].floor_z_m + *above_m;
       return;  // outside of all rooms it is left out for that
     }
     one.has_height = false;
-  }
-
-  std::optional<double> by_attribute(const DesignLuminaire& one, const std::string& wanted) const {
-    for (const auto& [name, value] : one.attribute) {
-      if (!matches_name(wanted, name)) continue;
-      const std::optional<double> number = calc::parse_number(calc::trim(value));
-      return number ? std::optional(*number * metres_per_unit_) : std::nullopt;
-    }
-    return std::nullopt;
   }
 
   Design& design_;

@@ -229,11 +229,22 @@ class Merger {
       } else if (m == nullptr) {
         edits_.push_back({mine.head_end, mine.head_end, fmt::format(" {}=\"{}\"", name, n->value)});
       } else {
-        const char quote = mine_.text()[m->end];
-        // Our own texts have no quotes that end a value.
-        if (n->value.find(quote) == n->value.npos) edits_.push_back({m->begin, m->end, n->value});
+        edits_.push_back({m->begin, m->end, within(n->value, mine_.text()[m->end])});
       }
     }
+  }
+
+  // A value as it stands between quotes of this kind.
+  static std::string within(const std::string& value, char quote) {
+    std::string text;
+    for (const char c : value) {
+      if (c == quote) {
+        text += quote == '"' ? "&quot;" : "&apos;";
+      } else {
+        text += c;
+      }
+    }
+    return text;
   }
 
   // Nothing of it was changed or added by hand.

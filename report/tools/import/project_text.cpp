@@ -4,6 +4,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/base/xml_reader.h"
 #include "calc/scene/polygon.h"
 #include "report/text/markup.h"
 #include "report/tools/import/design_notes.h"
@@ -44,9 +45,7 @@ std::string length_text(double metres) { return short_number(metres, 4); }
 std::string id_part(std::string_view text) {
   std::string id;
   for (const char c : text) {
-    const bool is_fine = calc::is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         c == '_' || c == '.' || c == '-';
-    if (is_fine) {
+    if (calc::is_id_character(c) && c != ':') {
       id += c;
     } else if (c == '$') {  // of a GlobalId, which an id cannot have: so that the way back is clear
       id += ':';

@@ -2,6 +2,7 @@
 
 #include "calc/scene/polygon.h"
 #include "report/tools/import/dxf_outlines.h"
+#include "report/tools/import/dxf_unit.h"
 #include "tests/unit/report/tools/import/dxf_text.h"
 
 #include <gmock/gmock.h>

@@ -1,11 +1,12 @@
 #include "report/tools/import/ifc_import.h"
 
+#include "report/tools/import/design_heights.h"
+#include "tests/unit/report/tools/import/ifc_text.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/unit/report/tools/import/ifc_text.h"
 
 namespace {
 
@@ -58,6 +59,20 @@ TEST(IfcImport, TheMapSaysTheHeight) {
   const cli::FromAttribute tag{"Tag"};  // 1 mm above the floor
   EXPECT_EQ(read(map_with({tag})).luminaire.at(0).position_m.z, 0.001);
   EXPECT_FALSE(read(map_with({cli::FromAttribute{"no"}})).luminaire.at(0).has_height);
+}
+
+// As of drawings: with a unit behind it, or no height at all.
+TEST(IfcImport, HeightsOfAttributesAreReadAsInDrawings) {
+  EXPECT_EQ(cli::length_of_text("2,80 m", 0.001), 2.8);
+  EXPECT_EQ(cli::length_of_text("2800", 0.001), 2.8);
+  EXPECT_FALSE(cli::length_of_text("high", 0.001));
+  Design design;
+  cli::DesignNotes notes(design);
+  cli::DesignLuminaire lamp;
+  lamp.attribute = {{"HEIGHT", " "}, {"Height", "-1"}, {"height", "2.5"}};
+  EXPECT_FALSE(cli::height_of_attribute(lamp, "height", 1.0, notes));
+  ASSERT_EQ(design.note.size(), 1u);
+  EXPECT_THAT(design.note[0].why, HasSubstr("Height is no height"));
 }
 
 TEST(IfcImport, ARoomThatNoRuleFitsHasNone) {

@@ -40,6 +40,16 @@ TEST(ProjectMerge, NothingNewChangesNoByte) {
   EXPECT_THAT(result.conflicts, IsEmpty());
 }
 
+// Whoever writes values between apostrophes gets names that have one.
+TEST(ProjectMerge, QuotesOfTheProjectEndNoValue) {
+  const std::string base = project("  <room id=\"r\" name=\"A\"/>\n");
+  const std::string mine = project("  <room id='r' name='A'/>\n");
+  const std::string next = project("  <room id=\"r\" name=\"B's\"/>\n");
+  const cli::MergedProject result = merged(base, mine, next);
+  EXPECT_EQ(result.xml, project("  <room id='r' name='B&apos;s'/>\n"));
+  EXPECT_THAT(result.changes, ElementsAre("room r, name: A -> B's"));
+}
+
 TEST(ProjectMerge, WhatTheDrawingChangedIsTaken) {
   const std::string base = project(room(lamp("A", "1") + lamp("B", "2")));
   const std::string mine = project(
