@@ -1,6 +1,7 @@
 #include "calc/project/coincident_surfaces.h"
 
 #include "calc/project/warning_words.h"
+#include "calc/scene/box_shelf.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/solids.h"
 
@@ -127,55 +128,15 @@ void append_fan(Body& body, const PlaneFrame& frame, const FlatPiece& piece,
   }
 }
 
-bool overlaps(const BoundingBox& a, const BoundingBox& b, double tolerance_m) {
-  return glm::all(glm::lessThanEqual(a.lower, b.upper + tolerance_m)) &&
-         glm::all(glm::lessThanEqual(b.lower, a.upper + tolerance_m));
-}
-
-// Bodies by where they begin along one axis, so that of many only those nearby are looked at.
-class Shelf {
- public:
-  Shelf(const std::vector<BoundingBox>& box, glm::length_t axis) : box_(box), axis_(axis) {}
-
-  void add(std::size_t body) {
-    bodies_.push_back(body);
-    widest_m_ = std::max(widest_m_, box_[body].upper[axis_] - box_[body].lower[axis_]);
-  }
-  void sort() {
-    std::stable_sort(bodies_.begin(), bodies_.end(), [&](std::size_t a, std::size_t b) {
-      return box_[a].lower[axis_] < box_[b].lower[axis_];
-    });
-  }
-  // In the order of the file.
-  std::vector<std::size_t> near(const BoundingBox& box, double tolerance_m) const {
-    std::vector<std::size_t> found;
-    auto it =
-        std::lower_bound(bodies_.begin(), bodies_.end(), box.lower[axis_] - widest_m_ - tolerance_m,
-                         [&](std::size_t body, double m) { return box_[body].lower[axis_] < m; });
-    for (; it != bodies_.end() && box_[*it].lower[axis_] <= box.upper[axis_] + tolerance_m; ++it) {
-      if (overlaps(box, box_[*it], tolerance_m)) found.push_back(*it);
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-  const std::vector<std::size_t>& bodies() const { return bodies_; }
-
- private:
-  const std::vector<BoundingBox>& box_;
-  glm::length_t axis_;
-  std::vector<std::size_t> bodies_;
-  double widest_m_ = 0.0;
-};
-
 class Settler {
  public:
   Settler(Space& space, std::size_t shell_bodies)
       : space_(space),
         tolerance_m_(std::max(kSamePlane_m, touching_m(extent_m(space)))),
         box_(boxes_of(space)),
-        shell_(box_, longest_axis(box_)),
-        solids_(box_, longest_axis(box_)),
-        sheets_(box_, longest_axis(box_)) {
+        shell_(box_),
+        solids_(box_),
+        sheets_(box_) {
     for (std::size_t i = 0; i < space.bodies.size(); ++i) {
       if (i < shell_bodies) {
         shell_.add(i);
@@ -185,14 +146,12 @@ class Settler {
         sheets_.add(i);
       }
     }
-    for (Shelf* shelf : {&shell_, &solids_, &sheets_}) shelf->sort();
+    for (BoxShelf* shelf : {&shell_, &solids_, &sheets_}) shelf->sort();
   }
 
   void cover() {
-    std::vector<std::size_t> in_file_order = sheets_.bodies();
-    std::sort(in_file_order.begin(), in_file_order.end());
-    for (const std::size_t sheet : in_file_order) {
-      for (const Shelf* shelf : {&shell_, &solids_}) {
+    for (const std::size_t sheet : sheets_.all()) {
+      for (const BoxShelf* shelf : {&shell_, &solids_}) {
         for (const std::size_t below : shelf->near(box_[sheet], tolerance_m_)) {
           for (std::size_t t = 0; t < space_.bodies[sheet].triangle.size(); ++t) {
             cover_by(space_.bodies[sheet], t, space_.bodies[below]);
@@ -204,7 +163,7 @@ class Settler {
 
   void warn_of_sheets_in_sheets(Diagnostics& diagnostics) const {
     std::vector<std::pair<const Body*, const Body*>> pairs;
-    for (const std::size_t sheet : sheets_.bodies()) {
+    for (const std::size_t sheet : sheets_.all()) {
       for (const std::size_t other : sheets_.near(box_[sheet], tolerance_m_)) {
         const Body &upper = space_.bodies[sheet], &lower = space_.bodies[other];
         if (other < sheet && share(upper, lower)) pairs.emplace_back(&upper, &lower);
@@ -224,18 +183,6 @@ class Settler {
     for (const Body& body : space.bodies) boxes.push_back(bounding_box(body.vertex_m));
     return boxes;
   }
-  static glm::length_t longest_axis(const std::vector<BoundingBox>& boxes) {
-    BoundingBox all;
-    for (const BoundingBox& box : boxes) {
-      if (box.is_empty()) continue;
-      all.add(box.lower);
-      all.add(box.upper);
-    }
-    const glm::dvec3 size_m = all.is_empty() ? glm::dvec3(0.0) : all.upper - all.lower;
-    if (size_m.x >= std::max(size_m.y, size_m.z)) return 0;
-    return size_m.y >= size_m.z ? 1 : 2;
-  }
-
   bool lies_in(const PlaneFrame& frame, const Corners3& one, const Corners3& other) const {
     if (!frame.is_valid) return false;
     if (frame.holds(other, tolerance_m_)) return true;
@@ -288,7 +235,7 @@ class Settler {
   Space& space_;
   double tolerance_m_;
   std::vector<BoundingBox> box_;
-  Shelf shell_, solids_, sheets_;
+  BoxShelf shell_, solids_, sheets_;
 };
 
 }  // namespace

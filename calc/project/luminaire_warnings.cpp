@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "calc/project/room_inside.h"
 #include "calc/project/warning_words.h"
+#include "calc/scene/box_shelf.h"
 #include "calc/scene/housing.h"
 #include "calc/scene/luminaire_sums.h"
 #include "calc/scene/opening_fit.h"
@@ -142,53 +143,65 @@ bool reaches_into_solid(const LuminousOpening& opening, const Luminaire& luminai
   return false;
 }
 
+// What both of the next look for: calls visit(luminaire, body, its box) for the luminaires that may
+// have a part in a solid other than their own housing, a solid behind the other.
+template <class Visit>
+void for_each_near_solid(const Project& project, const Space& space, Visit visit) {
+  constexpr double kBeside_m = 1.0e-3;
+  std::vector<BoundingBox> around;
+  for (const Luminaire& luminaire : space.luminaires) {
+    const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+    const double reach_m = 0.5 * glm::length(web.opening().size_m()) + kBeside_m;
+    around.push_back({luminaire.position_m - reach_m, luminaire.position_m + reach_m});
+  }
+  BoxShelf luminaires(around);
+  for (std::size_t i = 0; i < around.size(); ++i) luminaires.add(i);
+  luminaires.sort();
+  for (const Body& body : space.bodies) {
+    if (!body.is_closed) continue;
+    const BoundingBox box = bounding_box(body.vertex_m);
+    for (const std::size_t i : luminaires.near(box, 0.0)) {
+      const Luminaire& luminaire = space.luminaires[i];
+      if (!is_housing_of(body, luminaire)) visit(luminaire, body, box);
+    }
+  }
+}
+
 void warn_luminaires_partly_in_solids(const Project& project, const Space& space,
                                       Diagnostics& diagnostics) {
   PerElement partly;
   std::map<std::pair<int, int>, std::string> solid;
-  for (const Body& body : space.bodies) {
-    if (!body.is_closed) continue;
-    const BoundingBox box = bounding_box(body.vertex_m);
-    for (const Luminaire& luminaire : space.luminaires) {
-      const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
-      const double reach_m = 0.5 * glm::length(web.opening().size_m());
-      if (!(reach_m > 0.0) ||
-          !BoundingBox{box.lower - reach_m, box.upper + reach_m}.contains(luminaire.position_m)) {
-        continue;
-      }
-      if (is_housing_of(body, luminaire)) continue;
-      if (locate_point(body, box, luminaire.position_m) == SolidSide::inside) continue;
-      if (!reaches_into_solid(web.opening(), luminaire, body, box)) continue;
-      partly.add(luminaire.id, luminaire.where);
-      solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
-    }
-  }
+  for_each_near_solid(
+      project, space, [&](const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
+        const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+        if (locate_point(body, box, luminaire.position_m) == SolidSide::inside) return;
+        if (!reaches_into_solid(web.opening(), luminaire, body, box)) return;
+        partly.add(luminaire.id, luminaire.where);
+        solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
+      });
   partly.report([&](const FirstOfElement& first) {
     diagnostics.report(DiagnosticId::luminaire_partly_in_solid, first.where, first.id,
                        and_others(first.others), solid.at({first.where.line, first.where.column}));
   });
 }
 
-void warn_luminaires_in_solids(const Space& space, Diagnostics& diagnostics) {
+void warn_luminaires_in_solids(const Project& project, const Space& space,
+                               Diagnostics& diagnostics) {
   PerElement buried;
   std::map<std::pair<int, int>, std::string> solid;
-  for (const Body& body : space.bodies) {
-    if (!body.is_closed) continue;
-    const BoundingBox box = bounding_box(body.vertex_m);
-    for (const Luminaire& luminaire : space.luminaires) {
-      if (is_housing_of(body, luminaire)) continue;
-      // An opening in its very surface may look into it.
-      constexpr double kBefore_m = 1.0e-3;
-      const glm::dvec3 before_m =
-          luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
-      if (locate_point(body, box, luminaire.position_m) != SolidSide::inside &&
-          locate_point(body, box, before_m) != SolidSide::inside) {
-        continue;
-      }
-      buried.add(luminaire.id, luminaire.where);
-      solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
-    }
-  }
+  for_each_near_solid(project, space,
+                      [&](const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
+                        // An opening in its very surface may look into it.
+                        constexpr double kBefore_m = 1.0e-3;
+                        const glm::dvec3 before_m =
+                            luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
+                        if (locate_point(body, box, luminaire.position_m) != SolidSide::inside &&
+                            locate_point(body, box, before_m) != SolidSide::inside) {
+                          return;
+                        }
+                        buried.add(luminaire.id, luminaire.where);
+                        solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
+                      });
   buried.report([&](const FirstOfElement& first) {
     diagnostics.report(DiagnosticId::luminaire_in_solid, first.where, first.id,
                        and_others(first.others), solid.at({first.where.line, first.where.column}));
@@ -386,7 +399,7 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
   for (const Body& body : space.bodies) {
     if (body.encloses_room) warn_luminaires_outside_mesh(space, body, diagnostics);
   }
-  warn_luminaires_in_solids(space, diagnostics);
+  warn_luminaires_in_solids(project, space, diagnostics);
   warn_luminaires_partly_in_solids(project, space, diagnostics);
   warn_coincident_luminaires(project, space, diagnostics);
   warn_lamp_tilts(project, space, diagnostics);

@@ -63,20 +63,19 @@ LuminousOpening flattened(const LuminousOpening& opening) {
 
 bool OpeningFit::is_cut(const LuminousOpening& opening, const Luminaire& luminaire) {
   if (!opening.is_body()) return false;
-  if (body_box_.empty()) {
+  if (!bodies_) {
     for (const Body& body : space_.bodies) body_box_.push_back(bounding_box(body.vertex_m));
+    bodies_.emplace(body_box_);
+    for (std::size_t i = 0; i < body_box_.size(); ++i) bodies_->add(i);
+    bodies_->sort();
   }
   const glm::dvec3 half = glm::max(0.5 * opening.size_m() - kTouch_m, glm::dvec3(0.0));
   const double reach_m = glm::length(half);
   const glm::dmat3 to_local = glm::transpose(luminaire.world_from_luminaire);
-  for (std::size_t i = 0; i < body_box_.size(); ++i) {
-    const BoundingBox& box = body_box_[i];
+  const BoundingBox around{luminaire.position_m - reach_m, luminaire.position_m + reach_m};
+  for (const std::size_t i : bodies_->near(around, 0.0)) {
     const Body& body = space_.bodies[i];
     if (is_housing_of(body, luminaire)) continue;
-    const bool is_apart = box.is_empty() ||
-                          glm::any(glm::greaterThan(box.lower, luminaire.position_m + reach_m)) ||
-                          glm::any(glm::lessThan(box.upper, luminaire.position_m - reach_m));
-    if (is_apart) continue;
     for (const glm::uvec3& t : body.triangle) {
       const auto local = [&](std::uint32_t v) {
         return to_local * (body.vertex_m[v] - luminaire.position_m);

@@ -2,9 +2,11 @@
 // Whether a luminaire's luminous body has room where it was placed.
 
 #include "calc/photometry/web.h"
+#include "calc/scene/box_shelf.h"
 #include "calc/scene/project.h"
 #include "calc/scene/solids.h"
 
+#include <optional>
 #include <vector>
 
 namespace calc {
@@ -16,6 +18,8 @@ class OpeningFit {
  public:
   // space must outlive this object.
   explicit OpeningFit(const Space& space) : space_(space) {}
+  OpeningFit(const OpeningFit&) = delete;
+  OpeningFit& operator=(const OpeningFit&) = delete;
 
   // Whether a surface cuts through the body's bounding box, as the ceiling does through that of a
   // luminaire placed at its height: light from the part beyond would be lost. Surfaces that touch
@@ -26,7 +30,8 @@ class OpeningFit {
 
  private:
   const Space& space_;
-  std::vector<BoundingBox> body_box_;  // made when first needed
+  std::vector<BoundingBox> body_box_;
+  std::optional<BoxShelf> bodies_;  // made when first needed
 };
 
 }  // namespace calc
