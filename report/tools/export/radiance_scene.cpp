@@ -181,13 +181,10 @@ std::string write_readme(const calc::Project& project, const calc::Space& space,
               : fmt::format(", which `luxgate compare RESULT.json radiance.csv{}` reads.\n",
                             is_partial ? " --partial" : "");
   text += fmt::format(
-      "`JOBS=4 ./run.sh` takes four cores. Its options: {} reflections, after which less than 0.2 "
-      "% "
-      "of the reflected light is under way, and 1024 rays from each point, which leave a scatter "
-      "of "
-      "about 0.5 % at a point and less in averages; `-ad 4096` makes it half of that, in four "
-      "times "
-      "the time.\n",
+      "`JOBS=4 ./run.sh` takes four cores. Its options: {} reflections, after which less than "
+      "0.2 % of the reflected light is under way, and 1024 rays from each point, which leave a "
+      "scatter of about 0.5 % at a point and less in averages; `-ad 4096` makes it half of that, "
+      "in four times the time.\n",
       ambient_bounces(scene));
   text += R"md(
 | file | what it is |
@@ -224,7 +221,8 @@ those that luxgate calls maintained.
       "gamma) from each "
       "side that the photometry lights. Points are lifted by {} m along their normals, off the "
       "surfaces they may lie "
-      "in. In Radiance a source hides what lies behind it, in luxgate it does not: large openings "
+      "in. In Radiance a source hides what lies behind it, in luxgate only one with a "
+      "`<housing>`: large openings "
       "before a bright ceiling take some of the reflected light away.\n",
       number(kPointRadius_m), number(kLift_m));
   if (!light.changed.empty()) {

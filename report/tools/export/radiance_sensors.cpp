@@ -12,11 +12,13 @@ namespace cli::radiance {
 namespace {
 
 // The mean over N planes of light from one side, an odd number, is off by at most 1 - x cot x of
-// the integral's, x = pi / (2 N): 0.19 % for 21. An even one would be off by four times as much.
+// the integral's, x = pi / (2 N). An even one would be off by four times as much.
 constexpr int kAround = 21;
+constexpr const char* kAroundError = "0.19 %";
 // Spread evenly on a spiral over the sphere; by trial with 20000 directions of light the sum is
 // off by at most 0.48 %.
 constexpr int kOverSphere = 150;
+constexpr const char* kSphereError = "0.5 %";
 
 void add_around(std::vector<Sensor>& sensors, const glm::dvec3& at, const glm::dvec3& first,
                 const glm::dvec3& second) {
@@ -85,24 +87,24 @@ std::string sum_words(const calc::SensorGrid& grid) {
     case calc::ReceiverKernel::cylindrical:
       return fmt::format(
           "cylindrical illuminance is the mean of {} planes along the axis, evenly spread around "
-          "it: off by at most 0.19 %",
-          kAround);
+          "it: off by at most {}",
+          kAround, kAroundError);
     case calc::ReceiverKernel::semicylindrical:
       return fmt::format(
           "semicylindrical illuminance is the mean of {} upright planes all around, plus 1 / pi of "
           "the plane that looks along the axis, less 1 / pi of the one that looks back: off by at "
-          "most 0.19 % of the cylindrical illuminance",
-          kAround);
+          "most {} of the cylindrical illuminance",
+          kAround, kAroundError);
     case calc::ReceiverKernel::hemispherical:
       return fmt::format(
           "hemispherical illuminance is the mean of {} planes all over a sphere, plus a quarter of "
           "the plane that looks along the axis, less a quarter of the one that looks back: off by "
-          "at most 0.5 % of the scalar illuminance",
-          kOverSphere);
+          "at most {} of the scalar illuminance",
+          kOverSphere, kSphereError);
     case calc::ReceiverKernel::scalar:
       return fmt::format(
-          "scalar illuminance is the mean of {} planes all over a sphere: off by at most 0.5 %",
-          kOverSphere);
+          "scalar illuminance is the mean of {} planes all over a sphere: off by at most {}",
+          kOverSphere, kSphereError);
   }
   return "";
 }
