@@ -4,6 +4,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "report/tools/import/design_heights.h"
 #include "report/tools/import/design_notes.h"
@@ -683,8 +684,11 @@ class Builder {
         }
       } else {
         for (const PlanPiece& piece : list) {
-          if (piece.point.size() < 2 || piece.point.size() > 200) {
-            notes_.left_out("route", "2 to 200 corners are needed", piece.place);
+          const std::size_t corners = piece.point.size() + (piece.is_closed ? 1 : 0);
+          if (corners < 2 || corners > calc::kRouteCornerLimit) {
+            notes_.left_out("route",
+                            fmt::format("2 to {} corners are needed", calc::kRouteCornerLimit),
+                            piece.place);
             continue;
           }
           DesignLine line;

@@ -1,7 +1,10 @@
 #include "report/tools/import/dxf_outlines.h"
 
+#include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/polygon_mend.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +60,9 @@ void take_ring(std::vector<glm::dvec3> ring, const PlanPiece& first, double same
     outline.is_level = outline.is_level && std::fabs(point.z - ring.front().z) <= same;
     outline.z = std::min(outline.z, point.z);
   }
-  if (outline.corner.size() > 2000) {
-    found.failure.push_back({"it has more than 2000 corners", first.place});
+  if (outline.corner.size() > calc::kCornerLimit) {
+    found.failure.push_back(
+        {fmt::format("it has more than {} corners", calc::kCornerLimit), first.place});
     return;
   }
   if (!calc::is_simple_polygon(outline.corner)) {

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/text.h"
+#include "calc/base/text_lengths.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
 #include "calc/base/xml_reader.h"
@@ -26,7 +27,8 @@ namespace {
 // Of luminaires in a ceiling: in the very plane of it their light would not reach the room.
 constexpr double kBelowCeiling_m = 0.01;
 constexpr std::size_t kLongestName = 200;
-constexpr std::size_t kLongestPart = 150;  // of an id, see calc/base/text_lengths.h
+// Of an id: before it stands what the thing is, and the room when an assembly copies it.
+constexpr std::size_t kLongestPart = calc::kLongestId - 50;
 
 double rounded(double value, double steps_per_unit) {
   return std::round(value * steps_per_unit) / steps_per_unit;
