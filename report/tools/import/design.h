@@ -13,6 +13,9 @@
 
 namespace cli {
 
+// Arcs become chords that are at most so far from them.
+inline constexpr double kChordError_m = 1.0e-3;
+
 // Where a thing is in its file: what finds it again at the next import and for a reader of the
 // report. key: unique in the file and the same in its next version wherever the file allows it
 // (GlobalId of IFC, handle of DXF, else layer and place). place: in words, "layer A-ROOM, line

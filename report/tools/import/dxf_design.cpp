@@ -296,7 +296,7 @@ class Builder {
   std::vector<PlanPiece> pieces_of(const std::vector<DxfPlaced>& list, const std::string& what) {
     std::vector<PlanPiece> pieces;
     for (const DxfPlaced& placed : list) {
-      if (!add_piece(placed, kLargestChordError_m / metres_, metres_, pieces)) {
+      if (!add_piece(placed, kChordError_m / metres_, metres_, pieces)) {
         notes_.left_out(what, "it is too far away", place_of(placed));
       }
     }
@@ -641,7 +641,7 @@ class Builder {
 
   bool take_rectangle(const DxfPlaced& placed, glm::dvec3& centre, DesignBox& box) const {
     if (placed.entity->kind != Kind::polyline) return false;
-    std::vector<glm::dvec3> corner = placed.corners(kLargestChordError_m / metres_);
+    std::vector<glm::dvec3> corner = placed.corners(kChordError_m / metres_);
     if (corner.size() == 5 && corner[0] == corner[4]) corner.pop_back();
     if (corner.size() != 4) return false;
     const glm::dvec2 u(corner[1] - corner[0]), v(corner[3] - corner[0]), w(corner[2] - corner[1]);

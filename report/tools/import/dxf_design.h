@@ -13,8 +13,6 @@
 
 namespace cli {
 
-// Arcs become chords that are at most so far from them.
-inline constexpr double kLargestChordError_m = 0.001;
 // Ends of lines this close are one corner.
 inline constexpr double kSamePlace_m = 0.001;
 

@@ -2,6 +2,7 @@
 // Plane outlines of IFC: profiles of extrusions, and the curves that they are made of.
 
 #include "calc/project/project_elements.h"
+#include "report/tools/import/design.h"
 #include "report/tools/import/ifc_file.h"
 
 #include <glm/glm.hpp>
@@ -11,11 +12,10 @@
 
 namespace cli {
 
-inline constexpr double kChordError_m = 1.0e-3;  // of arcs that become chords
 inline constexpr double kOutlineGap_m = 1.0e-3;  // ends of curves that are nearer meet
 inline constexpr double kSamePoint_m = 1.0e-6;   // corners that are nearer are one
-inline constexpr std::size_t kMostCorners =
-    calc::kCornerLimit;  // of an outline: what a project takes
+// Of an outline: what a project takes.
+inline constexpr std::size_t kMostCorners = calc::kCornerLimit;
 
 // Metres, in the profile's own plane. Corners in any direction, the first one not repeated; an
 // outline may cross itself.
