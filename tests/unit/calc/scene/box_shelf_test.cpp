@@ -47,7 +47,7 @@ TEST(BoxShelf, FindsWhatLookingAtAllFinds) {
       found += expected.size();
     }
   }
-  EXPECT_GT(found, 1000u);
+  EXPECT_GT(found, 500u);  // the searches are not all empty
 }
 
 TEST(BoxShelf, OfNothingIsNothing) {

@@ -63,8 +63,8 @@ TEST(IfcImport, TheMapSaysTheHeight) {
 
 // As of drawings: with a unit behind it, or no height at all.
 TEST(IfcImport, HeightsOfAttributesAreReadAsInDrawings) {
-  EXPECT_EQ(cli::length_of_text("2,80 m", 0.001), 2.8);
-  EXPECT_EQ(cli::length_of_text("2800", 0.001), 2.8);
+  EXPECT_DOUBLE_EQ(cli::length_of_text("2,80 m", 0.001).value(), 2.8);
+  EXPECT_DOUBLE_EQ(cli::length_of_text("2800", 0.001).value(), 2.8);
   EXPECT_FALSE(cli::length_of_text("high", 0.001));
   Design design;
   cli::DesignNotes notes(design);
