@@ -250,6 +250,7 @@ class HtmlWriter : public FormatWriter {
   void add_project(const ProjectPart& project, const std::vector<Chapter>& chapters);
   void add_to_masthead(const ProjectPart& project, const std::vector<Chapter>& chapters);
   void write_masthead(const DocumentEnd& end, Sink& sink) const;
+  bool has_cover() const;
   std::string page_title() const;
 
   const DocumentFrame& frame_;
@@ -261,7 +262,7 @@ class HtmlWriter : public FormatWriter {
   std::size_t project_ = 0;            // the next one
   std::map<std::string, int> titles_;  // how many projects have each
   std::string only_title_;             // of the first one
-  std::string about_;                  // of the only one
+  std::string about_, on_cover_;       // of the only one
   std::vector<Section> sections_;      // of the first ones
   Spill paths_;
   std::string foot_;  // of pages; of the only project
@@ -378,6 +379,7 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
       {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
   if (!is_only()) return;
   about_ = html_about(t_, project.about);
+  if (has_cover()) on_cover_ = html_cover_picture(t_, project);
   foot_ = foot_words(t_, project);
   for (std::size_t s = 0; folder_.empty() && s < project.spaces.size() && s < kMostRooms; ++s) {
     const SpacePart& space = project.spaces[s];
@@ -420,10 +422,15 @@ std::string HtmlWriter::page_title() const {
   return is_only() ? only_title_ : t_.say<Text::project_count>(frame_.paths.size());
 }
 
+bool HtmlWriter::has_cover() const {
+  if (style_.cover != Cover::automatic) return style_.cover == Cover::always;
+  return !about_.empty();
+}
+
 void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
-  sink.write(std::string("<header>\n<p class=\"eyebrow\">luxgate · ") +
-             t_[Text::compliance_report] + "</p>\n<h1>" + page_title() +
-             "</h1>\n<p class=\"quiet paths\">");
+  sink.write(std::string("<header>\n") + (has_cover() ? "<div class=\"cover\">\n" : "") +
+             "<p class=\"eyebrow\">luxgate · " + t_[Text::compliance_report] + "</p>\n<h1>" +
+             page_title() + "</h1>\n<p class=\"quiet paths\">");
   paths_.copy_to(sink);
   if (!end.provenance.timestamp.empty()) {
     sink.write(" · " + escape_html(end.provenance.timestamp));
@@ -436,15 +443,16 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.insert(sections.end(), sections_.begin(), sections_.end());
   sections.push_back({"#method", t_[Text::method_title]});
   sections.push_back({"#provenance", t_[Text::provenance]});
-  sink.write("</p>\n" + about_ + html_verdict_banner(t_, frame_, end.totals, end.provenance) +
-             contents(t_, sections, numbers_) + "</header>\n");
+  sink.write("</p>\n" + on_cover_ + about_ +
+             html_verdict_banner(t_, frame_, end.totals, end.provenance) +
+             (has_cover() ? "</div>\n" : "") + contents(t_, sections, numbers_) + "</header>\n");
 }
 
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   const std::string symbol = outcome_symbol(end.totals.outcome);
   const std::string foot = is_only() ? foot_ : page_title();
   sink.write(page_start(t_, symbol + " " + page_title(),
-                        page_rules(t_, style_.paper, {running_head(t_), "", foot})));
+                        page_rules(t_, style_.paper, {running_head(t_), "", foot}, has_cover())));
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);

@@ -19,6 +19,16 @@ std::string picture_title(const Texts& t, const RoomPicture& picture) {
   return picture.title;
 }
 
+// kind: attributes of the element.
+std::string picture_html(const Texts& t, const SpacePart& space, const RoomPicture& picture,
+                         const char* kind) {
+  return fmt::format(
+      "<img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n", kind,
+      base64(picture.png), picture.width, picture.height,
+      t.say<Text::picture_words>(escape_html(title_of(space.name, space.id)),
+                                 escape_html(picture_title(t, picture))));
+}
+
 }  // namespace
 
 std::string html_room(const Texts& t, const SpacePart& space) {
@@ -30,13 +40,7 @@ std::string html_room(const Texts& t, const SpacePart& space) {
   if (pictures.list.empty()) return {};
   const ColourScale scale{pictures.low_lx, pictures.step_lx, pictures.bands};
   std::string html = "<figure class=\"room\">\n";
-  for (const RoomPicture& picture : pictures.list) {
-    html += fmt::format(
-        "<img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n",
-        base64(picture.png), picture.width, picture.height,
-        t.say<Text::picture_words>(escape_html(title_of(space.name, space.id)),
-                                   escape_html(picture_title(t, picture))));
-  }
+  for (const RoomPicture& picture : pictures.list) html += picture_html(t, space, picture, "");
   html += html_colour_bar(t, scale, {});
   std::string beyond;
   if (pictures.highest_lx > scale.high()) {
@@ -46,6 +50,14 @@ std::string html_room(const Texts& t, const SpacePart& space) {
          t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share),
                                       t.english_html(escape_html(pictures.device))) +
          "</figcaption></figure>\n";
+}
+
+std::string html_cover_picture(const Texts& t, const ProjectPart& project) {
+  for (const SpacePart& space : project.spaces) {
+    if (space.pictures.list.empty()) continue;
+    return picture_html(t, space, space.pictures.list.front(), " class=\"on-cover\"");
+  }
+  return {};
 }
 
 }  // namespace report

@@ -12,4 +12,7 @@ namespace report {
 // none were asked for.
 std::string html_room(const Texts& t, const SpacePart& space);
 
+// An <img>, seen on paper alone: the first picture of the first room that has one. "" = none has.
+std::string html_cover_picture(const Texts& t, const ProjectPart& project);
+
 }  // namespace report

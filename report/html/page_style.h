@@ -14,6 +14,9 @@ namespace report {
 enum class Annex { automatic, always, never };
 inline constexpr std::size_t kMostAnnexValues = 2500;
 
+// A page of its own before all else, on paper. automatic: where the project says whose it is.
+enum class Cover { automatic, always, never };
+
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").
 using PageNumbers = std::map<std::string, int>;
 
@@ -21,6 +24,7 @@ struct PageStyle {
   Paper paper = Paper::a4;                     // when it is printed
   ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
   Annex annex = Annex::automatic;
+  Cover cover = Cover::automatic;
 };
 
 }  // namespace report

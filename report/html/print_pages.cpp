@@ -35,7 +35,7 @@ std::string css_string(std::string_view text) {
   return safe + "\"";
 }
 
-std::string page_rules(const Texts& t, Paper paper, const PageWords& words) {
+std::string page_rules(const Texts& t, Paper paper, const PageWords& words, bool has_cover) {
   std::string rules;
   // Lower than A4, and as many planes are to fit.
   if (paper == Paper::letter) {
@@ -50,7 +50,12 @@ std::string page_rules(const Texts& t, Paper paper, const PageWords& words) {
   if (!words.foot.empty()) rules += box("bottom-left", line(words.foot, kLongestFoot));
   rules += box("bottom-right", css_string(std::string(t[Text::page_on_paper]) + " ") +
                                    " counter(page) \" / \" counter(pages)");
-  return rules + "}\n";
+  rules += "}\n";
+  if (has_cover) {
+    rules += "@page :first {\n" + box("bottom-left", "none") + box("bottom-right", "none") + "}\n";
+    if (paper == Paper::letter) rules += "@media print { .cover { min-height: 245mm; } }\n";
+  }
+  return rules;
 }
 
 std::string foot_words(const Texts& t, const ProjectPart& project) {

@@ -23,7 +23,8 @@ std::string css_string(std::string_view text);
 struct PageWords {
   std::string head, room, foot;
 };
-std::string page_rules(const Texts& t, Paper paper, const PageWords& words);
+// has_cover: nothing stands at the edges of the first page.
+std::string page_rules(const Texts& t, Paper paper, const PageWords& words, bool has_cover = false);
 
 // What the foot says of a project: its name, number, revision and date.
 std::string foot_words(const Texts& t, const ProjectPart& project);

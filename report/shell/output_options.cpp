@@ -110,6 +110,12 @@ std::vector<Option> output_options(OutputOptions& options) {
        choice<report::Annex>(options.page.annex, {{"auto", report::Annex::automatic},
                                                   {"always", report::Annex::always},
                                                   {"never", report::Annex::never}})},
+      {"--cover", "WHEN",
+       "A cover page of pdf, and of html when it is printed: auto, always or never; default auto:\n"
+       "where one project says whose it is (its 'about')",
+       choice<report::Cover>(options.page.cover, {{"auto", report::Cover::automatic},
+                                                  {"always", report::Cover::always},
+                                                  {"never", report::Cover::never}})},
       {"--scale", "OF",
        "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
        "room, or each plane for itself; default project",

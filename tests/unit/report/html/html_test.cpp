@@ -297,7 +297,7 @@ TEST(Html, ProjectDataAreInTheHead) {
   about.revision = "b";
   about.logo = {"l.png", calc::LogoFormat::png, "foobar"};
   const pugi::xml_document tree = parsed(render_html(document));
-  const pugi::xml_node block = tree.select_node("//header/div[@class='about']").node();
+  const pugi::xml_node block = tree.select_node("//header//div[@class='about']").node();
   EXPECT_EQ(text_of(block.child("dl")), "ClientMeier & SonsRevisionb");
   EXPECT_STREQ(block.child("img").attribute("src").value(), "data:image/png;base64,Zm9vYmFy");
   EXPECT_STREQ(block.child("img").attribute("alt").value(), "Logo");
@@ -307,6 +307,35 @@ TEST(Html, ProjectDataAreInTheHead) {
   const std::string html = render_html(document);
   EXPECT_THAT(html, HasSubstr("<dd>Meier &amp; Sons</dd>"));
   EXPECT_THAT(html, HasSubstr("<dd>Other</dd>"));
+}
+
+// A cover by itself is for projects that go to somebody: those that say whose they are.
+TEST(Html, ACoverIsForProjectsThatSayWhoseTheyAre) {
+  Document document = small_document();
+  const auto has_cover = [&](Cover cover) {
+    PageStyle style;
+    style.cover = cover;
+    const std::string html =
+        render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
+          return html_writer(frame, place, {}, "", style);
+        });
+    const pugi::xml_document tree = parsed(html);
+    const pugi::xml_node block = tree.select_node("//header/div[@class='cover']").node();
+    // What a reader must know of a document stands on it; the contents come behind.
+    EXPECT_EQ(!block.empty(), !block.select_node("h1").node().empty());
+    EXPECT_EQ(!block.empty(), !block.select_node("*[contains(@class, 'banner')]").node().empty());
+    EXPECT_FALSE(tree.select_node("//header/nav").node().empty());
+    // Its page has no head and no foot.
+    EXPECT_EQ(!block.empty(), html.find("@bottom-left { content: none; }") != std::string::npos);
+    return !block.empty();
+  };
+  EXPECT_FALSE(has_cover(Cover::automatic));
+  EXPECT_TRUE(has_cover(Cover::always));
+  document.projects[0].about.client = "Meier";
+  EXPECT_TRUE(has_cover(Cover::automatic));
+  EXPECT_FALSE(has_cover(Cover::never));
+  document.projects.push_back(document.projects[0]);
+  EXPECT_FALSE(has_cover(Cover::automatic));
 }
 
 TEST(Html, LinksAndIdsMatch) {
