@@ -10,11 +10,13 @@ namespace report {
 // Fills part.luminaires and part.bodies; scene is the prepared space. Of a body the outline of its
 // faces that look up is kept, or all its edges where there are none (a screen), and the convex hull
 // instead of more than kMostBodyLines lines. Surfaces of the room itself are left out, and bodies
-// beyond kMostBodies are only counted (part.bodies_left_out).
+// beyond kMostBodies are only counted (part.bodies_left_out). Of a room from a file, which has
+// nothing but surfaces, part.surface_lines_m: where they bend or end.
 void add_plan_marks(const calc::Project& project, const calc::Space& space,
                     const calc::PreparedScene& scene, SpacePart& part);
 
 inline constexpr std::size_t kMostBodies = 500;
 inline constexpr std::size_t kMostBodyLines = 64;
+inline constexpr std::size_t kMostSurfaceLines = 2000;
 
 }  // namespace report

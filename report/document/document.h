@@ -233,6 +233,9 @@ struct SpacePart {
   std::vector<SurfaceFinish> finishes;
   std::vector<BodyMark> bodies;
   std::size_t bodies_left_out = 0;  // too many to draw
+  // Where surfaces of a room from a file bend or end, two ends each; the longest, if too many.
+  std::vector<glm::dvec3> surface_lines_m;
+  std::size_t surface_lines_left_out = 0;
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
   std::vector<std::string> notes;            // zones of workplaces that were not made, and why

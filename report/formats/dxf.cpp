@@ -310,6 +310,7 @@ FlatBox box_of(const ProjectPart& project) {
       box.add(mark.position_m);
       for (const glm::dvec2& corner : mark.outline_m) box.add(corner);
     }
+    for (const glm::dvec3& end : space.surface_lines_m) box.add(end);
     for (const BodyMark& body : space.bodies) {
       for (const auto& line : body.lines_m) {
         for (const glm::dvec2& end : line) box.add(end);
@@ -430,6 +431,11 @@ void DxfWriter::draw_room(const SpacePart& space, const glm::dvec2& shift_m, dou
     box.add(corners.back());
   }
   dxf_polyline(kRooms, corners, true, DxfColour::by_layer, dxf_);
+  const glm::dvec3 shift(shift_m, 0.0);
+  for (std::size_t i = 0; i + 1 < space.surface_lines_m.size(); i += 2) {
+    dxf_line(kRooms, space.surface_lines_m[i] + shift, space.surface_lines_m[i + 1] + shift, dxf_);
+    if (space.footprint_m.empty()) box.add(space.surface_lines_m[i] + shift);
+  }
   if (!box.is_empty()) {
     const glm::dvec3 at(box.low + 0.5 * text_m, space.floor_z_m);
     dxf_words(kRoomNames, at, text_m, dxf_text(dxf_signs(title_of(space.name, space.id))),
@@ -440,6 +446,10 @@ void DxfWriter::draw_room(const SpacePart& space, const glm::dvec2& shift_m, dou
       dxf_line(kFurniture, {line[0] + shift_m, body.high_z_m}, {line[1] + shift_m, body.high_z_m},
                dxf_);
     }
+  }
+  if (space.surface_lines_left_out > 0) {
+    note(fmt::format("{}: {} {}", title_of(space.name, space.id), t_[Text::layout_surface_lines],
+                     t_.say<Text::layout_lines_left_out>(space.surface_lines_left_out)));
   }
   if (space.bodies_left_out > 0) {
     note(fmt::format("{}: {}", title_of(space.name, space.id),

@@ -129,6 +129,7 @@ FlatBox extent_of(const SpacePart& space, Sight sight) {
     if (!plane.outline_m.empty()) continue;
     for (const PointRow& point : plane.points) extent.add(seen(sight, point.position_m));
   }
+  add_all(space.surface_lines_m);
   if (!space.footprint_m.empty()) return extent;
   for (const BodyMark& body : space.bodies) {
     for (const auto& line : body.lines_m) {
@@ -227,6 +228,17 @@ std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sig
     numbers += labels.put(places, number, "number");
   }
   return drawing_path("luminaire", signs) + numbers;
+}
+
+// Lines that are seen as a point are left out.
+std::string surface_lines(const DrawingView& view, const SpacePart& space, Sight sight) {
+  std::string data;
+  for (std::size_t i = 0; i + 1 < space.surface_lines_m.size(); i += 2) {
+    const glm::dvec2 from = seen(sight, space.surface_lines_m[i]),
+                     to = seen(sight, space.surface_lines_m[i + 1]);
+    if (from != to) data += view.path({from, to}, false);
+  }
+  return drawing_path("surface", data);
 }
 
 std::string furniture(const DrawingView& view, const SpacePart& space) {
@@ -371,7 +383,7 @@ std::string elevation(const Texts& t, const DrawingView& view, const SpacePart& 
         "wall",
         view.path({room.low, {room.high.x, room.low.y}, room.high, {room.low.x, room.high.y}}));
   }
-  svg += standing_furniture(view, space, sight);
+  svg += surface_lines(view, space, sight) + standing_furniture(view, space, sight);
   std::string areas;
   for (const PlanePart& plane : space.planes) areas += view.path(seen(sight, corners_of(plane)));
   DrawingLabels none;
@@ -457,7 +469,8 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
       "font-size=\"{2}\" role=\"img\" aria-label=\"{3}\">\n",
       svg_number(width), svg_number(height), kDrawingText_mm, words);
   svg += drawing_words({kLeft_mm, kTop_mm - 2.2}, t[Text::layout_plan], "start", "view");
-  svg += drawing_path("wall", plan.path(space.footprint_m)) + furniture(plan, space);
+  svg += drawing_path("wall", plan.path(space.footprint_m)) +
+         surface_lines(plan, space, Sight::plan) + furniture(plan, space);
   if (has_points) svg += point_signs(plan, space);
   const std::string luminaires = luminaire_signs(plan, space, Sight::plan, labels);
   svg += plane_signs(plan, groups, labels) + luminaires + lengths.svg +
@@ -476,6 +489,9 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
     notes += std::string(" ") + t[Text::layout_no_heights];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
+  if (!space.surface_lines_m.empty()) notes += std::string(" ") + t[Text::layout_surface_lines];
+  if (space.surface_lines_left_out > 0)
+    notes += " " + t.say<Text::layout_lines_left_out>(space.surface_lines_left_out);
   return std::string("<figure class=\"layout-figure") + (is_short(project) ? "" : " of-many") +
          "\">\n" + scroll_box(words, svg) + key_of(t, space, groups) + "<figcaption>" +
          t.say<Text::layout_caption>(scale_words(t, scale)) + notes + "</figcaption></figure>\n";

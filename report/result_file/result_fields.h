@@ -286,6 +286,14 @@ void describe(auto& v, Is<SpacePart> auto& space) {
           {.words = "Furniture as seen from above.", .presence = kSinceLater});
   v.field("bodies_left_out", space.bodies_left_out,
           {.words = "Furniture that is too much to draw.", .presence = kSinceLater});
+  v.field("surface_lines_m", space.surface_lines_m,
+          {.words = "Where surfaces of a room from a file bend or end: two ends each, one behind "
+                    "the other.",
+           .presence = only_if(!space.surface_lines_m.empty())});
+  v.refuse_if(space.surface_lines_m.size() % 2 != 0, "surface_lines_m", "an end without a start");
+  v.field("surface_lines_left_out", space.surface_lines_left_out,
+          {.words = "Such lines that are too many to draw, the shortest.",
+           .presence = only_if(space.surface_lines_left_out > 0)});
   v.field("flux_balance", space.balance);
   v.field("planes", space.planes);
   v.field("coverage", space.coverage,

@@ -70,6 +70,59 @@ TEST(PlanMarks, VerticesMayBeRepeatedForEveryFace) {
   EXPECT_EQ(part.bodies.at(0).lines_m.size(), 4U);
 }
 
+Room room_from_file(std::vector<calc::Body> bodies) {
+  Room room = empty_room();
+  room.space.shell.reset();
+  room.space.surfaces_file = "hall.obj";
+  room.space.bodies = std::move(bodies);
+  return room;
+}
+
+// A box has twelve edges; the diagonals of its sides are no lines of a drawing. Its faces are
+// bodies of their own here, as in gbXML, and know each other by their places.
+TEST(PlanMarks, RoomsFromFilesHaveTheLinesWhereSurfacesBend) {
+  const calc::Body whole = box("hall", {0, 0, 0}, {4, 3, 2});
+  std::vector<calc::Body> faces;
+  for (std::size_t i = 0; i < whole.triangle.size(); i += 2) {
+    calc::Body face;
+    for (std::size_t k = i; k < i + 2; ++k) {
+      const auto first = static_cast<unsigned>(face.vertex_m.size());
+      for (int c = 0; c < 3; ++c) face.vertex_m.push_back(whole.vertex_m[whole.triangle[k][c]]);
+      face.triangle.emplace_back(first, first + 1, first + 2);
+    }
+    faces.push_back(face);
+  }
+  for (const Room& room : {room_from_file({whole}), room_from_file(faces)}) {
+    SpacePart part;
+    add_plan_marks(room.project, room.space, room.scene, part);
+    EXPECT_TRUE(part.bodies.empty());
+    ASSERT_EQ(part.surface_lines_m.size(), 24U);
+    double sum = 0;
+    for (std::size_t i = 0; i < 24; i += 2)
+      sum += glm::distance(part.surface_lines_m[i], part.surface_lines_m[i + 1]);
+    EXPECT_NEAR(sum, 4 * (4 + 3 + 2), 1e-12);
+    EXPECT_EQ(part.surface_lines_left_out, 0U);
+  }
+  // A missing side: its borders are lines, which they were already.
+  faces.pop_back();
+  const Room open = room_from_file(faces);
+  SpacePart part;
+  add_plan_marks(open.project, open.space, open.scene, part);
+  EXPECT_EQ(part.surface_lines_m.size(), 24U);
+}
+
+TEST(PlanMarks, OfTooManyLinesTheLongestAreKept) {
+  std::vector<calc::Body> bodies;
+  for (int i = 0; i < 200; ++i)  // twelve lines each
+    bodies.push_back(box("b", {2.0 * i, 0, 0}, {2.0 * i + 0.5, 0.5, 0.5 + (i == 150 ? 1.0 : 0.0)}));
+  const Room room = room_from_file(bodies);
+  SpacePart part;
+  add_plan_marks(room.project, room.space, room.scene, part);
+  EXPECT_EQ(part.surface_lines_m.size(), 2 * kMostSurfaceLines);
+  EXPECT_EQ(part.surface_lines_left_out, 2400 - kMostSurfaceLines);
+  EXPECT_EQ(glm::distance(part.surface_lines_m[0], part.surface_lines_m[1]), 1.5);
+}
+
 TEST(PlanMarks, ScreenIsALine) {
   Room room = empty_room();
   calc::Body screen;

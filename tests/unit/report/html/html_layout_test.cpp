@@ -248,5 +248,23 @@ TEST(HtmlLayout, NamesAreText) {
   EXPECT_THAT(html, Not(HasSubstr("<script>")));
 }
 
+// A post in a corner and a beam: nothing else says how large the room is.
+TEST(HtmlLayout, RoomsFromFilesAreDrawnByTheLinesOfTheirSurfaces) {
+  Document document = hall();
+  SpacePart& space = document.projects[0].spaces[0];
+  EXPECT_THAT(shown(document), Not(HasSubstr("class=\"surface\"")));
+  space.footprint_m.clear();
+  space.surface_lines_m = {{20, 0, 3}, {20, 0, 7}, {0, 0, 7}, {20, 0, 7}};
+  const std::string html = shown(document);
+  const Drawing drawing(html);
+  // From above the post is a point; the elevation has both.
+  EXPECT_EQ(drawing.numbers("surface", 0).size(), 4U);
+  EXPECT_EQ(drawing.numbers("surface", 1).size(), 8U);
+  EXPECT_THAT(html, HasSubstr("bend or end"));
+  EXPECT_THAT(html, Not(HasSubstr("such lines")));
+  space.surface_lines_left_out = 7;
+  EXPECT_THAT(shown(document), HasSubstr("7 such lines"));
+}
+
 }  // namespace
 }  // namespace report
