@@ -8,6 +8,7 @@ binary. Where LUXGATE_SHARED_DATA has real drawings, every one must be listed or
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -123,6 +124,42 @@ def refusals():
     expect(suggested.returncode == 0 and "at least one [[room]]" in done.stderr, "a suggested map is read back")
 
 
+def the_example():
+    """The commands of its README as a reader types them, its bytes, and a drawing that changed."""
+    name = "18-from-a-drawing"
+    example = WORK / name
+    shutil.copytree(EXAMPLES / name, example)
+    text = (example / "README.md").read_text()
+    blocks = re.findall(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)
+    variables = dict(os.environ, PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
+    output, count = "", 0
+    for line in "".join(block for kind, block in blocks if kind == "sh").splitlines():
+        command, _, code = line.partition("    # exit code ")
+        done = subprocess.run(["bash", "-c", command], cwd=example, env=variables, capture_output=True, text=True, check=False)
+        output += done.stdout
+        count += 1
+        expect(done.returncode == int(code or 0), f"{name}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    expect(count == 6, f"{name}: {count} commands are in its README")
+    for line in "".join(block for kind, block in blocks if kind == "").splitlines():
+        expect(line in output.splitlines(), f"{name}: not printed: {line}")
+    expect((example / "fresh/project.xml").read_bytes() == (EXAMPLES / name / ".luxgate-import.xml").read_bytes(),
+           f"{name}: the import makes other bytes than .luxgate-import.xml has")
+    for file in ("project.xml", ".luxgate-import.xml"):
+        expect((example / file).read_bytes() == (EXAMPLES / name / file).read_bytes(), f"{name}: the second import changes {file}")
+    maker = pathlib.Path(__file__).resolve().parent / "make_example_drawing.py"
+    subprocess.run([sys.executable, "-B", maker, WORK / "made.dxf"], check=True)
+    plan = (example / "plan.dxf").read_bytes()
+    expect(plan == (WORK / "made.dxf").read_bytes(), f"{name}: plan.dxf is not what {maker.name} writes")
+
+    moved = plan.replace(b" 10\r\n9150\r\n 20\r\n5375\r\n", b" 10\r\n9150\r\n 20\r\n5000\r\n")
+    (example / "plan.dxf").write_bytes(moved)
+    done = run("import", example / "plan.dxf", "--map", example / "map.toml", "-o", example, "--json")
+    changes = json.loads(done.stdout)["changes"]
+    expect(len(changes) == 1 and "position: 9.15 5.375 2.79 -> 9.15 5 2.79" in changes[0], f"{name}: after a move: {changes}")
+    mine = (EXAMPLES / name / "project.xml").read_text().replace("9.15 5.375 2.79", "9.15 5 2.79")
+    expect((example / "project.xml").read_text() == mine, f"{name}: a move changes more than one place")
+
+
 def by_ezdxf():
     try:
         import ezdxf  # pylint: disable=import-outside-toplevel
@@ -164,6 +201,7 @@ WORK.mkdir(parents=True)
 shutil.copy(EXAMPLES / "photometry/lambert_panel_600.ies", WORK / "panel.ies")
 the_way_of_a_project()
 refusals()
+the_example()
 by_ezdxf()
 real_drawings()
 if problems:
