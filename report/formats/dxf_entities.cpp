@@ -182,6 +182,8 @@ void dxf_head(const std::map<std::string, DxfLayer>& layers, const glm::dvec2& l
   dxf_section("HEADER", dxf);
   dxf_group(9, "$ACADVER", dxf);
   dxf_group(1, "AC1009", dxf);
+  dxf_group(9, "$DWGCODEPAGE", dxf);
+  dxf_group(3, kDxfCodePage, dxf);
   dxf_group(9, "$EXTMIN", dxf);
   dxf_point(10, {low, 0.0}, dxf);
   dxf_group(9, "$EXTMAX", dxf);

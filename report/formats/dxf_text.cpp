@@ -1,5 +1,6 @@
 #include "report/formats/dxf_text.h"
 
+#include "calc/base/encoding.h"
 #include "calc/base/utf8.h"
 #include "report/text/number_format.h"
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace report {
@@ -19,6 +21,23 @@ using Pieces = std::vector<std::string>;
 // No value of a group holds these: line ends, and what terminals or readers take for commands.
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
+// Its byte in the file's code page, which dxf_head() names; 0: it has none.
+char windows_1252_byte(char32_t code) {
+  if (code >= 0xA0 && code <= 0xFF) return static_cast<char>(code);
+  static const std::map<char32_t, char> kOthers = [] {
+    std::map<char32_t, char> others;
+    for (int byte = 0x80; byte < 0xA0; ++byte) {
+      const std::string utf8 = calc::utf8_from_windows_1252(static_cast<unsigned char>(byte));
+      const char32_t letter = calc::first_character(utf8).code;
+      constexpr char32_t kNone = 0xFFFD;
+      if (letter != kNone) others[letter] = static_cast<char>(byte);
+    }
+    return others;
+  }();
+  const auto found = kOthers.find(code);
+  return found == kOthers.end() ? '\0' : found->second;
+}
+
 std::string piece_of(char32_t code) {
   if (is_control(code)) return " ";
   if (code == U'\\') return "\\U+005C";
@@ -27,6 +46,7 @@ std::string piece_of(char32_t code) {
   if (code == U'\u00B0') return "%%d";
   if (code == U'\u00B1') return "%%p";
   if (code < 0x7F) return {static_cast<char>(code)};
+  if (const char byte = windows_1252_byte(code)) return {byte};
   return code <= 0xFFFF ? fmt::format("\\U+{:04X}", static_cast<unsigned>(code))
                         : fmt::format("<U+{:04X}>", static_cast<unsigned>(code));
 }

@@ -11,10 +11,13 @@ namespace report {
 // R12 has room for 255 bytes in a value.
 inline constexpr std::size_t kMostDxfBytes = 250;
 
-// As the value of one group: ASCII on one line, at most kMostDxfBytes long, of which a cut text
-// ends with "...". utf8: anything; what printable() makes of it is shown. Characters beyond ASCII
-// become \U+XXXX ("°" and "±" the codes of R12), those beyond 16 bits "<U+1F4A1>", which R12 has no
-// escape for; \ and ^ are escaped and "%%" is "% %", so that no name is a control code.
+// As R12 calls Windows-1252, in which texts are.
+inline constexpr std::string_view kDxfCodePage = "ANSI_1252";
+
+// As the value of one group: bytes of Windows-1252 on one line, at most kMostDxfBytes long, of
+// which a cut text ends with "...". utf8: anything; what printable() makes of it is shown. Other
+// characters become \U+XXXX ("°" and "±" the codes of R12), those beyond 16 bits "<U+1F4A1>", which
+// R12 has no escape for; \ and ^ are escaped and "%%" is "% %", so that no name is a control code.
 std::string dxf_text(std::string_view utf8);
 
 // A long text as several values of at most `columns` >= 1 characters each, broken at blanks where

@@ -72,6 +72,7 @@ def read(path):
     """Read strictly, and examined."""
     drawing = ezdxf.readfile(path)
     expect(drawing.dxfversion == "AC1009", f"{path.name}: version {drawing.dxfversion}")
+    expect(drawing.encoding == "cp1252" and drawing.header["$DWGCODEPAGE"] == "ANSI_1252", f"{path.name}: encoding {drawing.encoding}")
     audit = drawing.audit()
     for found in [*audit.errors, *audit.fixes]:
         # It loses the owners of what ends polylines in blocks, in R12 files of AutoCAD, too.
@@ -162,6 +163,7 @@ def check(name, project, *more):
 
 
 evil = check("evil", "evil.xml")
+expect(b"B\xfcro" in (WORK / "evil.dxf").read_bytes(), "letters of Western Europe are no bytes of Windows-1252")
 expect(SHOWN in words(evil, "LUX_ROOM_NAMES"), f"names: {words(evil, 'LUX_ROOM_NAMES')}")
 names = words(evil, "LUX_PLANE_NAMES")
 expect(SHOWN + ": pass" in names and "over: fail" in names, f"planes: {names}")

@@ -124,6 +124,25 @@ def refusals():
     expect(suggested.returncode == 0 and "at least one [[room]]" in done.stderr, "a suggested map is read back")
 
 
+def the_way_back():
+    """What --format dxf writes is read back: outlines in metres and names in every alphabet."""
+    name = "B\u00fcro \u20ac \u0151 \u03a9 \u65e5 50 %"
+    (WORK / "back.xml").write_text(f"""<luxgate version="1"><material id="m" reflectance="0.5"/>
+<luminaire-type id="p" photometry="panel.ies"/><room id="r" name="{name}" size="5 4 2.8" ceiling="m" walls="m" floor="m">
+<luminaire id="L1" type="p" position="2 2 2.7"/></room></luxgate>""", encoding="utf-8")
+    done = run("check", "back.xml", "--quiet", "--pictures", "off", "--format", "dxf=back.dxf")
+    expect((WORK / "back.dxf").exists(), f"no drawing: {done.stderr}")
+    (WORK / "back.toml").write_text("""[[room]]
+layer = "LUX_ROOMS"
+names = "LUX_ROOM_NAMES"
+height = 2.8
+reflectances = [0.5, 0.5, 0.5]
+""")
+    done = run("import", "back.dxf", "--map", "back.toml", "--unit", "m", "--json")
+    rooms = json.loads(done.stdout)["room_list"]
+    expect([(room["name"], room["area_m2"]) for room in rooms] == [(name, 20.0)], f"the way back: {rooms}")
+
+
 def the_example():
     """The commands of its README as a reader types them, its bytes, and a drawing that changed."""
     name = "18-from-a-drawing"
@@ -201,6 +220,7 @@ WORK.mkdir(parents=True)
 shutil.copy(EXAMPLES / "photometry/lambert_panel_600.ies", WORK / "panel.ies")
 the_way_of_a_project()
 refusals()
+the_way_back()
 the_example()
 by_ezdxf()
 real_drawings()
