@@ -28,7 +28,8 @@ struct Finding {
   std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
   std::optional<glm::dvec3>
       place_m;  // of the minimum (of uniformities, too), the maximum or the value
-  // For undecided and not_judged, in words; of others only that there is nothing to be rated.
+  // For undecided and not_judged, in words; of others that there is nothing to be rated, or the
+  // doubt about other points of what one point is enough to fail.
   std::string reason;
   // `measured` without each replicate in turn, see rules/measure/leave_one_out.h; empty: not known.
   std::vector<double> without_replicate = {};

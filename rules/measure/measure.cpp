@@ -9,6 +9,7 @@
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
+#include "rules/measure/despite_doubt.h"
 #include "rules/measure/leave_one_out.h"
 #include "rules/measure/neighbour_pairs.h"
 #include "rules/measure/outage.h"
@@ -152,6 +153,11 @@ std::optional<std::size_t> place_among(const std::vector<std::size_t>& chosen,
   return static_cast<std::size_t>(found - chosen.begin());
 }
 
+// The point, among the masked ones, as a point of the grid.
+void place_in_grid(const MaskedPoints& masked, std::optional<MetricEstimate>& metric) {
+  if (metric && metric->point) metric->point = masked.points[*metric->point];
+}
+
 Measurement nothing_to_measure(const std::string& reason) {
   Measurement result;
   result.reason = reason;
@@ -198,6 +204,9 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   result.unseen_points = found->unseen_points;
   result.single_sample_points = found->single_sample_points;
   const calc::Estimate& estimate = found->estimate;
+  if (found->unseen_points + found->single_sample_points > 0 || !calc::is_finite(estimate)) {
+    result.despite_doubt = despite_doubt(points, requirement, request.confidence);
+  }
   if (std::isfinite(estimate.low) && std::isfinite(estimate.high)) {
     result.metric = MetricEstimate{estimate, found->point};
     return result;
@@ -324,6 +333,13 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
   result.active = spread_marks(active, masked.points, grid.position_m.size());
   result.unseen_points = found->unseen_points;
   result.single_sample_points = found->single_sample_points;
+  if (found->unseen_points + found->single_sample_points > 0 || !calc::is_finite(found->estimate)) {
+    result.despite_doubt = despite_doubt(pairs, request.requirement, request.confidence);
+  }
+  if (result.despite_doubt) {
+    const std::size_t of = pairs.pair(result.despite_doubt->point.value())[0];
+    result.despite_doubt->point = masked.points[of];
+  }
   if (std::isfinite(found->estimate.high)) {
     const std::size_t of = pairs.pair(found->point.value())[0];
     result.metric = MetricEstimate{found->estimate, masked.points[of]};
@@ -373,6 +389,7 @@ Measurement measure_of_average(const Requirement& requirement, const calc::Senso
   Requirement average = requirement;
   average.metric = Metric::average;
   Measurement result = measure(average, grid, field, scenes, confidence, goal);
+  result.despite_doubt.reset();  // of the average
   if (!result.metric) return result;
   const calc::Estimate lx = result.metric->estimate;
   result.metric.reset();
@@ -509,9 +526,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
             ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,
                             masked, request)
             : measure_modelling(receivers, masked, request);
-    if (result.metric && result.metric->point) {
-      result.metric->point = masked.points[*result.metric->point];
-    }
+    place_in_grid(masked, result.metric);
+    place_in_grid(masked, result.despite_doubt);
     if (result.active.empty()) return result;
     result.active =
         repeated(spread_marks(result.active, masked.points, grid.position_m.size()), parts);
@@ -558,9 +574,13 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   result.unseen_points = doubtful.unseen;
   result.single_sample_points = doubtful.single_sample;
   result.largest_share = doubtful.largest_share;
+  if (doubtful.unseen + doubtful.single_sample > 0) {
+    result.despite_doubt = despite_doubt(values, requirement, confidence);
+  }
   result.active =
       repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
-  if (result.metric->point) result.metric->point = masked.points[*result.metric->point];
+  place_in_grid(masked, result.metric);
+  place_in_grid(masked, result.despite_doubt);
   return result;
 }
 

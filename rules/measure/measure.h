@@ -23,10 +23,13 @@ struct Measurement {
   std::string reason;
   std::size_t points_used = 0;  // that the requirement's mask leaves
   // Points whose value is not known to be what was measured, only as far as they matter for this
-  // quantity. While there are any, neither pass nor fail is proved.
+  // quantity. While there are any, a pass is not proved, and a fail by `despite_doubt` only.
   std::size_t unseen_points = 0;         // no sampled light has reached them, although some may
   std::size_t single_sample_points = 0;  // a single sample is too large a share of their value
   float largest_share = 0.0F;            // of those single samples, the largest; 0: not known
+  // Where there are such points, or no finite interval: what the others prove, see
+  // despite_doubt.h.
+  std::optional<MetricEstimate> despite_doubt;
   // What must be read with the interval where it leaves the verdict open; or "".
   std::string remark;
   // Nothing is there that the quantity could be of, and so it is less than every limit: its value
@@ -41,6 +44,8 @@ struct Measurement {
   // The value without each replicate, see leave_one_out.h; empty: exact, or of quantities that do
   // not come from the points' illuminances alone.
   std::vector<double> without_replicate;
+
+  bool has_doubtful_points() const { return unseen_points > 0 || single_sample_points > 0; }
 };
 
 // The levels of a scene's groups; of "", where all are at 1, none. Null: there is no such scene.

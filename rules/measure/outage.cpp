@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -27,15 +28,47 @@ calc::LightScene without(calc::LightScene scene, const std::string& group) {
   return scene;
 }
 
-// The lower of two results counts, or for an upper limit the higher; end by end, since each end
-// holds for its own result.
-void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse) {
-  const calc::Estimate a = worst.metric->estimate, b = next.metric->estimate;
+// The worse of two estimates, end by end, since each end holds for its own result.
+MetricEstimate worse_of(const MetricEstimate& one, const MetricEstimate& next,
+                        bool is_lower_worse) {
+  const calc::Estimate &a = one.estimate, &b = next.estimate;
   const auto worse = [&](double x, double y) {
     return is_lower_worse ? std::min(x, y) : std::max(x, y);
   };
-  if (worse(a.value, b.value) != a.value) worst.metric->point = next.metric->point;
-  worst.metric->estimate = {worse(a.value, b.value), worse(a.low, b.low), worse(a.high, b.high)};
+  return {{worse(a.value, b.value), worse(a.low, b.low), worse(a.high, b.high)},
+          worse(a.value, b.value) != a.value ? next.point : one.point};
+}
+
+// What is known of a result whatever its doubtful points are.
+std::optional<MetricEstimate> known_of(const Measurement& result) {
+  return result.has_doubtful_points() ? result.despite_doubt : result.metric;
+}
+
+// Of both results: one that is known to be bad is enough, whatever the other one is.
+std::optional<MetricEstimate> worse_known(const Measurement& a, const Measurement& b,
+                                          bool is_lower_worse) {
+  const std::optional<MetricEstimate> of_a = known_of(a), of_b = known_of(b);
+  std::optional<MetricEstimate> worst =
+      of_a && of_b ? worse_of(*of_a, *of_b, is_lower_worse) : (of_a ? of_a : of_b);
+  if (!worst) return std::nullopt;
+  calc::Estimate& estimate = worst->estimate;
+  if (is_lower_worse) {
+    estimate.low = std::min(estimate.low, 0.0);
+  } else {
+    estimate.high = kInfinity;
+  }
+  return worst;
+}
+
+// The lower of two results counts, or for an upper limit the higher.
+void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse) {
+  const auto worse = [&](double x, double y) {
+    return is_lower_worse ? std::min(x, y) : std::max(x, y);
+  };
+  if (worst.has_doubtful_points() || next.has_doubtful_points()) {
+    worst.despite_doubt = worse_known(worst, next, is_lower_worse);
+  }
+  worst.metric = worse_of(*worst.metric, *next.metric, is_lower_worse);
   if (worst.without_replicate.size() != next.without_replicate.size()) {
     worst.without_replicate.clear();  // one of them is exact, or has none
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rules {
 namespace {
@@ -55,12 +56,11 @@ std::string undecided_text(const calc::Estimate& estimate, double limit,
                                               required);
 }
 
-std::string unseen_text(std::size_t unseen, std::size_t points) {
-  return calc::say<calc::Sentence::unseen>(unseen, points);
-}
-
-std::string single_sample_text(std::size_t doubtful, std::size_t points) {
-  return calc::say<calc::Sentence::single_sample>(doubtful, points);
+std::string doubt_text(const Measurement& measurement, const calc::SensorGrid& grid) {
+  const std::size_t points = grid.position_m.size();
+  return measurement.unseen_points > 0
+             ? calc::say<calc::Sentence::unseen>(measurement.unseen_points, points)
+             : calc::say<calc::Sentence::single_sample>(measurement.single_sample_points, points);
 }
 
 // Times the light paths that would take the limit out of the interval and the largest sample out
@@ -108,9 +108,39 @@ int digits_of(const Requirement& requirement) {
       is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
 }
 
+// One failure that is sure is enough; the doubt about other points is said all the same.
+std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
+                                            const Measurement& measurement,
+                                            const calc::SensorGrid& grid) {
+  const std::optional<MetricEstimate>& known = measurement.despite_doubt;
+  const bool is_doubtful = measurement.has_doubtful_points();
+  if (!known || (measurement.metric && !is_doubtful)) return std::nullopt;
+  const calc::Estimate& estimate = known->estimate;
+  if (!calc::is_finite(estimate) && !has_open_ends(requirement, estimate)) return std::nullopt;
+  const Decision decision = decide(requirement, estimate);
+  if (decision.verdict != Verdict::fail) return std::nullopt;
+  Finding finding;
+  finding.requirement = requirement;
+  finding.verdict = decision.verdict;
+  finding.measured = estimate;
+  finding.is_close = decision.is_close;
+  finding.by_tolerance = decision.by_tolerance;
+  finding.margin = margin(estimate.value, requirement.comparison, requirement.limit);
+  finding.points_used = measurement.points_used;
+  if (known->point) finding.place_m = grid.position_m[*known->point];
+  finding.reason = is_doubtful ? doubt_text(measurement, grid) : measurement.reason;
+  return finding;
+}
+
 }  // namespace
 
 bool has_open_ends(const Requirement& requirement, const calc::Estimate& measured) {
+  const bool is_open_above = std::isfinite(measured.low) && std::isfinite(measured.value) &&
+                             measured.low <= measured.value && measured.high == kInfinity;
+  if (is_open_above && !is_lower_limit(requirement.comparison) &&
+      decide(requirement, measured).verdict == Verdict::fail) {
+    return true;
+  }
   const bool is_rating = requirement.derived == calc::DerivedQuantity::ugr ||
                          requirement.metric == Metric::ugr_table ||
                          requirement.metric == Metric::glare_rating;
@@ -126,6 +156,7 @@ Decision decide(const Requirement& requirement, const calc::Estimate& measured) 
 
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid) {
+  if (auto failed = failed_despite_doubt(requirement, measurement, grid)) return *failed;
   Finding finding;
   finding.requirement = requirement;
   if (!measurement.metric) {
@@ -148,17 +179,13 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.without_replicate = measurement.without_replicate;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
   finding.reason = measurement.nothing_there;
-  const std::size_t points = grid.position_m.size();
-  const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
   if (finding.verdict == Verdict::undecided) {
     finding.reason = undecided_text(finding.measured, limit, requirement);
     if (!measurement.remark.empty()) finding.reason += "; " + measurement.remark;
   }
-  if (!is_doubtful) return finding;
-  if (measurement.unseen_points > 0) {
-    finding.reason = unseen_text(measurement.unseen_points, points);
-  } else if (finding.verdict != Verdict::undecided) {
-    finding.reason = single_sample_text(measurement.single_sample_points, points);
+  if (!measurement.has_doubtful_points()) return finding;
+  if (measurement.unseen_points > 0 || finding.verdict != Verdict::undecided) {
+    finding.reason = doubt_text(measurement, grid);
   }
   finding.verdict = Verdict::undecided;
   finding.is_doubtful = true;

@@ -21,8 +21,9 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence);
 
-// Glare ratings alone may have ends, or a value, that are infinite: what no observer sees is rated
-// less than any number, and for some sources the formula is not stated.
+// Glare ratings may have ends, or a value, that are infinite: what no observer sees is rated less
+// than any number, and for some sources the formula is not stated. Else the upper end alone may be
+// open, of what fails an upper limit already by its lower end (despite_doubt.h).
 bool has_open_ends(const Requirement& requirement, const calc::Estimate& measured);
 
 // What a value says about its requirement's limit; doubts of sampling are not in it. measured: in

@@ -20,7 +20,7 @@ std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
 }
 
 bool is_accurate(const Measurement& measurement, double tolerance) {
-  if (measurement.unseen_points > 0 || measurement.single_sample_points > 0) return false;
+  if (measurement.has_doubtful_points()) return false;
   if (!measurement.metric || !measurement.nothing_there.empty()) return true;
   if (measurement.by_samples && !calc::is_finite(*measurement.by_samples)) {
     return true;  // nothing but what is not sampled
@@ -31,9 +31,9 @@ bool is_accurate(const Measurement& measurement, double tolerance) {
 
 bool is_decided(const Requirement& requirement, const Measurement& measurement,
                 const calc::SensorGrid& grid) {
-  // The first sample that arrives makes a uniformity defined.
-  if (!measurement.metric && measurement.unseen_points > 0) return false;
   const Finding finding = judge_measurement(requirement, measurement, grid);
+  // The first sample that arrives makes a uniformity defined.
+  if (finding.verdict == Verdict::not_judged && measurement.unseen_points > 0) return false;
   return finding.verdict != Verdict::undecided ||
          (measurement.is_open_for_good && !finding.is_doubtful);
 }
