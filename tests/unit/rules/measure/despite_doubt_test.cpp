@@ -271,11 +271,11 @@ TEST(DespiteDoubt, FailsWhereEveryPossiblePlaneFails) {
     const bool fails = known && decide(requirement, known->estimate).verdict == Verdict::fail;
     ASSERT_TRUE(!known || decide(requirement, known->estimate).verdict != Verdict::pass);
     if (fails) {
-      ASSERT_TRUE(always_fails) << name_of(metric) << " " << limit << " round " << round;
+      ASSERT_TRUE(always_fails) << calc::name_of(metric) << " " << limit << " round " << round;
     }
     // What a value between those that were tried would do, is not asked of Uo and Ud.
     if (!is_of_ratio) {
-      ASSERT_EQ(fails, always_fails) << name_of(metric) << " " << limit << " round " << round;
+      ASSERT_EQ(fails, always_fails) << calc::name_of(metric) << " " << limit << " round " << round;
     }
     ++(fails ? failed : open);
   }
