@@ -3,6 +3,7 @@ luxgate_test(evidence_tests
   SOURCES
     unit/report/tools/export/export_test.cpp
     unit/report/tools/export/gltf_test.cpp
+    unit/report/tools/export/ifc_results_test.cpp
     mutation/mutations_test.cpp
     unit/report/tools/selftest/selftest_test.cpp
     unit/report/tools/compare/value_table_test.cpp

@@ -22,6 +22,7 @@ luxgate_test(report_tests
     unit/report/html/html_test.cpp
     unit/report/html/isolux_test.cpp
     unit/report/result_file/json_test.cpp
+    unit/report/text/ifc_guid_test.cpp
     unit/report/text/number_format_test.cpp
     unit/report/html/pass_factor_test.cpp
     unit/report/html/print_pages_test.cpp

@@ -11,7 +11,7 @@ set(folders
   gpu
   report/document report/text report/stream report/revision report/policy report/build report/images report/html report/result_file report/formats report/check
   report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/config report/tools/converge
-  report/tools/devices report/tools/export report/tools/geometry report/tools/help report/tools/import report/tools/init report/tools/photometry
+  report/tools/devices report/tools/geometry report/tools/help report/tools/import report/tools/export report/tools/init report/tools/photometry
   report/tools/policy report/tools/report report/tools/rules report/tools/selftest report/tools/store report/tools/submit report/tools/sweep report/tools/schema report/tools/validate
   report/tools/vpl report/tools/watch report/cli report/python)
 

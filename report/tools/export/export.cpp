@@ -5,11 +5,13 @@
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
 #include "report/formats/write.h"
+#include "report/result_file/read_json.h"
 #include "report/shell/chosen_space.h"
 #include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/plain_text.h"
 #include "report/tools/export/gltf_files.h"
+#include "report/tools/export/ifc_results.h"
 #include "report/tools/export/radiance_lights.h"
 #include "report/tools/export/radiance_scene.h"
 #include "report/tools/export/radiance_sensors.h"
@@ -120,22 +122,27 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
   return files;
 }
 
+// "" = the file can be written.
+std::string obstacle(const ExportOptions& options, const std::string& path,
+                     const RecordingReader& inputs) {
+  for (const std::string& input : inputs.paths()) {
+    if (path_identity(input) == path_identity(path)) {
+      return fmt::format("'{}' was read as an input and is not overwritten", path);
+    }
+  }
+  std::error_code ignored;
+  if (!options.overwrites && fs::exists(path, ignored)) {
+    return fmt::format("'{}' is there already; --force replaces files of an earlier export", path);
+  }
+  return writability(path);
+}
+
 // "" = every file can be written.
 std::string obstacle(const ExportOptions& options, const std::vector<ExportedFile>& files,
                      const RecordingReader& inputs) {
   for (const ExportedFile& file : files) {
-    const std::string path = (fs::path(options.folder) / file.name).string();
-    for (const std::string& input : inputs.paths()) {
-      if (path_identity(input) == path_identity(path)) {
-        return fmt::format("'{}' was read as an input and is not overwritten", path);
-      }
-    }
-    std::error_code ignored;
-    if (!options.overwrites && fs::exists(path, ignored)) {
-      return fmt::format("'{}' is there already; --force replaces files of an earlier export",
-                         path);
-    }
-    const std::string problem = writability(path);
+    const std::string path = (fs::path(options.output) / file.name).string();
+    const std::string problem = obstacle(options, path, inputs);
     if (!problem.empty()) return problem;
   }
   return "";
@@ -172,7 +179,7 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
   std::string problem = obstacle(options, exported, files);
   for (const ExportedFile& file : exported) {
     if (!problem.empty()) break;
-    const std::string path = (fs::path(options.folder) / file.name).string();
+    const std::string path = (fs::path(options.output) / file.name).string();
     const std::string failure = report::write_file_atomically(path, file.text);
     if (!failure.empty()) problem = fmt::format("cannot write '{}': {}", path, failure);
     if (file.name == "run.sh" && failure.empty()) {
@@ -186,13 +193,55 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
     return "";
   }
   std::string text = fmt::format("Wrote {} file{} into {}.", exported.size(),
-                                 exported.size() == 1 ? "" : "s", options.folder);
-  text += is_radiance ? fmt::format(" Next: {}\n", (fs::path(options.folder) / "run.sh").string())
+                                 exported.size() == 1 ? "" : "s", options.output);
+  text += is_radiance ? fmt::format(" Next: {}\n", (fs::path(options.output) / "run.sh").string())
                       : std::string("\n");
   const char* head = is_radiance ? "Not as in luxgate" : "Note";
   for (const std::string& note : notes) {
     text += fmt::format("{}: {}\n", head, report::printable(note));
   }
+  return text;
+}
+
+// Empty after an error.
+std::optional<std::string> read_input(const std::string& path, const calc::FileReader& files,
+                                      calc::Diagnostics& diagnostics) {
+  calc::FileContent content = files.read(path);
+  if (content.ok()) return std::move(content.bytes);
+  diagnostics.report(DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
+  return std::nullopt;
+}
+
+// Results into a model. The text is "" after an error.
+std::string export_ifc(const ExportOptions& options, const RecordingReader& files, bool& is_all,
+                       calc::Diagnostics& diagnostics) {
+  const std::optional<std::string> model = read_input(options.project, files, diagnostics);
+  const std::optional<std::string> json = read_input(options.results, files, diagnostics);
+  if (!model || !json) return "";
+  std::string problem;
+  const std::optional<report::Document> result = report::read_json(*json, problem);
+  if (!result) {
+    diagnostics.report(DiagnosticId::result_not_readable, {}, options.results, problem);
+    return "";
+  }
+  const std::optional<IfcWithResults> with = ifc_with_results(*model, *result, problem);
+  if (!with) {
+    diagnostics.report(DiagnosticId::output_not_possible, {options.project, 0, 0}, problem);
+    return "";
+  }
+  problem = obstacle(options, options.output, files);
+  if (problem.empty()) {
+    problem = report::write_file_atomically(options.output, with->text);
+    if (!problem.empty()) problem = fmt::format("cannot write '{}': {}", options.output, problem);
+  }
+  if (!problem.empty()) {
+    diagnostics.report(DiagnosticId::output_not_possible, {}, problem);
+    return "";
+  }
+  is_all = with->is_all;
+  std::string text = fmt::format("Wrote {} with the results of {} room{}.\n", options.output,
+                                 with->rooms, with->rooms == 1 ? "" : "s");
+  for (const std::string& note : with->notes) text += "Note: " + note + "\n";
   return text;
 }
 
@@ -202,7 +251,10 @@ CommandOutcome run_export(const ExportOptions& options, const calc::FileReader& 
   const RecordingReader files(disk);
   calc::Diagnostics diagnostics;
   CommandOutcome outcome;
-  outcome.text = export_project(options, files, diagnostics);
+  bool is_all = true;
+  outcome.text = options.target == kIfc ? export_ifc(options, files, is_all, diagnostics)
+                                        : export_project(options, files, diagnostics);
+  if (!is_all) outcome.code = kNotMet;
   if (outcome.text.empty()) outcome.code = kNotJudged;
   outcome.diagnostics = diagnostics.all();
   return outcome;

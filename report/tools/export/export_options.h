@@ -9,11 +9,13 @@
 
 namespace cli {
 
-inline constexpr const char *kRadiance = "radiance", *kGltf = "gltf";
+inline constexpr const char *kRadiance = "radiance", *kGltf = "gltf", *kIfc = "ifc";
 
 struct ExportOptions {
-  std::string target;  // "radiance" or "gltf"
-  std::string project, folder;
+  std::string target;                   // "radiance", "gltf" or "ifc"
+  std::string project;                  // of ifc: the model
+  std::string output;                   // a folder; of ifc: the new model
+  std::string results;                  // of ifc: a result file
   std::string space;                    // "" = the only one; for gltf all
   std::string scene;                    // of radiance: whose levels hold; "" = full output
   std::vector<std::string> rule_files;  // packs besides those delivered, folders too

@@ -7,6 +7,7 @@
 #include "calc/base/utf8.h"
 #include "calc/base/xml_reader.h"
 #include "calc/scene/polygon.h"
+#include "report/text/ifc_guid.h"
 #include "report/text/markup.h"
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/design_rooms.h"
@@ -47,10 +48,10 @@ std::string length_text(double metres) { return short_number(metres, 4); }
 std::string id_part(std::string_view text) {
   std::string id;
   for (const char c : text) {
-    if (calc::is_id_character(c) && c != ':') {
+    if (calc::is_id_character(c) && c != report::kDollarInId) {
       id += c;
     } else if (c == '$') {  // of a GlobalId, which an id cannot have: so that the way back is clear
-      id += ':';
+      id += report::kDollarInId;
     } else if (!calc::is_utf8_continuation(c) && c != '*' && c != '?') {
       id += '_';
     }
@@ -197,7 +198,9 @@ class Writer {
                      luminaire.source.place);
       }
       Attributes element("luminaire");
-      element.add("id", own_id("L-" + id_part(luminaire.source.key)))
+      element
+          .add("id",
+               own_id(std::string(report::kLuminaireIdPrefix) + id_part(luminaire.source.key)))
           .add("type", types[*rule])
           .add("position", place_text(at, room));
       const MapLuminaire& map = map_.luminaire[*rule];
@@ -328,7 +331,7 @@ class Writer {
     const DesignRoom& room = design_.room[index];
     const MapRoom& rule = map_.room[room.rule];
     Attributes element("room");
-    element.add("id", own_id("room-" + id_part(room.source.key)));
+    element.add("id", own_id(std::string(report::kRoomIdPrefix) + id_part(room.source.key)));
     const std::string name =
         room.number + (room.number.empty() || room.name.empty() ? "" : " ") + room.name;
     if (!name.empty()) element.add("name", calc::shorten_utf8(name, kLongestName));

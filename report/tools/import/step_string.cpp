@@ -1,7 +1,10 @@
 // Strings of STEP text: escapes and alphabets.
 #include "calc/base/encoding.h"
 #include "calc/base/utf8.h"
+#include "report/text/number_format.h"
 #include "report/tools/import/step_text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -137,6 +140,41 @@ std::string step_string(std::string_view between_quotes, bool* is_sure) {
   StringReader reader(between_quotes);
   std::string text = reader.read();
   if (is_sure != nullptr && !reader.is_sure()) *is_sure = false;
+  return text;
+}
+
+std::string step_literal(std::string_view utf8) {
+  std::string text = "'";
+  std::size_t digits = 0;  // of each character in the run that is open; 0: none is
+  const auto open = [&](std::size_t wanted) {
+    if (digits == wanted) return;
+    if (digits != 0) text += "\\X0\\";
+    if (wanted != 0) text += wanted == 4 ? "\\X2\\" : "\\X4\\";
+    digits = wanted;
+  };
+  while (!utf8.empty()) {
+    const calc::Utf8Character character = calc::first_character(utf8);
+    const char32_t code = character.length == 0 ? kUnknownLetter : character.code;
+    const bool begins_comment = utf8.starts_with("/*");
+    utf8.remove_prefix(std::max<std::size_t>(character.length, 1));
+    if (code >= 0x20 && code < 0x7F && !begins_comment) {
+      open(0);
+      if (code == '\'' || code == '\\') text += static_cast<char>(code);
+      text += static_cast<char>(code);
+    } else {
+      open(code > 0xFFFF ? 8 : 4);
+      text += fmt::format("{:0{}X}", static_cast<std::uint32_t>(code), digits);
+    }
+  }
+  open(0);
+  return text + "'";
+}
+
+std::string step_real(double value) {
+  std::string text = report::format_shortest(value);
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos) text[exponent] = 'E';
+  if (text.find('.') == std::string::npos) text.insert(std::min(exponent, text.size()), ".");
   return text;
 }
 

@@ -220,8 +220,6 @@ class StepCursor {
   std::string problem_;
 };
 
-namespace {}  // namespace
-
 std::optional<double> StepValue::number() const {
   if (kind_ != Kind::number) return std::nullopt;
   return calc::parse_number(slice_);
@@ -361,7 +359,10 @@ class StepText::Opener {
         continue;
       }
       const std::string name = upper(cursor_.name());
-      if (name == "ENDSEC") return cursor_.take(';');
+      if (name == "ENDSEC") {
+        text_.data_end_ = begin;
+        return cursor_.take(';');
+      }
       return cursor_.fail(
           begin, cursor_.is_end()
                      ? std::string("the file ends before ENDSEC of its data: it was cut")
@@ -474,7 +475,10 @@ std::optional<StepText> StepText::open(std::string_view bytes, StepProblem& prob
     text.bytes_ = begun;
     text.is_utf8_ = !calc::first_invalid_utf8(begun);
     Opener opener(begun, text);
-    if (opener.read()) return text;
+    if (opener.read()) {
+      if (text.data_end_ != 0) text.data_end_ += bytes.size() - begun.size();
+      return text;
+    }
     problem = opener.problem();
   }
   return std::nullopt;

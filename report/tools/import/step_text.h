@@ -68,6 +68,14 @@ class StepValue {
 // 8859-5, and escapes that mean no character, give U+FFFD.
 std::string step_string(std::string_view between_quotes, bool* is_sure = nullptr);
 
+// The way back, with the quotes, in ASCII alone: whoever reads it, in whichever alphabet, reads the
+// same. What is no UTF-8 becomes U+FFFD. It holds no "/*", which begins a comment.
+std::string step_literal(std::string_view utf8);
+// A finite number as a REAL, "0.5", "500.", "1.E-07": it reads back to the same bits.
+std::string step_real(double value);
+
+inline constexpr std::uint64_t kLargestStepNumber = 999'999'999'999'999'999;  // of an instance
+
 class StepText {
  public:
   StepText(StepText&&) = default;
@@ -80,6 +88,8 @@ class StepText {
   const std::vector<std::string>& schema() const { return schema_; }  // "IFC4", in capitals
   const std::string& writer() const { return writer_; }  // the program, as FILE_NAME says it
   bool is_utf8() const { return is_utf8_; }              // the whole text
+  // Where ENDSEC of the last DATA section begins, as an offset in the bytes; 0: there is none.
+  std::size_t data_end() const { return data_end_; }
 
   // Instances count from 0 in the order of their numbers.
   std::size_t size() const { return instance_.size(); }
@@ -113,6 +123,7 @@ class StepText {
   std::vector<std::uint32_t> lines_before_;       // line ends before each block of the text
   std::vector<std::string> schema_;
   std::string writer_;
+  std::size_t data_end_ = 0;
   bool is_utf8_ = true;
 };
 

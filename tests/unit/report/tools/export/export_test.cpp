@@ -348,7 +348,7 @@ cli::ExportOptions options_for(const std::string& project, const fs::path& folde
   cli::ExportOptions options;
   options.target = "radiance";
   options.project = project;
-  options.folder = folder.string();
+  options.output = folder.string();
   return options;
 }
 
@@ -657,7 +657,7 @@ TEST(RadianceExport, ASceneDimsItsGroups) {
                 .find("All luminaires are at full output; `--scene` takes the levels of a scene "
                       "(night, off)."),
             std::string::npos);
-  options.folder = (folder / "night").string();
+  options.output = (folder / "night").string();
   options.scene = "night";
   ASSERT_EQ(cli::run_export(options, disk).code, cli::kAllMet);
   const Exported full(folder / "full"), night(folder / "night");
@@ -673,7 +673,7 @@ TEST(RadianceExport, ASceneDimsItsGroups) {
   EXPECT_EQ(text_of(folder / "night/run.sh").find("Next: luxgate compare"), std::string::npos);
 
   const auto problem = [&](const char* scene) {
-    options.folder = (folder / "none").string();
+    options.output = (folder / "none").string();
     options.scene = scene;
     const cli::CommandOutcome outcome = cli::run_export(options, disk);
     EXPECT_EQ(outcome.code, cli::kNotJudged);

@@ -134,11 +134,11 @@ struct Exported {
     put_bytes(folder.path() / "project.xml", project);
     options.target = cli::kGltf;
     options.project = (folder.path() / "project.xml").string();
-    options.folder = (folder.path() / "models").string();
+    options.output = (folder.path() / "models").string();
   }
 
   cli::CommandOutcome run() const { return cli::run_export(options, calc::DiskFileReader()); }
-  std::string file(const char* name) const { return bytes_of(fs::path(options.folder) / name); }
+  std::string file(const char* name) const { return bytes_of(fs::path(options.output) / name); }
 };
 
 // Area-weighted mean of a value of corners over the triangles that face up.
@@ -268,7 +268,7 @@ TEST(GltfExport, GivesTheSameBytesOnAnyNumberOfThreads) {
   rooms.options.jobs = 1;
   ASSERT_EQ(rooms.run().code, cli::kAllMet);
   const std::string bytes = rooms.file("second.glb");
-  EXPECT_FALSE(fs::exists(fs::path(rooms.options.folder) / "first_room.glb"));
+  EXPECT_FALSE(fs::exists(fs::path(rooms.options.output) / "first_room.glb"));
   rooms.options.jobs = 3;
   EXPECT_EQ(rooms.run().code, cli::kNotJudged);  // it is there already
   rooms.options.overwrites = true;
@@ -289,7 +289,7 @@ TEST(GltfExport, SaysWhatIsMissing) {
   EXPECT_EQ(outcome.code, cli::kNotJudged);
   ASSERT_FALSE(outcome.diagnostics.empty());
   EXPECT_THAT(outcome.diagnostics.back().message, testing::HasSubstr("it has no surfaces"));
-  EXPECT_FALSE(fs::exists(nothing.options.folder));
+  EXPECT_FALSE(fs::exists(nothing.options.output));
 }
 
 }  // namespace

@@ -181,4 +181,30 @@ TEST(StepText, TooManyNamesAreNoIfc) {
   EXPECT_THAT(problem_of(file(data)), HasSubstr("different names"));
 }
 
+TEST(StepText, WhatIsWrittenReadsBack) {
+  for (const char* text :
+       {"", "plain", "it's \\ \\X2\\", "Büro 101 – Zürich", "a😀b", "/* no comment */"}) {
+    const std::string literal = cli::step_literal(text);
+    EXPECT_EQ(cli::step_string(std::string_view(literal).substr(1, literal.size() - 2)), text);
+    EXPECT_EQ(literal.find("/*"), std::string::npos);
+    for (const char c : literal) EXPECT_LT(static_cast<unsigned char>(c), 0x80);
+  }
+  EXPECT_EQ(cli::step_literal("Bü"), "'B\\X2\\00FC\\X0\\'");
+  EXPECT_EQ(cli::step_literal("a\xFF"), "'a\\X2\\FFFD\\X0\\'");
+  EXPECT_EQ(cli::step_real(500), "500.");
+  EXPECT_EQ(cli::step_real(0.5), "0.5");
+  EXPECT_EQ(cli::step_real(-1e-7), "-1.E-07");
+  EXPECT_EQ(cli::step_real(1.5e300), "1.5E+300");
+}
+
+TEST(StepText, KnowsWhereItsDataEnd) {
+  const std::string bytes =
+      "\xEF\xBB\xBFISO-10303-21;HEADER;ENDSEC;DATA;#1=A('ENDSEC;');ENDSEC ;"
+      "END-ISO-10303-21;";
+  cli::StepProblem problem;
+  const auto text = cli::StepText::open(bytes, problem);
+  ASSERT_TRUE(text) << problem.what;
+  EXPECT_EQ(text->data_end(), bytes.find("ENDSEC ;"));
+}
+
 }  // namespace
