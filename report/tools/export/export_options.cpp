@@ -27,9 +27,7 @@ std::string export_contradiction(const ExportOptions& options) {
 }  // namespace
 
 Command export_syntax(ExportOptions& options) {
-  Command command{
-      "export",
-      "Write a project for Radiance, rooms with their light as glTF, or results into an IFC model"};
+  Command command{"export", "Write Radiance or glTF files, or results into an IFC model"};
   command.places = {{"target",
                      fmt::format("{}|{}|{}", kRadiance, kGltf, kIfc),
                      "What to write",
