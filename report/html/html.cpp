@@ -224,6 +224,12 @@ std::string run_start(const RoomRun& run) {
   return fmt::format("<div class=\"run\" style=\"page: {}\">\n", run.page);
 }
 
+// A revision or a date alone, which CI fills in, makes no document for a client.
+bool says_whose(const calc::AboutProject& about) {
+  return !about.client.empty() || !about.author.empty() || !about.company.empty() ||
+         !about.logo.bytes.empty();
+}
+
 // The page that holds everything, or the index of pages in `folder`. What comes first in it is
 // known last: all else waits in spills.
 class HtmlWriter : public FormatWriter {
@@ -263,6 +269,7 @@ class HtmlWriter : public FormatWriter {
   std::map<std::string, int> titles_;  // how many projects have each
   std::string only_title_;             // of the first one
   std::string about_, on_cover_;       // of the only one
+  bool says_whose_ = false;            // the only one
   std::vector<Section> sections_;      // of the first ones
   Spill paths_;
   std::string foot_;  // of pages; of the only project
@@ -379,6 +386,7 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
       {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
   if (!is_only()) return;
   about_ = html_about(t_, project.about);
+  says_whose_ = says_whose(project.about);
   if (has_cover()) on_cover_ = html_cover_picture(t_, project);
   foot_ = foot_words(t_, project);
   for (std::size_t s = 0; folder_.empty() && s < project.spaces.size() && s < kMostRooms; ++s) {
@@ -424,7 +432,7 @@ std::string HtmlWriter::page_title() const {
 
 bool HtmlWriter::has_cover() const {
   if (style_.cover != Cover::automatic) return style_.cover == Cover::always;
-  return !about_.empty();
+  return says_whose_;
 }
 
 void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {

@@ -14,7 +14,8 @@ namespace report {
 enum class Annex { automatic, always, never };
 inline constexpr std::size_t kMostAnnexValues = 2500;
 
-// A page of its own before all else, on paper. automatic: where the project says whose it is.
+// A page of its own before all else, on paper. automatic: where the only project names a
+// client, author, company or logo.
 enum class Cover { automatic, always, never };
 
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").

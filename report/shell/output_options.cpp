@@ -112,7 +112,7 @@ std::vector<Option> output_options(OutputOptions& options) {
                                                   {"never", report::Annex::never}})},
       {"--cover", "WHEN",
        "A cover page of pdf, and of html when it is printed: auto, always or never; default auto:\n"
-       "where one project says whose it is (its 'about')",
+       "where one project names its client, author, company or logo",
        choice<report::Cover>(options.page.cover, {{"auto", report::Cover::automatic},
                                                   {"always", report::Cover::always},
                                                   {"never", report::Cover::never}})},

@@ -149,6 +149,11 @@ def prints():
         text = subprocess.run(["pdftotext", WORK / "a.pdf", "-"], capture_output=True, check=True).stdout.decode()
         for words in ["Hall \"A\" \\ </style> · Revision \"';}\\x</style>", f"Page 1 / {pages('a.pdf')}", "Summary"]:
             expect(words in text, f"a.pdf does not say {words!r}")
+        luxgate("check", "p.xml", "--format", "pdf=cover.pdf", "--cover", "always", "--set", "about.client=Anna")
+        text = subprocess.run(["pdftotext", WORK / "cover.pdf", "-"], capture_output=True, check=True).stdout.decode()
+        first, *others = text.split("\f")
+        expect("Anna" in first and "Summary" not in first and "Page " not in first, f"cover.pdf begins with {first!r}")
+        expect("Summary" in others[0] and f"Page 2 / {pages('cover.pdf')}" in others[0], f"cover.pdf goes on with {others[0]!r}")
 
 
 def contents():
