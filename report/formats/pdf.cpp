@@ -3,10 +3,15 @@
 #include "calc/base/text.h"
 #include "report/html/html.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -29,7 +34,7 @@ class PdfWriter : public FormatWriter {
       numbers_ = std::move(numbers);
       pdf = printer_->print(write_page);
     }
-    sink.write(with_fixed_dates(std::move(pdf)));
+    sink.write(reproducible_pdf(std::move(pdf)));
   }
 
  private:
@@ -61,6 +66,38 @@ std::string with_fixed_dates(std::string pdf) {
     }
   }
   return pdf;
+}
+
+// Titles and other texts stand behind keys of their own ("/Title (node00000001)").
+std::string with_counted_ids(std::string pdf) {
+  constexpr std::string_view kStart = "(node";
+  constexpr std::size_t kDigits = 8;
+  std::vector<std::size_t> places;  // of the digits
+  std::map<std::string, std::size_t> number_of;
+  for (std::size_t at = pdf.find(kStart); at != pdf.npos; at = pdf.find(kStart, at)) {
+    const std::string_view before = std::string_view(pdf).substr(0, at);
+    at += kStart.size();
+    const std::string digits = pdf.substr(at, kDigits);
+    const bool is_id = before.ends_with("/ID ") || before.ends_with('[') ||
+                       before.ends_with(") ") || before.ends_with("R ");
+    if (!is_id || digits.size() != kDigits || pdf.compare(at + kDigits, 1, ")") != 0 ||
+        !std::all_of(digits.begin(), digits.end(), calc::is_digit)) {
+      continue;
+    }
+    places.push_back(at);
+    number_of[digits] = 0;
+  }
+  std::size_t next = 0;
+  for (auto& [digits, number] : number_of) number = ++next;
+  for (const std::size_t at : places) {
+    const std::size_t number = number_of.at(pdf.substr(at, kDigits));
+    pdf.replace(at, kDigits, fmt::format("{:08}", number));
+  }
+  return pdf;
+}
+
+std::string reproducible_pdf(std::string pdf) {
+  return with_counted_ids(with_fixed_dates(std::move(pdf)));
 }
 
 }  // namespace report

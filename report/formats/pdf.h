@@ -36,4 +36,11 @@ std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const Spill
 // times only where somebody asks for one. As long as it was, so that all offsets in it hold.
 std::string with_fixed_dates(std::string pdf);
 
+// With the elements of its structure ("node00000113") counted from 1 in the order of their numbers:
+// Chromium counts everything it ever made, which is one more now and then. As long as it was.
+std::string with_counted_ids(std::string pdf);
+
+// A PDF of Chromium without what chance puts into it: both of the above.
+std::string reproducible_pdf(std::string pdf);
+
 }  // namespace report

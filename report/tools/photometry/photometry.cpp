@@ -117,7 +117,7 @@ class Run {
           render_photometry_sheet(t, file, calc::sha256_hex(content.bytes), wanted_.paper);
       if (lower_extension(path) == ".pdf") {
         if (printer_ == nullptr) throw report::WriteFailure("nothing prints it");
-        bytes = report::with_fixed_dates(
+        bytes = report::reproducible_pdf(
             printer_->print([&](report::Sink& sink) { sink.write(bytes); }));
       }
       write(path, bytes);

@@ -3,6 +3,7 @@
 #include "report/html/html.h"
 #include "tests/support/sample_document.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -66,6 +67,23 @@ TEST(Pdf, DatesOfOurOwnAreFixed) {
   for (const char* other : {"", "/CreationDate (D:2026", "/ModDate (D:2026112514151x)",
                             "(/ModDate \\(D:20261125141516)"}) {
     EXPECT_EQ(with_fixed_dates(other), other);
+  }
+}
+
+// As Chromium writes them; the order of a tree of names stays.
+TEST(Pdf, ElementsAreCountedFromOne) {
+  const auto pdf = [](const char* a, const char* b) {
+    return fmt::format(
+        "/A [<</Headers [(node{1}) (node{0})]>>]\n/ID (node{0})>>\n/ID (node{1})>>"
+        "<</Names [(node{0}) 3 0 R (node{1}) 4 0 R]>>",
+        a, b);
+  };
+  EXPECT_EQ(with_counted_ids(pdf("00000113", "00000121")), pdf("00000001", "00000002"));
+  EXPECT_EQ(with_counted_ids(pdf("00000114", "00000122")), pdf("00000001", "00000002"));
+  // What a room may be called.
+  for (const char* other : {"", "/Title (node00000113)", "/ID (node0000011", "/ID (node00x00113)",
+                            "/ID (node000001134)", "[\\(node00000113)"}) {
+    EXPECT_EQ(with_counted_ids(other), other);
   }
 }
 
