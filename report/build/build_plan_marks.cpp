@@ -1,6 +1,7 @@
 #include "report/build/build_plan_marks.h"
 
 #include "calc/base/elementary.h"
+#include "report/build/surface_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -104,62 +105,16 @@ Lines border(const calc::Body& body, bool upward_only) {
   return lines;
 }
 
-struct Edge {
-  glm::dvec3 first_normal{0.0};  // of its first triangle, unit
-  int triangles = 0;
-  bool bends = false;
-};
-
-// By their ends, which are in order: neighbours are known by their places, as files repeat
-// vertices.
-using Place = std::array<double, 3>;
-using Edges = std::map<std::pair<Place, Place>, Edge>;
-
-Place place_of(const glm::dvec3& p) {
-  return {p.x + 0.0, p.y + 0.0, p.z + 0.0};  // -0 is 0
-}
-
-Edges edges_of(const calc::Space& space) {
-  constexpr double kBend = 0.9;  // cosine; a ball of a few hundred faces bends less
-  Edges edges;
-  for (const calc::Body& body : space.bodies) {
-    if (!body.housing_of.empty()) continue;
-    for (const glm::uvec3& t : body.triangle) {
-      const std::array corners{body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z]};
-      const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-      const double length = glm::length(normal);
-      if (!(length > 0.0)) continue;
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Place from = place_of(corners[i]), to = place_of(corners[(i + 1) % corners.size()]);
-        Edge& edge = edges[std::minmax(from, to)];
-        if (edge.triangles++ == 0) edge.first_normal = normal / length;
-        // Faces of solids look to either side.
-        edge.bends |= std::abs(glm::dot(edge.first_normal, normal)) < kBend * length;
-      }
-    }
-  }
-  return edges;
-}
-
 void add_surface_lines(const calc::Space& space, SpacePart& part) {
-  struct Line {
-    glm::dvec3 from_m, to_m;
-    double length_m;
-  };
-  std::vector<Line> lines;
-  for (const auto& [ends, edge] : edges_of(space)) {
-    if (edge.triangles > 1 && !edge.bends) continue;
-    const glm::dvec3 from{ends.first[0], ends.first[1], ends.first[2]},
-        to{ends.second[0], ends.second[1], ends.second[2]};
-    lines.push_back({from, to, glm::distance(from, to)});
-  }
+  std::vector<SurfaceLine> lines = surface_lines(space.bodies);
   if (lines.size() > kMostSurfaceLines) {
-    std::stable_sort(lines.begin(), lines.end(),
-                     [](const Line& a, const Line& b) { return a.length_m > b.length_m; });
+    std::stable_sort(lines.begin(), lines.end(), [](const SurfaceLine& a, const SurfaceLine& b) {
+      return glm::distance(a.from_m, a.to_m) > glm::distance(b.from_m, b.to_m);
+    });
     part.surface_lines_left_out = lines.size() - kMostSurfaceLines;
     lines.resize(kMostSurfaceLines);
   }
-  for (const Line& line : lines) {
+  for (const SurfaceLine& line : lines) {
     part.surface_lines_m.push_back(line.from_m);
     part.surface_lines_m.push_back(line.to_m);
   }

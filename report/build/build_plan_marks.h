@@ -11,7 +11,7 @@ namespace report {
 // faces that look up is kept, or all its edges where there are none (a screen), and the convex hull
 // instead of more than kMostBodyLines lines. Surfaces of the room itself are left out, and bodies
 // beyond kMostBodies are only counted (part.bodies_left_out). Of a room from a file, which has
-// nothing but surfaces, part.surface_lines_m: where they bend or end.
+// nothing but surfaces, part.surface_lines_m, see surface_lines.h: the longest kMostSurfaceLines.
 void add_plan_marks(const calc::Project& project, const calc::Space& space,
                     const calc::PreparedScene& scene, SpacePart& part);
 

@@ -487,6 +487,8 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   notes += std::string(" ") + t[has_points ? Text::layout_points : Text::layout_no_points];
   if (heights_of(space).size() > kMostLevels)
     notes += std::string(" ") + t[Text::layout_no_heights];
+  // The floor of the open space and of rooms from files is not known.
+  if (space.footprint_m.empty()) notes += std::string(" ") + t[Text::heights_over_zero];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
   if (!space.surface_lines_m.empty()) notes += std::string(" ") + t[Text::layout_surface_lines];

@@ -168,11 +168,10 @@ std::string positions(const Texts& t, const SpacePart& space) {
                             head(t[Text::group_column], false) + head("x m", true) +
                             head("y m", true) + head(t[Text::mounting_height_m], true) +
                             head(t[Text::tilt], true) + head("C0", true);
-  const std::string caption =
-      shown == space.luminaires.size()
-          ? t[Text::positions_caption]
-          : t[Text::positions_caption] + std::string(" ") +
-                t.say<Text::shown_are_first>(shown, space.luminaires.size());
+  std::string caption = t[Text::positions_caption];
+  if (!space.surface_lines_m.empty()) caption += std::string(" ") + t[Text::heights_over_zero];
+  if (shown < space.luminaires.size())
+    caption += " " + t.say<Text::shown_are_first>(shown, space.luminaires.size());
   return fmt::format(
       "<details class=\"list\"><summary>{}</summary>\n{}</details>\n",
       t.say<Text::positions_of>(space.luminaires.size()),

@@ -55,13 +55,4 @@ std::string ifc_letters(const Guid& guid) {
   return text;
 }
 
-std::string guid_text(const Guid& guid) {
-  std::string text;
-  for (std::size_t i = 0; i < guid.size(); ++i) {
-    if (i == 4 || i == 6 || i == 8 || i == 10) text += '-';
-    text += fmt::format("{:02x}", guid[i]);
-  }
-  return text;
-}
-
 }  // namespace report

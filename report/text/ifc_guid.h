@@ -25,7 +25,5 @@ using Guid = std::array<std::uint8_t, 16>;
 // The same for the same names in the same order, on every machine; others for all others.
 Guid guid_of_names(const std::vector<std::string>& names);
 std::string ifc_letters(const Guid& guid);  // 22 of them
-// "1b4e28ba-2fa1-51d2-883f-0016d3cca427"
-std::string guid_text(const Guid& guid);
 
 }  // namespace report

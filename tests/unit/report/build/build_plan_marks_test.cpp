@@ -111,6 +111,40 @@ TEST(PlanMarks, RoomsFromFilesHaveTheLinesWhereSurfacesBend) {
   EXPECT_EQ(part.surface_lines_m.size(), 24U);
 }
 
+// A floor of many triangles has straight borders all the same, and their order means nothing.
+TEST(PlanMarks, StraightRunsAreOneLine) {
+  constexpr unsigned kSide = 5;
+  calc::Body floor;
+  for (unsigned i = 0; i <= kSide; ++i) {
+    for (unsigned k = 0; k <= kSide; ++k) floor.vertex_m.emplace_back(0.1 * i, 0.3 * k, 0.0);
+  }
+  for (unsigned i = 0; i < kSide; ++i) {
+    for (unsigned k = 0; k < kSide; ++k) {
+      const unsigned a = i * (kSide + 1) + k, b = a + 1, c = a + kSide + 1, d = c + 1;
+      floor.triangle.emplace_back(a, c, b);
+      floor.triangle.emplace_back(b, c, d);
+    }
+  }
+  const auto lines_of = [](const Room& room) {
+    SpacePart part;
+    add_plan_marks(room.project, room.space, room.scene, part);
+    return part.surface_lines_m;
+  };
+  const Room room = room_from_file({floor});
+  const std::vector<glm::dvec3> lines = lines_of(room);
+  ASSERT_EQ(lines.size(), 8U);
+  EXPECT_EQ(lines[0], glm::dvec3(0, 0, 0));
+  EXPECT_EQ(lines[7], glm::dvec3(0.1 * kSide, 0.3 * kSide, 0));
+  std::reverse(floor.triangle.begin(), floor.triangle.end());
+  for (glm::uvec3& t : floor.triangle) t = {t.y, t.z, t.x};
+  EXPECT_EQ(lines_of(room_from_file({floor})), lines);
+  // A wall of one triangle on it: the border is a line of the floor, and one of the wall.
+  calc::Body wall;
+  wall.vertex_m = {{0, 0, 0}, {0.1 * kSide, 0, 0}, {0, 0, 1}};
+  wall.triangle = {{0, 1, 2}};
+  EXPECT_EQ(lines_of(room_from_file({floor, wall})).size(), 14U);
+}
+
 TEST(PlanMarks, OfTooManyLinesTheLongestAreKept) {
   std::vector<calc::Body> bodies;
   for (int i = 0; i < 200; ++i)  // twelve lines each

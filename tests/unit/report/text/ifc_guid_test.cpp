@@ -31,7 +31,6 @@ TEST(IfcGuid, LettersAreTheBitsFromTheTop) {
   guid[1] = 0x04;   // 000001 00
   guid[15] = 0x3E;  // 00 111110
   EXPECT_EQ(report::ifc_letters(guid), "111000000000000000000_");
-  EXPECT_EQ(report::guid_text(guid), "41040000-0000-0000-0000-00000000003e");
 }
 
 TEST(IfcGuid, NamesDecideAndNothingElse) {
@@ -44,8 +43,7 @@ TEST(IfcGuid, NamesDecideAndNothingElse) {
   EXPECT_EQ(all.size(), 4u);
   for (const std::string& one : all) EXPECT_TRUE(report::is_ifc_guid(one)) << one;
   EXPECT_EQ(report::guid_of_names({"a", "b"}), report::guid_of_names({"a", "b"}));
-  const std::string text = report::guid_text(report::guid_of_names({"a"}));
-  EXPECT_EQ(text[14], '8');
+  EXPECT_EQ(report::guid_of_names({"a"})[6] >> 4, 8);  // the version
 }
 
 }  // namespace
