@@ -261,7 +261,7 @@ TEST(HtmlLayout, RoomsFromFilesAreDrawnByTheLinesOfTheirSurfaces) {
   EXPECT_EQ(drawing.numbers("surface", 0).size(), 4U);
   EXPECT_EQ(drawing.numbers("surface", 1).size(), 8U);
   EXPECT_THAT(html, HasSubstr("bend or end"));
-  EXPECT_THAT(html, HasSubstr("Heights are over z = 0."));
+  EXPECT_THAT(html, HasSubstr("heights are over z = 0."));
   EXPECT_THAT(shown(hall()), Not(HasSubstr("z = 0")));
   EXPECT_THAT(html, Not(HasSubstr("such lines")));
   space.surface_lines_left_out = 7;
