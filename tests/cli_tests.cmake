@@ -55,6 +55,13 @@ foreach(case IN LISTS golden_cases)
   endif()
 endforeach()
 
+# examples/run builds the target 'luxgate' and runs this file: another program may not take the name.
+if(CMAKE_GENERATOR STREQUAL "Ninja")
+  add_test(NAME cli.the_target_is_the_program
+    COMMAND ${CMAKE_MAKE_PROGRAM} -C ${PROJECT_BINARY_DIR} -t query luxgate)
+  set_tests_properties(cli.the_target_is_the_program PROPERTIES PASS_REGULAR_EXPRESSION "[ \n]report/cli/luxgate\n")
+endif()
+
 add_test(NAME cli.results_are_read COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
   -DGOLDEN=${CMAKE_CURRENT_SOURCE_DIR}/golden -DWORK=${CMAKE_CURRENT_BINARY_DIR}/results_are_read
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_results_are_read.cmake)

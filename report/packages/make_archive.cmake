@@ -9,13 +9,12 @@ load_cache(${BUILD} READ_WITH_PREFIX cache_ CMAKE_PROJECT_VERSION CMAKE_STRIP)
 cmake_host_system_information(RESULT processor QUERY OS_PLATFORM)
 set(name luxgate-${cache_CMAKE_PROJECT_VERSION}-linux-${processor})
 set(stage ${BUILD}/portable/${name})
-set(program ${BUILD}/portable/bin/luxgate)
+set(program ${BUILD}/portable/bin/luxgate_portable)
 
 file(REMOVE_RECURSE ${stage})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --component program --prefix ${stage}
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-file(REMOVE ${stage}/bin/luxgate)  # file(COPY) would keep it where both were linked in one second
-file(COPY ${program} DESTINATION ${stage}/bin)
+file(COPY_FILE ${program} ${stage}/bin/luxgate)
 execute_process(COMMAND ${cache_CMAKE_STRIP} ${stage}/bin/luxgate COMMAND_ERROR_IS_FATAL ANY)
 
 # The package that a file came with. dpkg knows a file by one of its two names where /lib is a link to /usr/lib.

@@ -6,12 +6,13 @@ set(LUXGATE_PACKAGE_CONTACT "luxgate maintainers <luxgate@maintainers.invalid>" 
 set(LUXGATE_HOMEPAGE "" CACHE STRING "Address of the project in packages, or nothing")
 
 # The program of the archive: it looks for its libraries beside itself. DT_RPATH and not DT_RUNPATH, because this one
-# holds for libraries of libraries, too, so that these stay Debian's to the byte.
+# holds for libraries of libraries, too, so that these stay Debian's to the byte. Its file is not called luxgate before it
+# is in the archive: 'ninja luxgate' would be this one and not the program.
 add_executable(luxgate_portable ${PROJECT_SOURCE_DIR}/report/cli/main.cpp)
 target_link_libraries(luxgate_portable PRIVATE luxgate_cli)
 target_link_options(luxgate_portable PRIVATE LINKER:--disable-new-dtags)
 set_target_properties(luxgate_portable PROPERTIES
-  OUTPUT_NAME luxgate RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/portable/bin
+  RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/portable/bin
   BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../lib")
 
 set(CPACK_GENERATOR DEB)
