@@ -208,6 +208,53 @@ def by_ezdxf():
             expect(report["luminaires"] == {"found": 3, "written": 3}, f"{name}: luminaires {report['luminaires']}")
 
 
+def curves_by_ezdxf():
+    """Areas of rooms with curved sides, against chords of another program."""
+    try:
+        import ezdxf  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        return
+    corners = [(0, 0, 0), (10, 1, 0), (12, 8, 0), (3, 9, 0), (-2, 5, 0)]
+
+    def ellipse(space):
+        arc = space.add_ellipse((3, 4), (5, 0), 0.4, 0.3, 2.5)
+        space.add_line(arc.end_point, (0, -2))
+        space.add_line((0, -2), arc.start_point)
+        return [*arc.flattening(1e-6), (0, -2, 0)]
+
+    def closed(space):
+        spline = space.add_spline()
+        spline.set_closed(corners)
+        return spline.flattening(1e-6)
+
+    def rational(space):
+        spline = space.add_spline()
+        spline.set_closed_rational(corners, [1, 2, 1, 3, 0.5])
+        return spline.flattening(1e-6)
+
+    def hatch(space, is_forward):
+        path = space.add_hatch().paths.add_edge_path()
+        path.add_ellipse((0, 0), (5, 0), 0.5, 0, 130, ccw=is_forward)
+        arc = path.edges[-1]
+        ends = (arc.end_point, arc.start_point) if is_forward else (arc.start_point, arc.end_point)
+        path.add_line(ends[0], (0, -3))
+        path.add_line((0, -3), ends[1])
+        turn = arc.end_param - arc.start_param
+        return [*arc.construction_tool().vertices([arc.start_param + turn * i / 5000 for i in range(5001)]), (0, -3)]
+
+    (WORK / "curves.toml").write_text('[[room]]\nlayer = "0"\nheight = 3\nreflectances = [0.7, 0.5, 0.2]\n')
+    for name, make in (("ellipse", ellipse), ("closed", closed), ("rational", rational),
+                       ("hatch", lambda space: hatch(space, True)), ("hatch-clockwise", lambda space: hatch(space, False))):
+        document = ezdxf.new("R2010")
+        points = list(make(document.modelspace()))
+        area = abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1]))) / 2
+        document.saveas(WORK / f"{name}.dxf")
+        done = run("import", f"{name}.dxf", "--map", "curves.toml", "--unit", "m", "--json")
+        rooms = json.loads(done.stdout)["room_list"] if done.stdout else []
+        # Chords within 1 mm of at most 50 m.
+        expect(len(rooms) == 1 and abs(rooms[0]["area_m2"] - area) < 0.05, f"{name}: {rooms} of {area} m2 {done.stderr}")
+
+
 def real_drawings():
     folder = pathlib.Path(os.environ.get("LUXGATE_SHARED_DATA", "/nowhere")) / "dxf"
     for path in sorted(folder.glob("*.[dD][xX][fF]")):
@@ -223,6 +270,7 @@ refusals()
 the_way_back()
 the_example()
 by_ezdxf()
+curves_by_ezdxf()
 real_drawings()
 if problems:
     sys.exit("\n".join(problems))

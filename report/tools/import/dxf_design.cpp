@@ -39,7 +39,8 @@ constexpr double kFarthest = 1.0e12;          // in the file's unit
 using Kind = DxfEntity::Kind;
 
 bool is_outline_kind(Kind kind) {
-  return kind == Kind::line || kind == Kind::polyline || kind == Kind::arc || kind == Kind::circle;
+  return kind == Kind::line || kind == Kind::polyline || kind == Kind::arc ||
+         kind == Kind::circle || kind == Kind::curve;
 }
 bool is_surface_kind(Kind kind) { return kind == Kind::outline || kind == Kind::face; }
 

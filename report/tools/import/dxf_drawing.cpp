@@ -15,8 +15,6 @@
 namespace cli {
 namespace {
 
-constexpr int kMostChords = 4096;  // of an arc
-
 // Columns are the axes of the coordinates that belong to a normal, in the world.
 glm::dmat4 axes_of(const glm::dvec3& normal) {
   const double length = glm::length(normal);
@@ -55,17 +53,8 @@ glm::dmat4 turned(double degrees) {
   return matrix;
 }
 
-// Appends what lies between the ends of an arc about a centre, in its own coordinates.
-void add_chords(const glm::dvec3& centre, double radius, double from, double angle, double error,
-                std::vector<glm::dvec3>& points) {
-  const double share = std::clamp(1.0 - error / radius, -1.0, 1.0);
-  const double step = 2.0 * calc::acos(share);
-  const double wanted = step > 0.0 ? std::ceil(std::fabs(angle) / step) : kMostChords;
-  const int count = static_cast<int>(std::clamp(wanted, 1.0, double{kMostChords}));
-  for (int i = 1; i < count; ++i) {
-    const double at = from + angle * i / count;
-    points.push_back(centre + radius * glm::dvec3(calc::cos(at), calc::sin(at), 0.0));
-  }
+DxfEllipse round_arc(const glm::dvec3& centre, double radius, double from, double angle) {
+  return {centre, {radius, 0.0, 0.0}, {0.0, radius, 0.0}, from, angle};
 }
 
 void add_bulge(const glm::dvec3& from, const glm::dvec3& to, double bulge, double error,
@@ -79,9 +68,12 @@ void add_bulge(const glm::dvec3& from, const glm::dvec3& to, double bulge, doubl
   const glm::dvec2 spoke = glm::dvec2(from) - centre;
   const double radius = glm::length(spoke);
   if (!std::isfinite(radius) || radius > 1.0e9 * length) return;  // straight
-  add_chords({centre, from.z}, radius, calc::atan2(spoke.y, spoke.x), 4.0 * calc::atan(bulge),
-             error, points);
+  add_chords(
+      round_arc({centre, from.z}, radius, calc::atan2(spoke.y, spoke.x), 4.0 * calc::atan(bulge)),
+      error, points);
 }
+
+constexpr const char* kNotJoined = "the edges of its loops do not join";
 
 // The values of one record, from its 0 to the next.
 using Record = std::vector<DxfPair>;
@@ -338,6 +330,12 @@ class DrawingReader {
       if (find(13) == nullptr || entity.vertex[3].at == entity.vertex[2].at) {
         entity.vertex.pop_back();
       }
+    } else if (name_ == "SOLID" || name_ == "TRACE") {
+      take_solid(entity);
+    } else if (name_ == "ELLIPSE") {
+      return take_ellipse(entity);
+    } else if (name_ == "SPLINE") {
+      return take_spline(entity);
     } else if (name_ == "LWPOLYLINE") {
       take_light_polyline(entity);
     } else if (name_ == "POLYLINE") {
@@ -356,6 +354,81 @@ class DrawingReader {
       return false;
     }
     return true;
+  }
+
+  // Its corners come as 1, 2, 4, 3.
+  void take_solid(DxfEntity& entity) {
+    entity.kind = DxfEntity::Kind::face;
+    entity.is_closed = true;
+    for (const int code : {10, 11, 13, 12}) {
+      if (code == 13 && find(13) == nullptr) continue;
+      entity.vertex.push_back({point(code)});
+    }
+    if (entity.vertex.size() == 4 && entity.vertex[2].at == entity.vertex[3].at) {
+      entity.vertex.pop_back();
+    }
+  }
+
+  // False: passed over, which was counted.
+  bool take_curve(DxfEntity& entity, DxfCurve curve, bool is_whole) {
+    entity.kind = DxfEntity::Kind::curve;
+    entity.is_in_world = true;
+    if (is_broken_) return true;
+    if (const std::string why = curve_problem(curve); !why.empty()) {
+      skip(name_, why);
+      return false;
+    }
+    entity.vertex = {{curve_start(curve)}};
+    entity.is_closed = is_whole;
+    if (!is_whole) entity.vertex.push_back({curve_end(curve)});
+    entity.side.push_back({0, std::move(curve)});
+    return true;
+  }
+
+  bool take_ellipse(DxfEntity& entity) {
+    DxfEllipse ellipse;
+    ellipse.centre = point(10);
+    ellipse.x_axis = point(11);
+    const double length = glm::length(entity.normal);
+    if (length > 0.0) {
+      ellipse.y_axis = number(40) * glm::cross(entity.normal / length, ellipse.x_axis);
+    }
+    ellipse.from = number(41);
+    bool is_whole = false;
+    ellipse.angle = turn_from(ellipse.from, number(42, 2.0 * calc::kPi), is_whole);
+    return take_curve(entity, ellipse, is_whole);
+  }
+
+  // Counter-clockwise from one angle to another one; radians.
+  static double turn_from(double from, double to, bool& is_whole) {
+    constexpr double kSameAngle = 1.0e-9, kRound = 2.0 * calc::kPi;
+    double angle = std::fmod(to - from, kRound);
+    if (angle <= 0.0) angle += kRound;
+    const bool is_just_round = angle < kSameAngle && std::fabs(to - from) > 1.0;
+    is_whole = is_just_round || kRound - angle < kSameAngle;
+    return is_whole ? kRound : angle;
+  }
+
+  bool take_spline(DxfEntity& entity) {
+    constexpr int kClosed = 1;
+    DxfSpline spline;
+    spline.degree = whole(71);
+    for (const DxfPair& pair : record_) {
+      if (pair.code == 40) spline.knot.push_back(number(pair));
+      if (pair.code == 41) spline.weight.push_back(number(pair));
+      if (pair.code == 10) spline.control.emplace_back(number(pair), 0.0, 0.0);
+      if (spline.control.empty()) continue;
+      if (pair.code == 20) spline.control.back().y = number(pair);
+      if (pair.code == 30) spline.control.back().z = number(pair);
+    }
+    const bool is_whole = (whole(70) & kClosed) != 0;
+    constexpr double kSame = 1.0e-6;  // of its size
+    if (!is_broken_ && is_whole && curve_problem(spline).empty() &&
+        glm::distance(curve_start(spline), curve_end(spline)) > kSame * curve_size(spline)) {
+      skip(name_, "it is closed, and its ends do not meet");
+      return false;
+    }
+    return take_curve(entity, std::move(spline), is_whole);
   }
 
   void take_light_polyline(DxfEntity& entity) {
@@ -456,7 +529,7 @@ class DrawingReader {
     entity.text = calc::printable(is_long ? plain_dxf_mtext(text) : plain_dxf_text(text));
   }
 
-  // Each loop is an outline. Loops with ellipses and splines are passed over.
+  // Each loop is an outline.
   void take_hatch(const DxfEntity& start, std::vector<DxfEntity>& list) {
     const double z = number(30);
     std::size_t i = 0;
@@ -485,7 +558,16 @@ class DrawingReader {
       if ((static_cast<int>(*flags) & 2) != 0) {
         if (!read_loop(next, i, outline, z)) why = "its loops cannot be read";
       } else {
-        why = read_edges(next, outline, z);
+        // Programs do not agree on what the angles of ellipses are: those count that close the
+        // loop.
+        const std::size_t begin = i;
+        why = read_edges(next, i, outline, z, true);
+        if (why == kNotJoined) {
+          i = begin;
+          outline.vertex.clear();
+          outline.side.clear();
+          why = read_edges(next, i, outline, z, false);
+        }
       }
       if (why.empty()) {
         list.push_back(std::move(outline));
@@ -512,50 +594,127 @@ class DrawingReader {
     return true;
   }
 
-  // "" or why not.
+  // "" or why not. are_angles: those of ellipses are as seen from the centre, else parameters.
   template <class Next>
-  std::string read_edges(const Next& next, DxfEntity& outline, double z) {
+  std::string read_edges(const Next& next, std::size_t& i, DxfEntity& outline, double z,
+                         bool are_angles) {
+    const std::string unreadable = "its loops cannot be read";
     const std::optional<double> count = next(93);
-    if (!count) return "its loops cannot be read";
-    glm::dvec2 end(0.0);
+    if (!count) return unreadable;
+    glm::dvec2 first(0.0), end(0.0);
+    double gap = 0.0;
     for (double k = 0.0; k < *count; ++k) {
       const std::optional<double> kind = next(72);
-      if (!kind || (*kind != 1.0 && *kind != 2.0)) {
-        return kind ? "its loops have ellipses or splines" : "its loops cannot be read";
-      }
-      const std::optional<double> x = next(10), y = next(20);
+      if (!kind) return unreadable;
       glm::dvec2 from(0.0), to(0.0);
       std::vector<DxfVertex> added;
+      std::optional<DxfCurve> curve;
       if (*kind == 1.0) {
-        const std::optional<double> x1 = next(11), y1 = next(21);
-        if (!x || !y || !x1 || !y1) return "its loops cannot be read";
+        const std::optional<double> x = next(10), y = next(20), x1 = next(11), y1 = next(21);
+        if (!x || !y || !x1 || !y1) return unreadable;
         from = {*x, *y};
         to = {*x1, *y1};
         added = {{{from, z}, 0.0}};
-      } else {
-        const std::optional<double> radius = next(40), first = next(50), last = next(51),
-                                    direction = next(73);
-        if (!x || !y || !radius || !first || !last || !direction) return "its loops cannot be read";
+      } else if (*kind == 2.0) {
+        const std::optional<double> x = next(10), y = next(20), radius = next(40), start = next(50),
+                                    last = next(51), direction = next(73);
+        if (!x || !y || !radius || !start || !last || !direction) return unreadable;
         // Of clockwise arcs the angles are counted clockwise, too.
         const double sign = *direction != 0.0 ? 1.0 : -1.0;
-        double angle = std::fmod(*last - *first, 360.0);
+        double angle = std::fmod(*last - *start, 360.0);
         if (angle <= 0.0) angle += 360.0;
         const auto at = [&](double degrees) {
           const double a = sign * degrees * calc::kRadiansPerDegree;
           return glm::dvec2(*x, *y) + *radius * glm::dvec2(calc::cos(a), calc::sin(a));
         };
-        from = at(*first);
-        to = at(*first + angle);
+        from = at(*start);
+        to = at(*start + angle);
         const double bulge =
             sign * calc::tan(angle * calc::kRadiansPerDegree / 8.0);  // of half of it
-        added = {{{from, z}, bulge}, {{at(*first + angle / 2.0), z}, bulge}};
+        added = {{{from, z}, bulge}, {{at(*start + angle / 2.0), z}, bulge}};
+      } else {
+        if (*kind == 3.0) {
+          curve = read_ellipse_edge(next, z, are_angles);
+        } else if (*kind == 4.0) {
+          curve = read_spline_edge(next, i, z);
+        }
+        if (!curve) return unreadable;
+        if (const std::string why = curve_problem(*curve); !why.empty()) {
+          return "of a curve of its loops: " + why;
+        }
+        from = glm::dvec2(curve_start(*curve));
+        to = glm::dvec2(curve_end(*curve));
+        added = {{{from, z}, 0.0}};
       }
-      const double gap = 1.0e-6 * (1.0 + glm::length(from));
-      if (k > 0.0 && glm::distance(from, end) > gap) return "the edges of its loops do not join";
+      gap = 1.0e-6 * (1.0 + glm::length(from));
+      if (k == 0.0) {
+        first = from;
+      } else if (glm::distance(from, end) > gap) {
+        return kNotJoined;
+      }
+      if (curve) outline.side.push_back({outline.vertex.size(), std::move(*curve)});
       outline.vertex.insert(outline.vertex.end(), added.begin(), added.end());
       end = to;
     }
+    if (!outline.side.empty() && glm::distance(first, end) > gap) return kNotJoined;
     return outline.vertex.empty() ? "its loops have no edges" : "";
+  }
+
+  template <class Next>
+  static std::optional<DxfCurve> read_ellipse_edge(const Next& next, double z, bool are_angles) {
+    const std::optional<double> x = next(10), y = next(20), u = next(11), v = next(21),
+                                ratio = next(40), start = next(50), last = next(51),
+                                direction = next(73);
+    if (!x || !y || !u || !v || !ratio || !start || !last || !direction) return std::nullopt;
+    DxfEllipse ellipse;
+    ellipse.centre = {*x, *y, z};
+    ellipse.x_axis = {*u, *v, 0.0};
+    ellipse.y_axis = *ratio * glm::dvec3(-*v, *u, 0.0);
+    bool is_whole = false;
+    const auto parameter = [&](double degrees) {
+      const double angle = degrees * calc::kRadiansPerDegree;
+      if (!are_angles) return angle;
+      return calc::atan2(calc::sin(angle), *ratio * calc::cos(angle));
+    };
+    const double from = parameter(*start);
+    const double turn = turn_from(from, parameter(*last), is_whole);
+    const double sign = *direction != 0.0 ? 1.0 : -1.0;  // as of arcs
+    ellipse.from = sign * from;
+    ellipse.angle = sign * turn;
+    return ellipse;
+  }
+
+  template <class Next>
+  std::optional<DxfCurve> read_spline_edge(const Next& next, std::size_t& i, double z) const {
+    const std::optional<double> degree = next(94), is_rational = next(73), is_periodic = next(74),
+                                knots = next(95), points = next(96);
+    if (!degree || !is_rational || !is_periodic || !knots || !points) return std::nullopt;
+    DxfSpline spline;
+    spline.degree =
+        *degree >= 1.0 && *degree <= kHighestSplineDegree ? static_cast<int>(*degree) : 0;
+    for (double k = 0.0; k < *knots; ++k) {
+      const std::optional<double> knot = next(40);
+      if (!knot) return std::nullopt;
+      spline.knot.push_back(*knot);
+    }
+    for (double k = 0.0; k < *points; ++k) {
+      const std::optional<double> x = next(10), y = next(20);
+      if (!x || !y) return std::nullopt;
+      spline.control.emplace_back(*x, *y, z);
+      if (*is_rational == 0.0) continue;
+      const std::optional<double> weight = next(42);
+      if (!weight) return std::nullopt;
+      spline.weight.push_back(*weight);
+    }
+    // From 2010 on the points that somebody drew, which do not count, and tangents.
+    const auto is_of_fit = [](int code) {
+      return code == 11 || code == 21 || code == 12 || code == 22 || code == 13 || code == 23;
+    };
+    std::size_t after = i;
+    if (after < record_.size() && record_[after].code == 97) ++after;
+    while (after < record_.size() && is_of_fit(record_[after].code)) ++after;
+    i = after;
+    return spline;
   }
 
   // What is known only when all is read.
@@ -740,12 +899,16 @@ std::vector<glm::dvec3> DxfPlaced::corners(double largest_error) const {
       return vertex[0].at + entity->radius * glm::dvec3(calc::cos(at), calc::sin(at), 0.0);
     };
     own.push_back(end(from));
-    add_chords(vertex[0].at, entity->radius, from, angle, error, own);
+    add_chords(round_arc(vertex[0].at, entity->radius, from, angle), error, own);
     if (!is_whole) own.push_back(end(from + angle));
   } else {
+    auto side = entity->side.begin();
     for (std::size_t i = 0; i < vertex.size(); ++i) {
       own.push_back(vertex[i].at);
-      if (i + 1 < vertex.size() || entity->is_closed) {
+      if (side != entity->side.end() && side->vertex == i) {
+        add_chords(side->curve, error, own);
+        ++side;
+      } else if (i + 1 < vertex.size() || entity->is_closed) {
         add_bulge(vertex[i].at, vertex[(i + 1) % vertex.size()].at, vertex[i].bulge, error, own);
       }
     }
@@ -776,6 +939,9 @@ DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in
             double size = placed.entity->radius;
             for (const DxfVertex& vertex : placed.entity->vertex) {
               size = std::max(size, glm::distance(vertex.at, placed.entity->vertex[0].at));
+            }
+            for (const DxfCurvedSide& side : placed.entity->side) {
+              size = std::max(size, curve_size(side.curve));
             }
             for (const glm::dvec3& point : placed.corners(kFine * size)) {
               extent.low = extent.is_any ? glm::min(extent.low, point) : point;

@@ -2,6 +2,7 @@
 // A DXF file as a drawing: layers, blocks and entities, and how they stand in the world. Lengths in
 // the file's unit, whatever that is; angles in degrees.
 
+#include "report/tools/import/dxf_curve.h"
 #include "report/tools/import/dxf_pairs.h"
 
 #include <glm/glm.hpp>
@@ -29,15 +30,23 @@ struct DxfVertex {
   double bulge = 0.0;  // tan(angle / 4) of the arc to the next one; > 0: counter-clockwise
 };
 
+// What leads from a vertex to the next one, where it is neither a line nor an arc.
+struct DxfCurvedSide {
+  std::size_t vertex;
+  DxfCurve curve;
+};
+
 struct DxfEntity {
-  // outline: HATCH, one for each of its loops. mesh: corners of polyface and polygon meshes.
-  enum class Kind { line, polyline, outline, insert, text, circle, arc, face, mesh, point };
+  // outline: HATCH, one for each of its loops. curve: ELLIPSE, SPLINE. face: 3DFACE, SOLID, TRACE.
+  // mesh: corners of polyface and polygon meshes.
+  enum class Kind { line, polyline, outline, insert, text, circle, arc, curve, face, mesh, point };
   Kind kind = Kind::point;
   std::string layer, handle;  // handle: "" in old files
   std::size_t place = 0;      // of its first pair
   bool is_closed = false, is_hidden = false;
   bool is_in_world = false;  // points are in world coordinates, else in those of `normal`
   glm::dvec3 normal{0.0, 0.0, 1.0};
+  std::vector<DxfCurvedSide> side;  // by vertex
   std::vector<DxfVertex> vertex;  // of circles and arcs the centre, of texts and inserts the place
   double radius = 0.0, start_deg = 0.0, end_deg = 0.0;
   std::string text;   // plain, on one line
@@ -96,8 +105,8 @@ struct DxfPlaced {
   bool is_off = false;       // its layer is, or that of a reference on the way
 
   glm::dvec3 at(std::size_t vertex) const;
-  // Its corners in the world, arcs as chords that are at most so far from them. Bulges are kept by
-  // mirrors and turns; in a stretched block they become chords of the stretched arc.
+  // Its corners in the world, arcs and curves as chords that are at most so far from them. Bulges
+  // are kept by mirrors and turns; in a stretched block they become chords of the stretched arc.
   std::vector<glm::dvec3> corners(double largest_error) const;
 };
 

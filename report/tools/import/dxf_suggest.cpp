@@ -55,8 +55,10 @@ std::string kind_words(DxfEntity::Kind kind) {
       return "circles";
     case Kind::arc:
       return "arcs";
+    case Kind::curve:
+      return "curves";
     case Kind::face:
-      return "3DFACEs";
+      return "faces";
     case Kind::mesh:
       return "meshes";
     case Kind::point:

@@ -165,11 +165,11 @@ TEST(DxfDesign, FarDrawingsGetAnOriginOfTheirOwn) {
 TEST(DxfDesign, WhatIsAskedForAndHiddenIsSaid) {
   DxfText text;
   text.section("TABLES").layer("ROOM", -7, 0).end();
-  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000).entity("SPLINE", "ROOM").end();
+  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000).entity("DIMENSION", "ROOM").end();
   const cli::Design made = design(text.whole(), a_map());
   EXPECT_TRUE(made.room.empty());
   EXPECT_TRUE(has_note(made, NoteKind::left_out, "its layer is off or frozen"));
-  EXPECT_TRUE(has_note(made, NoteKind::left_out, "SPLINE: no kind that is read"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "DIMENSION: no kind that is read"));
 }
 
 TEST(ImportUnit, StatedUnitsWin) {

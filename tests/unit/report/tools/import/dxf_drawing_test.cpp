@@ -72,13 +72,13 @@ TEST(DxfDrawing, HiddenThingsAreCountedNotRead) {
                                            .line("OFF", 0, 0, 1, 2)
                                            .entity("LINE", "a")
                                            .add(67, 1)
-                                           .entity("SPLINE", "a")
+                                           .entity("DIMENSION", "a")
                                            .entity("LINE", "a")
                                            .add(10, "x")
                                            .end()
                                            .whole());
   EXPECT_EQ(read.skipped.at({"LINE", "a", "it is on paper, not in the model"}), 1u);
-  EXPECT_EQ(read.skipped.at({"SPLINE", "a", "no kind that is read"}), 1u);
+  EXPECT_EQ(read.skipped.at({"DIMENSION", "a", "no kind that is read"}), 1u);
   EXPECT_EQ(read.skipped.at({"LINE", "a", "a number of it cannot be read, or is beyond 1e15"}), 1u);
   EXPECT_TRUE(placed(read, Kind::line).empty());
 }
@@ -160,6 +160,77 @@ TEST(DxfDrawing, HatchLoopsAreOutlines) {
   EXPECT_EQ(read.entity[1].handle, "5_1");
   ASSERT_EQ(read.entity[1].vertex.size(), 3u);
   EXPECT_NEAR(read.entity[1].vertex[1].bulge, std::tan(3.14159265358979 / 8.0), 1.0e-12);
+}
+
+double area_of(const std::vector<glm::dvec3>& corner) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const glm::dvec3 &a = corner[i], &b = corner[(i + 1) % corner.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * twice;
+}
+
+// A circle of radius 3 as a rational spline of degree 2.
+DxfText& circle_as_spline(DxfText& text, double last_knot, double weight) {
+  text.entity("SPLINE", "a", "7").add(70, 5).add(71, 2).add(72, 12).add(73, 9);
+  for (const double knot : {0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, last_knot, 4.0, 4.0}) {
+    text.add(40, knot);
+  }
+  for (int i = 0; i < 9; ++i) text.add(41, i % 2 == 0 ? 1.0 : weight);
+  const double x[] = {3, 3, 0, -3, -3, -3, 0, 3, 3}, y[] = {0, 3, 3, 3, 0, -3, -3, -3, 0};
+  for (int i = 0; i < 9; ++i) text.at(x[i], y[i]);
+  return text;
+}
+
+TEST(DxfDrawing, EllipsesAndSplinesAreTheirClosedForms) {
+  constexpr double kPi = 3.14159265358979323846, kError = 1.0e-3;
+  DxfText text;
+  text.section("ENTITIES");
+  text.entity("ELLIPSE", "a").at(3, 4).add(11, 5.0).add(21, 1.0).add(31, 0.0).add(40, 0.4);
+  text.add(41, 0.0).add(42, 2.0 * kPi);
+  circle_as_spline(text, 4.0, std::sqrt(0.5)).end();
+  const cli::DxfDrawing read = drawing(text.whole());
+  const auto found = placed(read, Kind::curve);
+  ASSERT_EQ(found.size(), 2u);
+  // Chords lie within: the area is too small by at most the error along the whole line.
+  const double ellipse = area_of(found[0].corners(kError)), of_ellipse = 0.4 * 26.0 * kPi;
+  EXPECT_LT(ellipse, of_ellipse);
+  EXPECT_GT(ellipse, of_ellipse - kError * 2.0 * kPi * std::sqrt(26.0));
+  const double circle = area_of(found[1].corners(kError)), of_circle = 9.0 * kPi;
+  EXPECT_LT(circle, of_circle);
+  EXPECT_GT(circle, of_circle - kError * 6.0 * kPi);
+  for (const glm::dvec3& corner : found[1].corners(kError)) {
+    EXPECT_NEAR(glm::length(corner), 3.0, 1.0e-12);
+  }
+}
+
+TEST(DxfDrawing, SplinesThatAreNoneAreCountedWithTheirReason) {
+  const auto why = [](const std::string& text) {
+    const cli::DxfDrawing read = drawing(text);
+    EXPECT_TRUE(read.entity.empty());
+    return read.skipped.empty() ? std::string() : read.skipped.begin()->first[2];
+  };
+  DxfText back, weight, fit, degree;
+  back.section("ENTITIES");
+  EXPECT_EQ(why(circle_as_spline(back, 2.5, 1.0).end().whole()), "its knots go back");
+  weight.section("ENTITIES");
+  EXPECT_EQ(why(circle_as_spline(weight, 4.0, -1.0).end().whole()),
+            "a weight of it is not above 0");
+  fit.section("ENTITIES").entity("SPLINE", "a").add(71, 3).add(11, 0.0).add(21, 1.0).end();
+  EXPECT_EQ(why(fit.whole()), "it has no control points");
+  degree.section("ENTITIES").entity("SPLINE", "a").add(71, 2000000).at(0, 0).end();
+  EXPECT_EQ(why(degree.whole()), "its degree is not 1 to 25");
+}
+
+TEST(DxfDrawing, SolidsAreFaces) {
+  DxfText text;
+  text.section("ENTITIES").entity("SOLID", "a").at(0, 0).add(11, 4.0).add(21, 0.0);
+  text.add(12, 0.0).add(22, 3.0).add(13, 4.0).add(23, 3.0).end();
+  const cli::DxfDrawing read = drawing(text.whole());
+  const auto found = placed(read, Kind::face);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(area_of(found[0].corners(0.1)), 12.0);
 }
 
 TEST(DxfDrawing, OldPolylinesAndMeshes) {
