@@ -114,3 +114,20 @@ add_test(NAME html_split COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgat
 add_test(NAME cli.redacted_reports COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
   -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/05-failing-corridor -DWORK=${CMAKE_CURRENT_BINARY_DIR}/redacted
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_redacted.cmake)
+
+# English that is left in reports of other languages, and pages that are wider than their windows.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_Interpreter_FOUND)
+  set(translated_examples)
+  foreach(example 04-office 05-failing-corridor 06-on-the-edge 09-office-by-row)
+    list(APPEND translated_examples ${PROJECT_SOURCE_DIR}/examples/${example}/project.xml)
+  endforeach()
+  add_test(NAME english_left COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/english_left.py
+    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/english_left ${translated_examples})
+  set_tests_properties(english_left PROPERTIES TIMEOUT 300)
+  if(LUXGATE_BROWSER)
+    add_test(NAME page_widths COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/page_widths.py
+      $<TARGET_FILE:luxgate> ${LUXGATE_BROWSER} ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/page_widths)
+    set_tests_properties(page_widths PROPERTIES TIMEOUT 600)
+  endif()
+endif()

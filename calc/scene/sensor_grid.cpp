@@ -346,9 +346,7 @@ class GridMaker {
     if (const std::optional<double> parts = parts_that_reach(area, inner, counts)) {
       if (*parts == 1.0) return true;
       set_counts(inner, {*parts * counts.columns, *parts * counts.rows});
-      grid_.rule += fmt::format(
-          "; every cell in {:g} x {:g}, as a narrow part of the area would have no point", *parts,
-          *parts);
+      grid_.rule = say<Sentence::grid_every_part>(grid_.rule, *parts, *parts);
       return true;
     }
     const std::optional<MissedPart> missed = part_missed_by(area, inner, counts);

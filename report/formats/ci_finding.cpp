@@ -68,7 +68,7 @@ CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& 
   entry.key = printable(space.id + "/" + plane.id);
   entry.where = plane.where;
   entry.place =
-      printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
+      printable(title_of(space.name, space.id)) + " / " + printable(plane_title(t, plane));
   entry.message =
       t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason, known_words(t, space))));
   return entry;
@@ -142,9 +142,8 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
     }
     for (const PlanePart& plane : space.planes) {
       if (plane.changed.empty()) continue;
-      notes.push_back(
-          t.say<Text::changed_note>(room + " / " + printable(title_of(plane.name, plane.id)),
-                                    printable(changed_words(t, plane.changed))));
+      notes.push_back(t.say<Text::changed_note>(room + " / " + printable(plane_title(t, plane)),
+                                                printable(changed_words(t, plane.changed))));
     }
   }
   return notes;

@@ -80,9 +80,8 @@ std::string verdict_cell(const Texts& t, rules::Verdict verdict, bool counts = t
   return std::string(verdict_symbol(verdict)) + " " + word;
 }
 
-std::string place_cell(const SpacePart& space, const PlanePart& plane) {
-  return printable(title_of(space.name, space.id)) + " / " +
-         printable(title_of(plane.name, plane.id));
+std::string place_cell(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  return printable(title_of(space.name, space.id)) + " / " + printable(plane_title(t, plane));
 }
 
 void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
@@ -93,7 +92,7 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   TableLine line;
   line.colour = decides(finding) ? verdict_colour(finding.verdict) : kDim;
   line.cells[kVerdict] = verdict_cell(t, finding.verdict, decides(finding));
-  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kPlace] = place_cell(t, space, plane);
   line.cells[kQuantity] =
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
   line.cells[kRequired] = format_required(t, threshold, unit);
@@ -146,7 +145,7 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
     return add_doubt(t, plane, lines);
   }
   TableLine line;
-  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kPlace] = place_cell(t, space, plane);
   line.cells[kVerdict] = plane.is_computed ? std::string("  ") + t[Text::no_limit]
                                            : std::string("– ") + t[Text::not_computed];
   lines.push_back(std::move(line));
@@ -161,8 +160,9 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
 
 // "Desk [0,0]" and "task" of "Desk [0,0]: task"; of what the room's workplaces share there is one
 // part only.
-std::pair<std::string, std::string> place_and_role(const PlanePart& plane, bool of_several) {
-  const std::string title(title_of(plane.name, plane.id));
+std::pair<std::string, std::string> place_and_role(const Texts& t, const PlanePart& plane,
+                                                   bool of_several) {
+  const std::string title(plane_title(t, plane));
   const std::size_t colon = title.rfind(": ");
   if (of_several || colon == std::string::npos) return {"", title};
   return {title.substr(0, colon), title.substr(colon + 2)};
@@ -171,7 +171,7 @@ std::pair<std::string, std::string> place_and_role(const PlanePart& plane, bool 
 std::string folded_words(const Texts& t, const FoldedPasses& folded) {
   std::string roles;
   for (const PlanePart* plane : folded.planes) {
-    roles += (roles.empty() ? "" : ", ") + place_and_role(*plane, folded.of_several).second;
+    roles += (roles.empty() ? "" : ", ") + place_and_role(t, *plane, folded.of_several).second;
     const bool is_advice = std::all_of(
         plane->findings.begin(), plane->findings.end(), [](const rules::Finding& finding) {
           return finding.requirement.severity == rules::Severity::advice;
@@ -184,7 +184,7 @@ std::string folded_words(const Texts& t, const FoldedPasses& folded) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   const PlanePart& plane = folded.plane_of_nearest();
   return printable(t.say<Text::folded_passes>(
-      roles, place_and_role(plane, folded.of_several).second,
+      roles, place_and_role(t, plane, folded.of_several).second,
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement),
       format_measured(t, nearest.measured, unit, threshold), format_required(t, threshold, unit)));
 }
@@ -213,7 +213,7 @@ void add_folded(const Texts& t, const SpacePart& space, const FoldedPasses& fold
   TableLine line;
   line.colour = verdict_colour(rules::Verdict::pass);
   line.cells[kVerdict] = verdict_cell(t, rules::Verdict::pass);
-  const std::string place = place_and_role(*folded.planes.front(), folded.of_several).first;
+  const std::string place = place_and_role(t, *folded.planes.front(), folded.of_several).first;
   line.cells[kPlace] =
       printable(title_of(space.name, space.id)) + (place.empty() ? "" : " / " + printable(place));
   line.cells[kQuantity] = t.say<Text::requirements>(folded.requirements());

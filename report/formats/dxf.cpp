@@ -85,13 +85,13 @@ bool is_level(const PlanePart& plane) {
   return is_horizontal(glm::cross(plane.grid.u, plane.grid.v));
 }
 
-std::string title_of_plane(const SpacePart& space, const PlanePart& plane) {
-  return fmt::format("{} / {}", title_of(space.name, space.id), title_of(plane.name, plane.id));
+std::string title_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  return fmt::format("{} / {}", title_of(space.name, space.id), plane_title(t, plane));
 }
 
 std::string plane_label(const Texts& t, const PlanePart& plane) {
-  std::string words = fmt::format("{}: {}", title_of(plane.name, plane.id),
-                                  outcome_words(t, outcome_of_plane(plane)));
+  std::string words =
+      fmt::format("{}: {}", plane_title(t, plane), outcome_words(t, outcome_of_plane(plane)));
   if (!plane.is_computed) words += std::string(", ") + t[Text::not_computed];
   if (!doubt_words(t, plane).empty()) words += fmt::format(" ({})", t[Text::doubt]);
   return words;
@@ -525,7 +525,7 @@ void DxfWriter::draw_outlines(const PlanePart& plane, const Placing& placing) {
 void DxfWriter::draw_isolux(const SpacePart& space, const PlanePart& plane, const Placing& placing,
                             const PlaneLayers& layers, std::vector<LabelBox> taken, double text_m) {
   if (!has_cells(plane)) return;
-  const std::string title = title_of_plane(space, plane);
+  const std::string title = title_of_plane(t_, space, plane);
   if (!has_all_values(plane)) return note(t_.say<Text::dxf_no_isolux>(title));
   const PlanIsolux isolux = plan_isolux(t_, space, plane, scales_.of(space, plane));
   if (!isolux.has_all) note(title + ": " + t_[Text::isolux_left_out]);
@@ -570,7 +570,7 @@ void DxfWriter::draw_values(const SpacePart& space, const PlanePart& plane, cons
     dxf_words(layers.values, placing.at(point.position_m), text_m, "x", DxfAlign::middle,
               DxfColour::grey, dxf_);
   }
-  const std::string title = title_of_plane(space, plane);
+  const std::string title = title_of_plane(t_, space, plane);
   if (!grid.dropped.empty()) note(t_.say<Text::dxf_left_out>(title, dropped_reasons(t_, grid)));
   if (has_stacked_points(texts, text_m)) note(t_.say<Text::dxf_stacked>(title));
   draw_isolux(space, plane, placing, layers, std::move(taken), text_m);
@@ -614,7 +614,7 @@ void DxfWriter::draw_level(const SpacePart& space, const PlanePart& plane,
   const std::size_t tier = tiers_.tier_of(plane);
   use_tier(tier);
   const PlaneLayers layers = layers_of_tier(tier);
-  if (tier > 0) note(t_.say<Text::dxf_behind>(title_of_plane(space, plane), layers.values));
+  if (tier > 0) note(t_.say<Text::dxf_behind>(title_of_plane(t_, space, plane), layers.values));
   draw_values(space, plane, placing, layers);
 }
 
@@ -629,7 +629,7 @@ void DxfWriter::draw_beside(const SpacePart& space, const PlanePart& plane, doub
   }
   if (box.is_empty()) box.add({0.0, 0.0});
   const std::vector<std::string> lines{
-      dxf_text(dxf_signs(title_of_plane(space, plane))),
+      dxf_text(dxf_signs(title_of_plane(t_, space, plane))),
       dxf_text(dxf_signs(plane_label(t_, plane))),
       dxf_text(dxf_signs(orientation_words(t_, glm::cross(grid.u, grid.v)))),
       dxf_text(dxf_signs(values_words(t_, plane)))};

@@ -51,7 +51,7 @@ std::optional<std::size_t> decided_at(const PlanePart& plane, std::size_t findin
 Curve curve_of(const Texts& t, const PlanePart& plane, std::optional<std::size_t> finding) {
   Curve curve;
   curve.words =
-      std::string(title_of(plane.name, plane.id)) + ", " +
+      plane_title(t, plane) + ", " +
       (finding ? quantity_words(t, plane.findings[*finding].requirement) : t[Text::average]);
   if (finding) {
     curve.verdict = plane.looks.back().findings[*finding].verdict;
@@ -217,7 +217,7 @@ std::string html_looks(const Texts& t, const PlanePart& plane) {
       rows += "<td>" + format_measured(t, look.average, plane_unit(plane)) + "</td>";
     rows += "</tr>\n";
   }
-  const std::string name = escape_html(title_of(plane.name, plane.id));
+  const std::string name = escape_html(plane_title(t, plane));
   const std::string title = t.say<Text::looks_at>(name);
   const std::size_t looks = plane.looks.size();
   return fmt::format(

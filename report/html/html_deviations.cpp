@@ -82,8 +82,9 @@ std::string role_rows(const Texts& t, const std::string& where, const rules::Row
   using enum rules::RoleState;
   if (role.state == never_asked || role.state == asked_in_part || role.state == not_made ||
       role.state == not_possible) {
-    rows += row_html(t[role.state == asked_in_part ? Text::asked_in_part : Text::not_asked], where,
-                     escape_html(role.role) + clause, sentence_html(t, role.words), "");
+    rows +=
+        row_html(t[role.state == asked_in_part ? Text::asked_in_part : Text::not_asked], where,
+                 escape_html(role_words(t, role.role)) + clause, sentence_html(t, role.words), "");
   }
   return rows;
 }
@@ -99,9 +100,9 @@ std::string html_deviations(const Texts& t, const ProjectPart& project, std::siz
     const std::string room = escape_html(title_of(space.name, space.id));
     for (std::size_t k = 0; k < space.planes.size(); ++k) {
       const PlanePart& plane = space.planes[k];
-      const std::string where = fmt::format("<a href=\"{}\">{}</a> <span class=\"quiet\">{}</span>",
-                                            plane_href({index, s, k}, folder),
-                                            escape_html(title_of(plane.name, plane.id)), room);
+      const std::string where =
+          fmt::format("<a href=\"{}\">{}</a> <span class=\"quiet\">{}</span>",
+                      plane_href({index, s, k}, folder), escape_html(plane_title(t, plane)), room);
       for (const rules::Finding& finding : plane.findings) {
         is_anything_asked = true;
         rows += finding_rows(t, plane, where, finding);

@@ -128,8 +128,8 @@ std::string figure(const Texts& t, const Document& document, const Difference& d
       "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
       svg_number(cells.layout.width_px()), svg_number(cells.layout.height_px()),
-      t.say<Text::difference_spoken>(escape_html(title_of(plane.name, plane.id)),
-                                     plane.points.size(), from, to));
+      t.say<Text::difference_spoken>(escape_html(plane_title(t, plane)), plane.points.size(), from,
+                                     to));
   for (const auto& [step, path] : paths) {
     const std::string colour = hex_colour(step_colour(step));
     svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".4\" d=\"{1}\"/>\n",

@@ -57,7 +57,7 @@ std::string html_emergency(const Texts& t, const ProjectPart& project, std::size
             "<tr><th scope=\"row\"><a href=\"{}\">{}</a><span class=\"note\">{}</span></th><td>{}"
             "</td><td>{}</td><td class=\"num\">{}</td><td "
             "class=\"num\">{}</td><td class=\"num strong\">{}</td><td>{}</td></tr>\n",
-            plane_href({index, s, k}, folder), escape_html(title_of(plane.name, plane.id)),
+            plane_href({index, s, k}, folder), escape_html(plane_title(t, plane)),
             escape_html(title_of(space.name, space.id)), requirement_html(t, plane, finding),
             asked.scene.empty() ? t[Text::full_output] : escape_html(asked.scene),
             lit_luminaires(project, space, asked.scene),

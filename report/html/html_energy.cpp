@@ -42,8 +42,7 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
   const std::optional<PowerByLight> by_light = power_by_light(space);
   std::string note;
   if (by_light) {
-    note += "<span class=\"note\">" +
-            escape_html(title_of(by_light->plane->name, by_light->plane->id)) + "</span>";
+    note += "<span class=\"note\">" + escape_html(plane_title(t, *by_light->plane)) + "</span>";
   }
   std::string words = escape_html(title_of(space.name, space.id));
   if (space.energy) {

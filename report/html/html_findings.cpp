@@ -131,20 +131,21 @@ std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::F
       is_judged ? format_shortest(finding.margin) : "", cells.margin, cells.place);
 }
 
-std::string plane_link(PlaneIndex index, const PlanePart& plane, const std::string& folder) {
+std::string plane_link(const Texts& t, PlaneIndex index, const PlanePart& plane,
+                       const std::string& folder) {
   return fmt::format("<a href=\"{}\">{}</a>", plane_href(index, folder),
-                     escape_html(title_of(plane.name, plane.id)));
+                     escape_html(plane_title(t, plane)));
 }
 
 // The first cell of a row. Where a plane has several rows the further ones show its name only when
 // they stand alone.
-std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
-                     const std::string& folder, bool is_first) {
+std::string row_head(const Texts& t, PlaneIndex index, const SpacePart& space,
+                     const PlanePart& plane, const std::string& folder, bool is_first) {
   return fmt::format(
       "<th scope=\"row\" data-v=\"{}\"><span class=\"{}\">{}</span><span class=\"note "
       "lone\">{}</span></th>",
       escape_html(title_of(plane.name, plane.id)), is_first ? "first" : "again",
-      is_first ? plane_link(index, plane, folder) : escape_html(title_of(plane.name, plane.id)),
+      is_first ? plane_link(t, index, plane, folder) : escape_html(plane_title(t, plane)),
       escape_html(title_of(space.name, space.id)));
 }
 
@@ -186,11 +187,11 @@ std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
   for (const rules::Finding& finding : plane.findings) {
     const bool is_first = &finding == &plane.findings.front();
     html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", calc::name_of(finding.verdict),
-                        is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
+                        is_first ? "" : " same", row_head(t, index, space, plane, folder, is_first),
                         finding_cells(t, plane, finding));
   }
   return plane.findings.empty()
-             ? plain_row(t, row_head(index, space, plane, folder, true), space, plane)
+             ? plain_row(t, row_head(t, index, space, plane, folder, true), space, plane)
              : html;
 }
 
@@ -236,7 +237,7 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
   }
   const std::string remark = remarks(t, finding);
   return fmt::format("<li>{}<div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
-                     badge(t, finding.verdict), plane_link(index, plane, folder),
+                     badge(t, finding.verdict), plane_link(t, index, plane, folder),
                      t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
                      remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }
@@ -463,8 +464,7 @@ std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
     if (remark.empty()) continue;
     rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);
   }
-  const std::string label =
-      t.say<Text::requirements_of>(escape_html(title_of(plane.name, plane.id)));
+  const std::string label = t.say<Text::requirements_of>(escape_html(plane_title(t, plane)));
   return scroll_box(
       label,
       fmt::format(

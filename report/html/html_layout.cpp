@@ -405,7 +405,7 @@ std::string key_of(const Texts& t, const SpacePart& space, const std::vector<Pla
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::string names;
     for (const PlanePart* plane : groups[i].planes) {
-      names += (names.empty() ? "" : ", ") + escape_html(title_of(plane->name, plane->id)) +
+      names += (names.empty() ? "" : ", ") + escape_html(plane_title(t, *plane)) +
                height_words(t, space, *plane);
     }
     items += fmt::format("<li><b>{}</b> {}</li>\n", letter_of(i), names);

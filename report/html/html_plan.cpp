@@ -293,7 +293,7 @@ std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
   return drawing.t.say<Text::heat_map_of>(
-      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
+      escape_html(plane_title(drawing.t, plane)), plane.points.size(),
       plane_words(drawing.t, plane), cell_text(drawing, plane.minimum.value),
       cell_text(drawing, plane.maximum.value), unit_words(plane),
       format_position(drawing.t, lowest.position_m));

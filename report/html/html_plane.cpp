@@ -271,7 +271,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, const ColourScales& scales, bool folds_passed,
                        const std::vector<std::string>& groups) {
   const std::string anchor = plane_anchor(index);
-  const std::string title = escape_html(title_of(plane.name, plane.id));
+  const std::string title = escape_html(plane_title(t, plane));
   std::string html = fmt::format(
       "<article class=\"plane\" aria-labelledby=\"{0}-title\"><details class=\"card\"{3}>\n"
       "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> {4}</summary>\n"

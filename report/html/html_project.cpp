@@ -107,7 +107,7 @@ std::string ray_row(const Texts& t, const PlanePart& plane) {
       "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
       "class=\"num\">{}</td>"
       "<td class=\"num\">{}</td><td>{}</td></tr>\n",
-      escape_html(title_of(plane.name, plane.id)), format_count(counters.paths),
+      escape_html(plane_title(t, plane)), format_count(counters.paths),
       format_count(counters.direct_rays), format_count(counters.connection_rays),
       format_count(counters.near_rays), stop_words(t, plane.stop));
 }

@@ -114,10 +114,9 @@ std::string power_facts(const Texts& t, const SpacePart& space) {
   if (!density) return html;
   html += fact(t[Text::power_by_area], format_fixed(t, *density, 2) + " W/m²");
   if (const std::optional<PowerByLight> by_light = power_by_light(space)) {
-    html += fact(
-        t[Text::power_by_light],
-        t.say<Text::of_plane>(format_measured(t, by_light->w_m2, "W/m²"),
-                              escape_html(title_of(by_light->plane->name, by_light->plane->id))));
+    html += fact(t[Text::power_by_light],
+                 t.say<Text::of_plane>(format_measured(t, by_light->w_m2, "W/m²"),
+                                       escape_html(plane_title(t, *by_light->plane))));
   }
   return html;
 }

@@ -32,7 +32,7 @@ Nearest nearest_of(const Texts& t, const ProjectPart& project, const RowUse& use
         if (finding.requirement.id != use.requirement) continue;
         return {escape_html(margin_words(t, finding)),
                 escape_html(std::string(title_of(space.name, space.id)) + " / " +
-                            std::string(title_of(plane.name, plane.id))) +
+                            plane_title(t, plane)) +
                     "<span class=\"note\">" + escape_html(quantity_words(t, finding.requirement)) +
                     "</span>"};
       }

@@ -107,9 +107,9 @@ std::string value_list(const Texts& t, const PlanePart& plane) {
 
 // Of values as tables that paper holds.
 std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  std::string html = fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
-                                 escape_html(title_of(plane.name, plane.id)),
-                                 escape_html(title_of(space.name, space.id)));
+  std::string html =
+      fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
+                  escape_html(plane_title(t, plane)), escape_html(title_of(space.name, space.id)));
   const int columns = plane.grid.columns;
   const int parts = (columns + kColumnsOnPaper - 1) / kColumnsOnPaper;
   for (int part = 0; part < parts; ++part) {
@@ -129,7 +129,7 @@ std::string html_values(const Texts& t, const PlanePart& plane) {
   return fmt::format(
       "<details class=\"{}\"{}><summary>{}</summary>\n{}</details>\n", is_list ? "list" : "grid",
       is_list ? " open=\"open\"" : "", t.say<Text::values_at_points>(plane.points.size()),
-      scroll_box(t.say<Text::values_of>(escape_html(title_of(plane.name, plane.id))),
+      scroll_box(t.say<Text::values_of>(escape_html(plane_title(t, plane))),
                  is_list ? value_list(t, plane) : value_matrix(t, plane, 0, plane.grid.columns)));
 }
 

@@ -95,14 +95,8 @@ std::vector<Option> output_options(OutputOptions& options) {
            "the "
            "texts of projects and\nrule packs",
        language_choice(options.language)},
-      {"--decimal", "SIGN",
-       "Decimal sign of html, pdf, dxf, markdown and text: point or comma; default as in the\n"
-       "language (point in English). All other formats have points",
-       choice<DecimalSign>(options.decimal,
-                           {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
-      {"--paper", "SIZE", "Of pdf, and of html when it is printed: a4 or letter; default a4",
-       choice<report::Paper>(options.page.paper,
-                             {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
+      decimal_option(options.decimal, "html, pdf, dxf, markdown and text"),
+      paper_option(options.page.paper, "pdf, and of html when it is printed"),
       {"--annex", "WHEN",
        fmt::format("Tables of all values at the end of pdf, and of html when it is printed: auto, "
                    "always or\nnever; default auto: where there are at most {} values",
@@ -160,10 +154,7 @@ std::string output_contradiction(const OutputOptions& options) {
 }
 
 report::Texts report_texts(const OutputOptions& options) {
-  const bool has_comma = options.decimal == DecimalSign::of_language
-                             ? report::language_row(options.language).has_decimal_comma
-                             : options.decimal == DecimalSign::comma;
-  return {options.language, has_comma};
+  return texts_with(options.language, options.decimal);
 }
 
 std::vector<OutputFormat> planned_files(const OutputOptions& options) {

@@ -4,6 +4,7 @@
 #include "calc/base/budget.h"
 #include "report/formats/format.h"
 #include "report/shell/command.h"
+#include "report/shell/page_options.h"
 #include "report/stream/spill.h"
 #include "report/text/texts.h"
 
@@ -22,8 +23,6 @@ struct OutputFormat {
   const report::Format* format = nullptr;
   std::string file;  // "" = standard output; at most one format goes there
 };
-
-enum class DecimalSign { of_language, point, comma };
 
 struct OutputOptions {
   std::vector<OutputFormat> formats;

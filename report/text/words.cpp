@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 namespace report {
@@ -247,7 +248,7 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
   std::string words;
   for (const rules::RoleCoverage& role : row.roles) {
     if (std::find(states.begin(), states.end(), role.state) == states.end()) continue;
-    words += (words.empty() ? "" : ", ") + role.role;
+    words += (words.empty() ? "" : ", ") + role_words(t, role.role);
     if (!role.words.empty())
       words += " (" + printable(sentence(t, role.words, known_words(t, role))) + ")";
   }
@@ -316,6 +317,54 @@ std::string note_words(const Texts& t, const rules::Finding& finding) {
 
 std::string_view title_of(std::string_view name, std::string_view id) {
   return name.empty() ? id : name;
+}
+
+std::string role_words(const Texts& t, std::string_view role) {
+  constexpr std::pair<std::string_view, Text> kRoles[] = {{"task", Text::role_task},
+                                                          {"surround", Text::role_surround},
+                                                          {"background", Text::role_background},
+                                                          {"wall", Text::role_wall},
+                                                          {"ceiling", Text::role_ceiling},
+                                                          {"cylinder", Text::role_cylinder},
+                                                          {"modelling", Text::role_modelling},
+                                                          {"observer", Text::role_observer},
+                                                          {"lamp", Text::role_lamp},
+                                                          {"glare", Text::role_glare},
+                                                          {"room", Text::role_room},
+                                                          {"floor", Text::role_floor},
+                                                          {"window", Text::role_window},
+                                                          {"vertical", Text::role_vertical},
+                                                          {"route", Text::role_route},
+                                                          {"open-area", Text::role_open_area},
+                                                          {"high-risk", Text::role_high_risk},
+                                                          {"safety-item", Text::role_safety_item},
+                                                          {"carriageway", Text::role_carriageway},
+                                                          {"footway", Text::role_footway},
+                                                          {"luminaire", Text::role_luminaire},
+                                                          {"shelf", Text::role_shelf}};
+  const std::size_t dot = role.find('.');
+  const auto* const row =
+      std::find_if(std::begin(kRoles), std::end(kRoles),
+                   [&](const auto& known) { return known.first == role.substr(0, dot); });
+  if (t.language() == Language::english || row == std::end(kRoles)) return std::string(role);
+  const std::string part = dot == role.npos ? "" : " " + std::string(role.substr(dot + 1));
+  return t[row->second] + part;
+}
+
+std::string plane_title(const Texts& t, const PlanePart& plane) {
+  const std::string title(title_of(plane.name, plane.id));
+  if (t.language() == Language::english || plane.made_by.empty()) return title;
+  // "desk.wall.2" is "Desk: wall 2", or "wall 2" where workplaces share it. A workplace's id may
+  // have dots of its own.
+  const std::string_view id = plane.id;
+  for (std::size_t dot = id.find('.'); dot != id.npos; dot = id.find('.', dot + 1)) {
+    const std::string_view role = id.substr(dot + 1);
+    std::string english(role);
+    std::replace(english.begin(), english.end(), '.', ' ');
+    if (title != english && !title.ends_with(": " + english)) continue;
+    return title.substr(0, title.size() - english.size()) + role_words(t, role);
+  }
+  return title;
 }
 
 const char* stop_words(const Texts& t, calc::StopReason stop) {

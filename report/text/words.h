@@ -96,6 +96,13 @@ inline std::string close_words(const rules::Finding& finding) { return close_wor
 // Name as given, else the id.
 std::string_view title_of(std::string_view name, std::string_view id);
 
+// A role of a rule pack, or a part of it, "wall.2", as it is called: "task" is "Bereich der
+// Sehaufgabe". In English, and of a role that is not known here, as the pack names it.
+std::string role_words(const Texts& t, std::string_view role);
+// Title of a plane. Of one that a workplace made the role is in the reader's language: "Desk:
+// task".
+std::string plane_title(const Texts& t, const PlanePart& plane);
+
 // A sentence part for people.
 const char* stop_words(const Texts& t, calc::StopReason stop);
 const char* drop_words(const Texts& t, calc::DropReason reason);

@@ -341,14 +341,17 @@ class Comparer {
   std::vector<TableRow> rows_;
 };
 
-std::string render(DataFormat kind, const report::Comparison& comparison, std::size_t worst) {
+std::string render(DataFormat kind, const report::Comparison& comparison,
+                   const CompareOptions& options) {
+  const auto worst = static_cast<std::size_t>(options.worst);
   switch (kind) {
     case DataFormat::csv:
       return report::render_comparison_csv(comparison);
     case DataFormat::json:
       return report::render_comparison_json(comparison);
     case DataFormat::html:
-      return report::render_comparison_html(comparison, worst);
+      return report::render_comparison_html(comparison, worst, options.page.texts(),
+                                            options.page.paper);
     case DataFormat::markdown:
       return report::render_comparison_markdown(comparison, worst);
     case DataFormat::text:
@@ -369,8 +372,7 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
     comparison = Comparer(options, disk, diagnostics).compare();
   }
   if (comparison) {
-    const auto worst = static_cast<std::size_t>(options.worst);
-    const auto render_as = [&](DataFormat kind) { return render(kind, *comparison, worst); };
+    const auto render_as = [&](DataFormat kind) { return render(kind, *comparison, options); };
     outcome.text = write_data_outputs(options.outputs, render_as, options.quiet, diagnostics);
     if (!diagnostics.has_errors()) outcome.code = comparison->is_alike() ? kAllMet : kNotMet;
   }

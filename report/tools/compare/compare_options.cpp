@@ -38,6 +38,7 @@ Command compare_syntax(CompareOptions& options) {
           "text, csv (all points), json, html or markdown, to FILE or (one kind only) to standard\n"
           "output; default text; may be repeated",
           true));
+  add(command.options, page_options(options.page, "html"));
   add(command.options, {quiet_option(options.quiet)});
   command.notes =
       "Of two results, the first thing said is what is judged and asked otherwise than in B, as\n"

@@ -3,6 +3,7 @@
 
 #include "report/shell/command.h"
 #include "report/shell/data_output.h"
+#include "report/shell/page_options.h"
 
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct CompareOptions {
   int worst = 5;
   bool is_partial = false;  // what only one side has is a note, not an error
   std::vector<DataOutput> outputs;
+  PageChoice page;  // of html
   bool quiet = false;
 };
 

@@ -2,6 +2,8 @@
 // Two sets of illuminances at the same points, and how far they are apart.
 
 #include "report/document/document.h"
+#include "report/html/print_pages.h"
+#include "report/text/texts.h"
 
 #include <glm/glm.hpp>
 
@@ -86,6 +88,8 @@ std::string render_comparison_text(const Comparison& comparison, std::size_t wor
 std::string render_comparison_markdown(const Comparison& comparison, std::size_t worst);
 std::string render_comparison_csv(const Comparison& comparison);
 std::string render_comparison_json(const Comparison& comparison);
-std::string render_comparison_html(const Comparison& comparison, std::size_t worst);
+// The page, in the reader's language; notes stay English and are marked so.
+std::string render_comparison_html(const Comparison& comparison, std::size_t worst,
+                                   const Texts& t = {}, Paper paper = Paper::a4);
 
 }  // namespace report

@@ -151,6 +151,10 @@ void describe(const ConvergeOptions& options, const Subject& subject,
                 "error is subtracted",
                 kReferenceReplicates, report::format_count(reference_paths(options)))
           : options.reference;
+  if (options.reference == "own") {
+    document.reference_replicates = kReferenceReplicates;
+    document.reference_paths = reference_paths(options);
+  }
   document.replicates = options.replicates;
   document.seeds = options.seeds;
   document.first_seed = options.seed;
@@ -192,14 +196,15 @@ void add_planes(const Subject& subject, const std::vector<report::ConvergeTruth>
   }
 }
 
-std::string render(DataFormat kind, const report::ConvergeDocument& document) {
+std::string render(DataFormat kind, const report::ConvergeDocument& document,
+                   const PageChoice& page) {
   switch (kind) {
     case DataFormat::csv:
       return report::render_converge_csv(document);
     case DataFormat::json:
       return report::render_converge_json(document);
     case DataFormat::html:
-      return report::render_converge_html(document);
+      return report::render_converge_html(document, page.texts(), page.paper);
     case DataFormat::text:
     case DataFormat::markdown:  // not offered
       break;
@@ -210,7 +215,7 @@ std::string render(DataFormat kind, const report::ConvergeDocument& document) {
 // Writes the files; what is for standard output comes back.
 std::string write(const ConvergeOptions& options, const report::ConvergeDocument& document,
                   calc::Diagnostics& diagnostics) {
-  const auto render_as = [&](DataFormat kind) { return render(kind, document); };
+  const auto render_as = [&](DataFormat kind) { return render(kind, document, options.page); };
   return write_data_outputs(options.outputs, render_as, options.quiet, diagnostics);
 }
 

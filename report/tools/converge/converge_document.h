@@ -1,6 +1,9 @@
 #pragma once
 // What `luxgate converge` measured, for its formats.
 
+#include "report/html/print_pages.h"
+#include "report/text/texts.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -90,6 +93,9 @@ struct ConvergeDocument {
   bool is_software_opengl = false;
   std::string part;       // "total" or "indirect"
   std::string reference;  // in words
+  // Of a reference of our own; 0: it is a file.
+  int reference_replicates = 0;
+  std::uint64_t reference_paths = 0;
   int replicates = 0, seeds = 0, jobs = 0;
   std::uint64_t first_seed = 1;
   double load_s = 0.0, prepare_s = 0.0, reference_s = 0.0;
@@ -99,12 +105,13 @@ struct ConvergeDocument {
   std::vector<ConvergePlane> planes;
 };
 
-std::string_view converge_metric_name(ConvergeMetric metric);   // "rms"
-std::string_view converge_metric_title(ConvergeMetric metric);  // "RMS over points"
+std::string_view converge_metric_name(ConvergeMetric metric);  // "rms"
 
 std::string render_converge_text(const ConvergeDocument& document);
 std::string render_converge_csv(const ConvergeDocument& document);
 std::string render_converge_json(const ConvergeDocument& document);
-std::string render_converge_html(const ConvergeDocument& document);
+// The page, in the reader's language; what the project and the reference say of themselves stays.
+std::string render_converge_html(const ConvergeDocument& document, const Texts& t = {},
+                                 Paper paper = Paper::a4);
 
 }  // namespace report

@@ -107,6 +107,7 @@ Command converge_syntax(ConvergeOptions& options) {
                           "text, csv, json or html, to FILE or (one kind only) to standard output, "
                           "where text goes\n"
                           "unless another kind does; may be repeated"));
+  add(command.options, page_options(options.page, "html"));
   add(command.options, {quiet_option(options.quiet)});
   command.notes = "Times depend on the machine and on what else it does; errors do not.";
   command.examples = {

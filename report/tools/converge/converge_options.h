@@ -3,6 +3,7 @@
 
 #include "report/shell/command.h"
 #include "report/shell/data_output.h"
+#include "report/shell/page_options.h"
 
 #include <cstdint>
 #include <string>
@@ -28,6 +29,7 @@ struct ConvergeOptions {
   int jobs = 0;
   int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
   std::vector<DataOutput> outputs;
+  PageChoice page;  // of html
   bool quiet = false;
 };
 

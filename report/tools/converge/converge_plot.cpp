@@ -16,7 +16,7 @@
 namespace report {
 namespace {
 
-constexpr PlotFrame kPlotFrame{400, 292, 50, 12, 10, 44};
+constexpr PlotFrame kPlotFrame{400, 292, 62, 12, 10, 44};
 
 struct Axis {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;  // values
@@ -99,14 +99,16 @@ std::string grid(const Axis& x, const Axis& y, const PlotSpec& spec) {
     svg += line(tick.is_labelled ? "rule" : "rule faint", x.at(tick.value), y.from,
                 x.at(tick.value), y.to);
     if (tick.is_labelled) {
-      svg += text(x.at(tick.value), y.from + 16, "middle", x_label(tick.value, spec.unit));
+      svg += text(x.at(tick.value), y.from + 16, "middle",
+                  spec.t.number(x_label(tick.value, spec.unit)));
     }
   }
   for (const Tick& tick : ticks_of(y)) {
     svg += line(tick.is_labelled ? "rule" : "rule faint", x.from, y.at(tick.value), x.to,
                 y.at(tick.value));
     if (tick.is_labelled) {
-      svg += text(x.from - 7, y.at(tick.value) + 4, "end", percent_label(tick.value));
+      svg +=
+          text(x.from - 7, y.at(tick.value) + 4, "end", spec.t.number(percent_label(tick.value)));
     }
   }
   svg += line("base", x.from, y.from, x.to, y.from);
@@ -175,7 +177,7 @@ std::string log_log_plot(const PlotSpec& spec) {
       "<svg class=\"plot\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
       svg_number(kPlotFrame.width), svg_number(kPlotFrame.height),
-      escape_html(spec.title + " against " + spec.x_title));
+      escape_html(spec.title + ", " + spec.x_title));
   svg += grid(x, y, spec);
   svg += fmt::format(
       "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "
@@ -185,7 +187,7 @@ std::string log_log_plot(const PlotSpec& spec) {
   svg += guide(x, y);
   if (spec.floor && y.shows(*spec.floor)) {
     svg += line("floor-line", x.from, y.at(*spec.floor), x.to, y.at(*spec.floor));
-    svg += text(x.to - 4, y.at(*spec.floor) - 4, "end", "reference known to");
+    svg += text(x.to - 4, y.at(*spec.floor) - 4, "end", spec.t[Text::converge_floor]);
   }
   for (const PlotSeries& series : spec.series) svg += series_svg(series, x, y);
   return svg + "</svg>\n</svg>\n";

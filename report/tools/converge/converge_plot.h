@@ -1,6 +1,8 @@
 #pragma once
 // Log-log plots of errors as SVG. Colours come from the page: classes m0 to m7.
 
+#include "report/text/texts.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,6 +28,7 @@ struct PlotSpec {
   PlotUnit unit = PlotUnit::seconds;
   std::vector<PlotSeries> series;
   std::optional<double> floor;  // a dashed line: what the reference is known to
+  Texts t = {};                 // of numbers and of the dashed line
 };
 
 // "" if there is nothing to show. y in shares, labelled in per cent; a faint line falls with the

@@ -99,7 +99,7 @@ std::string render_converge_text(const ConvergeDocument& document) {
       printable(document.space_id), document.part, document.replicates, document.seeds,
       document.first_seed, printable(document.reference), document.triangles, document.luminaires,
       time_words(document.load_s), time_words(document.prepare_s));
-  if (!document.opengl.empty()) text += "OpenGL: " + printable(opengl_words(document)) + "\n";
+  if (!document.opengl.empty()) text += "OpenGL: " + printable(opengl_words({}, document)) + "\n";
   for (const ConvergePlane& plane : document.planes) {
     text += fmt::format(
         "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference "

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace report {
 namespace {
@@ -35,20 +36,6 @@ std::string_view converge_metric_name(ConvergeMetric metric) {
   return "uo";
 }
 
-std::string_view converge_metric_title(ConvergeMetric metric) {
-  switch (metric) {
-    case ConvergeMetric::rms:
-      return "RMS over points";
-    case ConvergeMetric::maximum:
-      return "Worst point";
-    case ConvergeMetric::average:
-      return "Plane average";
-    case ConvergeMetric::uniformity:
-      break;
-  }
-  return "Uniformity Uo";
-}
-
 const std::vector<ConvergePhase>& all_phases() {
   static const std::vector<ConvergePhase> phases{
       {"build_s", "build", &ConvergePhases::build, 0},
@@ -71,9 +58,50 @@ std::vector<ConvergePhase> shown_phases(const ConvergeDocument& document) {
   return shown;
 }
 
-std::string opengl_words(const ConvergeDocument& document) {
+std::string opengl_words(const Texts& t, const ConvergeDocument& document) {
   if (document.opengl.empty() || !document.is_software_opengl) return document.opengl;
-  return document.opengl + ", software: the times of methods that use it are not a GPU's";
+  return t.say<Text::converge_software>(document.opengl);
+}
+
+const char* phase_title(const Texts& t, const ConvergePhase& phase) {
+  constexpr std::pair<double ConvergePhases::*, Text> kTitles[] = {
+      {&ConvergePhases::build, Text::converge_phase_build},
+      {&ConvergePhases::direct, Text::converge_phase_direct},
+      {&ConvergePhases::pool, Text::converge_phase_paths},
+      {&ConvergePhases::maps, Text::converge_phase_maps},
+      {&ConvergePhases::connect, Text::converge_phase_connect},
+      {&ConvergePhases::near, Text::converge_phase_near}};
+  for (const auto& [seconds, title] : kTitles) {
+    if (seconds == phase.seconds) return t[title];
+  }
+  return "";
+}
+
+const char* metric_title(const Texts& t, ConvergeMetric metric) {
+  switch (metric) {
+    case ConvergeMetric::rms:
+      return t[Text::converge_rms];
+    case ConvergeMetric::maximum:
+      return t[Text::converge_worst];
+    case ConvergeMetric::average:
+      return t[Text::converge_average];
+    case ConvergeMetric::uniformity:
+      break;
+  }
+  return t[Text::converge_uo];
+}
+
+std::string method_title(const Texts& t, const ConvergeMethod& method) {
+  constexpr std::string_view kMaps = "shadow-map:";
+  const std::string_view name = method.name;
+  if (t.language() == Language::english) return method.title;
+  if (name == "core") return t[Text::converge_core];
+  if (name == "gpu") return t[Text::converge_gpu];
+  if (name == "instant-radiosity") return t[Text::converge_instant];
+  if (name == "clamped-instant-radiosity") return t[Text::converge_clamped];
+  if (name == "path-tracing") return t[Text::converge_path_tracing];
+  if (name.starts_with(kMaps)) return t.say<Text::converge_maps>(name.substr(kMaps.size()));
+  return method.title;
 }
 
 std::string error_words(double share) {

@@ -20,8 +20,15 @@ const std::vector<ConvergePhase>& all_phases();
 // Without shadow maps where no method drew any.
 std::vector<ConvergePhase> shown_phases(const ConvergeDocument& document);
 // The device of OpenGL with what it means for times, for people; "" = none was used.
-std::string opengl_words(const ConvergeDocument& document);
+std::string opengl_words(const Texts& t, const ConvergeDocument& document);
 
+// As the page has them.
+const char* phase_title(const Texts& t, const ConvergePhase& phase);
+const char* metric_title(const Texts& t, ConvergeMetric metric);
+// Of a method that is not known here its own title.
+std::string method_title(const Texts& t, const ConvergeMethod& method);
+
+// Numbers have decimal points here; pages turn them by Texts::number().
 std::string error_words(double share);            // two significant digits: "12 %", "0.034 %"
 std::string error_words(const ConvergeError& e);  // "< 0.12 %" below the reference's error
 std::string time_words(double seconds);           // "4.2 ms", "0.31 s", "12 s"

@@ -108,13 +108,12 @@ class Run {
 
   void write_sheet(const PhotometryFile& file) {
     const std::string& path = wanted_.sheet_file;
-    const report::Texts t(wanted_.language,
-                          report::language_row(wanted_.language).has_decimal_comma);
+    const report::Texts t = wanted_.page.texts();
     try {
       const calc::FileContent content = disk_.read(file.path);
       if (!content.ok()) throw std::runtime_error(file.path + ": " + content.error);
       std::string bytes =
-          render_photometry_sheet(t, file, calc::sha256_hex(content.bytes), wanted_.paper);
+          render_photometry_sheet(t, file, calc::sha256_hex(content.bytes), wanted_.page.paper);
       if (lower_extension(path) == ".pdf") {
         if (printer_ == nullptr) throw report::WriteFailure("nothing prints it");
         bytes = report::reproducible_pdf(

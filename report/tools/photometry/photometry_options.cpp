@@ -2,7 +2,6 @@
 
 #include "calc/base/text.h"
 #include "calc/photometry/read/photometry_file.h"
-#include "report/shell/language_option.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
 
@@ -82,24 +81,22 @@ Command photometry_syntax(PhotometryOptions& options) {
        "One file's data sheet: figures, polar diagram, light cone, luminances, UGR table; a PDF is "
        "printed by Chromium",
        any_text(options.sheet_file)},
-      {"--language", "LANG", "Words of the data sheet: " + language_names() + "; default en",
-       language_choice(options.language)},
-      {"--paper", "SIZE", "Of the data sheet: a4 or letter; default a4",
-       choice<report::Paper>(options.paper,
-                             {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
-      {"--compare", "",
-       "Compare two files: are they one light, and which quarter turn lies between them?",
-       &options.compare},
-      {"--lamp-set", "N", "EULUMDAT: take the N-th lamp set; default the first",
-       whole_number(options.lamp_set, 1, 1'000'000)},
-      {"--variant", "ID", "GLDF: take the light of this variant", some_text(options.variant)},
-      {"--emitter", "ID",
-       "GLDF: this emitter, ID#2 for its second light, all for those that shine together; TM-33: "
-       "id, description or number",
-       some_text(options.emitter)},
-      {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
-      color_option(options.color),
-      quiet_option(options.quiet)};
+  };
+  add(command.options, page_options(options.page, "the data sheet"));
+  add(command.options,
+      {{"--compare", "",
+        "Compare two files: are they one light, and which quarter turn lies between them?",
+        &options.compare},
+       {"--lamp-set", "N", "EULUMDAT: take the N-th lamp set; default the first",
+        whole_number(options.lamp_set, 1, 1'000'000)},
+       {"--variant", "ID", "GLDF: take the light of this variant", some_text(options.variant)},
+       {"--emitter", "ID",
+        "GLDF: this emitter, ID#2 for its second light, all for those that shine together; TM-33: "
+        "id, description or number",
+        some_text(options.emitter)},
+       {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
+       color_option(options.color),
+       quiet_option(options.quiet)});
   command.notes = "A bad file does not keep the others from being shown.";
   command.examples = {
       {"luxgate photometry panel.ies --sheet panel.html", "A data sheet"},

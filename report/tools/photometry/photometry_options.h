@@ -1,9 +1,8 @@
 #pragma once
 // The options of `luxgate photometry`.
 
-#include "report/html/print_pages.h"
 #include "report/shell/command.h"
-#include "report/text/texts.h"
+#include "report/shell/page_options.h"
 
 #include <string>
 #include <vector>
@@ -14,15 +13,14 @@ enum class PhotometryFormat { text, json, csv };
 struct PhotometryOptions {
   std::vector<std::string> files;
   PhotometryFormat format = PhotometryFormat::text;
-  std::string polar_file, polar_folder;                   // "" = none; the former for one file only
-  std::string convert_file;                               // "" = none; for one file only
-  std::string sheet_file;                                 // "" = none; for one file only
-  report::Language language = report::Language::english;  // of the sheet
-  report::Paper paper = report::Paper::a4;                // likewise
-  bool compare = false;                                   // exactly two files
-  bool strict = false;                                    // warnings give exit code 1
-  int lamp_set = 0;                                       // of EULUMDAT, from 1; 0 = not chosen
-  std::string variant, emitter;                           // of GLDF and TM-33; "" = not chosen
+  std::string polar_file, polar_folder;  // "" = none; the former for one file only
+  std::string convert_file;              // "" = none; for one file only
+  std::string sheet_file;                // "" = none; for one file only
+  PageChoice page;                       // of the sheet
+  bool compare = false;                  // exactly two files
+  bool strict = false;                   // warnings give exit code 1
+  int lamp_set = 0;                      // of EULUMDAT, from 1; 0 = not chosen
+  std::string variant, emitter;          // of GLDF and TM-33; "" = not chosen
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
 };

@@ -101,6 +101,19 @@ TEST(Sentences, AreOfTheirLanguage) {
   }
 }
 
+TEST(Sentences, GridsOfLongAreasAreOfTheReadersLanguage) {
+  const Texts german(Language::german, true);
+  const std::string english =
+      "EN 1 (p = 0.2 * 5^log10 d): d = 2.2 m, the shorter side, as the longer one is at least 2 "
+      "times as long; p = 0.347 m; 32.85 x 6.34 cells, rounded to the nearest number: 33 x 6; "
+      "every cell in 3 x 3, as a narrow part of the area would have no point";
+  const std::string words = phrases(german, english);
+  EXPECT_NE(words.find("die kürzere Seite, da die längere mindestens 2-mal"), std::string::npos)
+      << words;
+  EXPECT_NE(words.find("jede Zelle in 3 x 3 geteilt"), std::string::npos) << words;
+  EXPECT_EQ(words.find("cells"), std::string::npos) << words;
+}
+
 // Who says a sentence in other words than those of the table has it in English for ever.
 TEST(Sentences, AreAllSaid) {
   std::string sources;

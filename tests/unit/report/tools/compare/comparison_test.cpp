@@ -102,4 +102,17 @@ TEST(Comparison, NamesAreEscapedInHtml) {
   EXPECT_NE(html.find("<svg"), std::string::npos);
 }
 
+TEST(Comparison, PageIsInTheReadersLanguage) {
+  report::Comparison comparison = two_points(200.0);
+  comparison.notes = {"a note"};
+  report::compare_points(comparison);
+  const std::string html = report::render_comparison_html(
+      comparison, 2, report::Texts(report::Language::german, true), report::Paper::letter);
+  for (const char* words : {"<html lang=\"de\">", "Mittelwert von A", "size: letter;",
+                            "<span lang=\"en\">a note</span>"}) {
+    EXPECT_NE(html.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(html.find("Average"), std::string::npos);
+}
+
 }  // namespace

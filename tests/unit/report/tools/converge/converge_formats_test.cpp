@@ -71,7 +71,9 @@ TEST(ConvergeHtml, IsWellFormedAndLoadsNothing) {
   pugi::xml_document tree;
   ASSERT_TRUE(tree.load_buffer(html.data(), html.size(), pugi::parse_full));
   EXPECT_EQ(tree.select_nodes("//svg[@class='plot' and @role='img']").size(), 5u);  // no Uo known
-  EXPECT_TRUE(tree.select_nodes("//script | //link | //img | //@src | //@href").empty());
+  EXPECT_TRUE(
+      tree.select_nodes("//script | //link | //img | //@src | //@href[not(starts-with(., '#'))]")
+          .empty());
   EXPECT_THAT(html, Not(HasSubstr("http:")));
   EXPECT_THAT(html, Not(HasSubstr("https:")));
   EXPECT_THAT(html, HasSubstr("A &lt;room&gt; &amp; more"));
@@ -88,6 +90,16 @@ TEST(ConvergeHtml, LeadNamesWhatIsKnownOfBoth) {
   document.planes[0].curves[1].targets[1] = {};
   EXPECT_THAT(render_converge_html(document), HasSubstr("To 5 % of RMS error"));
   EXPECT_THAT(render_converge_html(document), HasSubstr("Its last error is 4.3 %."));
+}
+
+TEST(ConvergeHtml, IsInTheReadersLanguage) {
+  const std::string html =
+      render_converge_html(sample(), Texts(Language::german, true), Paper::letter);
+  for (const char* words : {"<html lang=\"de\">", "Bis zu 2 % RMS-Fehler", "<b>2,0-mal</b>",
+                            "RMS aller Punkte", "size: letter;"}) {
+    EXPECT_THAT(html, HasSubstr(words));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("run time")));
 }
 
 TEST(ConvergePlot, PlacesPointsByTheirLogarithms) {

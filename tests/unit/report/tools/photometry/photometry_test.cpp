@@ -339,7 +339,7 @@ TEST_F(PhotometryCommand, WritesADataSheet) {
     EXPECT_THAT(sheet, HasSubstr(words));
   }
   EXPECT_THAT(sheet, Not(HasSubstr("<script")));
-  options.language = report::Language::german;
+  options.page.language = report::Language::german;
   EXPECT_EQ(run(options).exit_code, 0);
   EXPECT_THAT(content("sheet.html"), HasSubstr("Lichttechnisches Datenblatt"));
   options.sheet_file = path("a.ies");  // never over an input
