@@ -7,10 +7,12 @@ luxgate_test(cli_tests
     unit/report/check/in_order_test.cpp
     unit/report/check/units_test.cpp
     unit/report/check/selection_test.cpp
+    unit/report/check/scene_levels_test.cpp
     unit/report/check/set_values_test.cpp
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/shell/help_text_test.cpp
+    unit/report/tools/advise/level_solver_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
     unit/report/tools/import/dxf_design_test.cpp

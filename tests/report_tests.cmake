@@ -115,7 +115,7 @@ add_test(NAME cli.redacted_reports COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_F
   -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/05-failing-corridor -DWORK=${CMAKE_CURRENT_BINARY_DIR}/redacted
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_redacted.cmake)
 
-# English that is left in reports of other languages, and pages that are wider than their windows.
+# English that is left in reports of other languages, pages that are wider than their windows, and whether advice holds.
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_Interpreter_FOUND)
   set(translated_examples)
@@ -125,6 +125,9 @@ if(Python3_Interpreter_FOUND)
   add_test(NAME english_left COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/english_left.py
     $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/english_left ${translated_examples})
   set_tests_properties(english_left PROPERTIES TIMEOUT 300)
+  add_test(NAME cli.advise COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/advise.py
+    $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/advise)
+  set_tests_properties(cli.advise PROPERTIES TIMEOUT 300)
   if(LUXGATE_BROWSER)
     add_test(NAME page_widths COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/page_widths.py
       $<TARGET_FILE:luxgate> ${LUXGATE_BROWSER} ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/page_widths)

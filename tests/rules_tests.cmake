@@ -14,6 +14,7 @@ luxgate_test(rules_tests
     unit/rules/fitness/fitness_test.cpp
     unit/rules/fitness/obstacles_test.cpp
     unit/rules/measure/despite_doubt_test.cpp
+    unit/rules/measure/level_conditions_test.cpp
     unit/rules/measure/gradient_test.cpp
     unit/rules/measure/leave_one_out_test.cpp
     unit/rules/pack/import_columns_test.cpp

@@ -1,5 +1,6 @@
 #include "report/cli/commands.h"
 
+#include "report/tools/advise/advise.h"
 #include "report/tools/check/check.h"
 #include "report/tools/compare/compare.h"
 #include "report/tools/config/config.h"
@@ -31,12 +32,13 @@ namespace cli {
 
 std::vector<Command> all_commands() {
   std::vector<Command> commands = {
-      check_command(),      watch_command(),    sweep_command(),    report_command(),
-      plan_command(),       submit_command(),   validate_command(), vpl_command(),
-      converge_command(),   selftest_command(), compare_command(),  export_command(),
-      photometry_command(), geometry_command(), rules_command(),    policy_command(),
-      explain_command(),    config_command(),   store_command(),    schema_command(),
-      import_command(),     init_command(),     devices_command(),  version_command()};
+      check_command(),  watch_command(),      sweep_command(),    advise_command(),
+      report_command(), plan_command(),       submit_command(),   validate_command(),
+      vpl_command(),    converge_command(),   selftest_command(), compare_command(),
+      export_command(), photometry_command(), geometry_command(), rules_command(),
+      policy_command(), explain_command(),    config_command(),   store_command(),
+      schema_command(), import_command(),     init_command(),     devices_command(),
+      version_command()};
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.name);
   for (const char* name : {"help", "completions", "man"}) names.emplace_back(name);

@@ -39,8 +39,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME luxgate)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# Chromium prints PDFs, OpenGL draws pictures of rooms; checks need neither, and both are larger than all the rest.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, libegl1, libopengl0, libgl1-mesa-dri")
+# Chromium prints PDFs, OpenGL draws pictures of rooms, CBC is the solver of `advise`; checks need none of them, and the
+# first two are larger than all the rest.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, coinor-libcbc3, libegl1, libopengl0, libgl1-mesa-dri")
 # CPack puts the summary of the project before a description of its own, unless that is CMake's default.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_NAME} built using CMake")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION

@@ -6,6 +6,7 @@ luxgate_build_packages=(
   libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev libhwy-dev libsleef-dev
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
   libepoxy-dev libgit2-dev libcpp-httplib-dev libqpdf-dev libtomlplusplus-dev zlib1g-dev
+  coinor-libclp-dev coinor-libcbc-dev
 )
 luxgate_python_packages=(pybind11-dev python3-dev python3-numpy)  # the Python module
 luxgate_test_packages=(

@@ -1,0 +1,26 @@
+#pragma once
+// A project file with other dimming levels: in its text, so that all else stays as it was written.
+
+#include "calc/base/diagnostics.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace check {
+
+struct SceneLevels {
+  std::string scene;               // id; a scene that the file does not have is made
+  bool takes_full_output = false;  // it becomes the scene of all that is asked of full output
+  std::vector<std::pair<std::string, double>> level_of_group;  // (0..1]; "": of luminaires without
+  std::string group_of_others;                                 // what these are called from then on
+};
+
+// The text of a project file in UTF-8. Levels that a scene has already are replaced, further ones
+// added. Empty after an error: what parse_xml() refuses.
+std::optional<std::string> with_scene_levels(const std::string& bytes, const std::string& file,
+                                             const SceneLevels& levels,
+                                             calc::Diagnostics& diagnostics);
+
+}  // namespace check

@@ -1,0 +1,54 @@
+#pragma once
+// Changes of the text of an XML file that leave all else as it is: blanks, comments, the numbers of
+// lines.
+
+#include "calc/base/xml_document.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace check {
+
+class TextChange {
+ public:
+  // text: in UTF-8, as parse_xml() read it. The elements below are of its tree, and outlive this.
+  explicit TextChange(std::string text);
+
+  // An attribute of this element, with a value that is escaped here.
+  void set(const calc::XmlElement& element, std::string_view name, std::string_view value);
+  // An attribute of a child which the element does not have: it becomes its first one, with all
+  // attributes that are set so. One such child at most.
+  void set_in_new(const calc::XmlElement& parent, const calc::XmlElement& child,
+                  std::string_view name, std::string_view value);
+  // Finished XML before all children of this element; once per element.
+  void add_children(const calc::XmlElement& parent, const std::string& xml);
+
+  // It is UTF-8 now, whatever it was.
+  std::string apply();
+
+ private:
+  struct Edit {
+    std::size_t begin, length;
+    std::string text;
+  };
+
+  std::size_t offset_of(const calc::SourceLocation& where) const;
+  std::size_t end_of_attributes(const calc::XmlElement& element) const;
+  // Between its quotes.
+  std::pair<std::size_t, std::size_t> value_of(const calc::XmlAttribute& attribute) const;
+  std::pair<std::size_t, std::size_t> declared_encoding() const;
+
+  std::string text_;
+  std::vector<std::size_t> line_start_;
+  std::vector<Edit> edits_;
+  const calc::XmlElement* new_parent_ = nullptr;
+  std::string new_child_, new_attributes_;
+};
+
+// As the value of an attribute in double quotes.
+std::string escaped_attribute(std::string_view value);
+
+}  // namespace check

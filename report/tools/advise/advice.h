@@ -1,0 +1,90 @@
+#pragma once
+// What `advise` found: plain data.
+
+#include "calc/base/names.h"
+#include "rules/catalogue/finding.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+enum class AdviceOutcome {
+  levels,         // these levels meet everything that hangs on them
+  contradiction,  // no levels do, not even with more light: these requirements exclude each other
+  more_light,     // only with more light than the luminaires have
+  too_uncertain,  // some may, but the intervals are too wide to tell
+  none_found,     // the search ended, or its levels did not pass the check
+};
+
+struct AdvisedGroup {
+  std::string group;  // "" = luminaires without one
+  std::size_t luminaires = 0;
+  double power_w = 0.0, flux_lm = 0.0;  // of all of them at full output
+  double now = 1.0;                     // level in the project
+  double level = 1.0;                   // advised; above 1: so many times the light
+};
+
+struct AdvisedRequirement {
+  std::string space, plane;  // as reports title them
+  rules::Finding before, after;
+  // Why it is no condition on the sum of groups: it took no part in the search, and was checked
+  // all the same. "" = it took part.
+  std::string not_searched;
+};
+
+struct SceneAdvice {
+  std::string scene;  // "" = full output
+  AdviceOutcome outcome = AdviceOutcome::none_found;
+  std::string reason;       // of none_found, in words
+  bool is_by_flux = false;  // the power of a luminaire is not known: costs are lumens
+  // Watts, or lumens: with the levels now, with those advised, and what no levels undercut.
+  double now = 0.0, advised = 0.0, least = 0.0;
+  std::vector<AdvisedGroup> groups;
+  // All that count in this scene; `after` is of the check of the changed project, of more_light
+  // by the same light. Without levels `after` is `before`.
+  std::vector<AdvisedRequirement> requirements;
+  std::vector<std::size_t> contradicting;  // of them: without any one of these there are levels
+  // Aggregates, classes and sums of rule packs that count and do not pass in the changed project:
+  // "LEED v4.1 ... (fail)".
+  std::vector<std::string> aggregates_not_met;
+
+  bool has_levels() const {
+    return outcome == AdviceOutcome::levels || outcome == AdviceOutcome::more_light;
+  }
+  // Every requirement of the scene, and what rule packs make of all together.
+  bool is_all_met() const {
+    if (!aggregates_not_met.empty()) return false;
+    for (const AdvisedRequirement& one : requirements) {
+      if (one.after.verdict != rules::Verdict::pass) return false;
+    }
+    return true;
+  }
+};
+
+struct Advice {
+  std::string project;
+  std::vector<SceneAdvice> scenes;
+  std::vector<std::string> notes;
+};
+
+std::string render_advice_text(const Advice& advice);
+std::string render_advice_json(const Advice& advice);
+
+}  // namespace cli
+
+namespace calc {
+
+template <>
+struct EnumNames<cli::AdviceOutcome> {
+  static constexpr EnumName<cli::AdviceOutcome> list[] = {
+      {cli::AdviceOutcome::levels, "levels"},
+      {cli::AdviceOutcome::contradiction, "contradiction"},
+      {cli::AdviceOutcome::more_light, "more-light"},
+      {cli::AdviceOutcome::too_uncertain, "too-uncertain"},
+      {cli::AdviceOutcome::none_found, "none-found"}};
+};
+
+}  // namespace calc

@@ -1,0 +1,332 @@
+#include "report/tools/advise/advise.h"
+
+#include "calc/store/memory_store.h"
+#include "report/check/scene_levels.h"
+#include "report/formats/write.h"
+#include "report/shell/data_output.h"
+#include "report/shell/interrupt.h"
+#include "report/shell/option_values.h"
+#include "report/shell/outputs.h"
+#include "report/shell/print.h"
+#include "report/shell/progress.h"
+#include "report/shell/project_reader.h"
+#include "report/text/words.h"
+#include "report/tools/advise/find_advice.h"
+#include "report/tools/advise/level_solver.h"
+#include "report/tools/check/check_options.h"
+#include "report/tools/check/check_setup.h"
+#include "report/tools/check/checked_document.h"
+#include "report/tools/check/watched_project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace cli {
+namespace {
+
+constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
+
+constexpr const char* kAdviseNotes =
+    "Light is linear in the levels of dimming groups, so that of a project that was calculated\n"
+    "once the levels that need the least power follow without a ray, for each scene and for full\n"
+    "output. Averages, least and greatest values, values at points, Uo and Ud are conditions of\n"
+    "the search; all else (glare, shares, gradients ...) takes no part in it. The levels are then\n"
+    "checked with other random numbers (--seed plus one) before anything is said, and what this\n"
+    "check says of every requirement stands beside it. Power is taken to be in proportion to the\n"
+    "level. Luminaires without a group count as one more group.\n"
+    "Where no levels meet everything, it is said which requirements exclude each other, and how\n"
+    "much more light would meet them, if any does.";
+
+struct AdviseOptions {
+  CheckOptions check;  // of one project
+  std::string project;
+  std::string scene, write_file;
+  bool has_scene = false;
+  int steps = 100;
+  std::vector<DataOutput> outputs;
+};
+
+// Keeps what documents leave out.
+class LightKeeper : public WatchedProject {
+ public:
+  LightKeeper(Progress& progress, const std::string& path) : WatchedProject(progress, path) {}
+
+  void solved(const std::string& project, const std::string& space,
+              const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
+              const calc::SpaceSolution& solution) override {
+    WatchedProject::solved(project, space, scene, tasks, solution);
+    const std::scoped_lock lock(mutex_);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      light_.insert_or_assign(tasks[i].plane_id, PlaneLight{*tasks[i].grid, solution.fields[i]});
+    }
+  }
+  // Once the project is done.
+  const LightOfPlanes& light() const { return light_; }
+
+ private:
+  std::mutex mutex_;  // spaces are solved at the same time
+  LightOfPlanes light_;
+};
+
+// The project has another text, and every other file is as it is.
+class ChangedProject : public calc::FileReader {
+ public:
+  ChangedProject(const calc::FileReader& files, std::string project, std::string text)
+      : files_(files), project_(std::move(project)), text_(std::move(text)) {}
+
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
+    if (path == project_) return {text_, ""};
+    return files_.read_within(folder, path);
+  }
+
+ private:
+  const calc::FileReader& files_;
+  const std::string project_, text_;
+};
+
+std::string unused(const std::string& wish, const std::set<std::string>& taken) {
+  std::string name = wish;
+  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{}-{}", wish, i);
+  return name;
+}
+
+check::SceneLevels levels_of(const SceneAdvice& advice, const report::ProjectPart& part) {
+  check::SceneLevels levels;
+  std::set<std::string> scenes, groups;
+  for (const report::SceneRow& scene : part.scenes) scenes.insert(scene.id);
+  for (const AdvisedGroup& group : advice.groups) groups.insert(group.group);
+  levels.takes_full_output = advice.scene.empty();
+  levels.scene = levels.takes_full_output ? unused("advised", scenes) : advice.scene;
+  for (const AdvisedGroup& group : advice.groups) {
+    levels.level_of_group.emplace_back(group.group, group.level);
+  }
+  if (groups.contains("")) levels.group_of_others = unused("others", groups);
+  return levels;
+}
+
+ExitCode exit_code_of_advice(const Advice& advice) {
+  bool is_met = true;
+  for (const SceneAdvice& scene : advice.scenes) {
+    is_met = is_met && scene.outcome == AdviceOutcome::levels && scene.is_all_met();
+  }
+  return is_met ? kAllMet : kNotMet;
+}
+
+// "" or why the file cannot be the changed project.
+std::string write_problem(const AdviseOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.write_file.empty()) return "";
+  std::error_code failure;
+  const fs::path own = fs::weakly_canonical(fs::path(options.project), failure).parent_path();
+  const fs::path its = fs::weakly_canonical(fs::path(options.write_file), failure).parent_path();
+  if (own != its) {
+    return fmt::format(
+        "--write: '{}' must lie in the folder of the project, which names its files "
+        "from there",
+        options.write_file);
+  }
+  if (path_identity(options.project) == path_identity(options.write_file)) {
+    return fmt::format("--write: '{}' is the project itself, and is not overwritten",
+                       options.write_file);
+  }
+  const std::string problem = writability(options.write_file);
+  return problem.empty() ? "" : "--write: " + problem;
+}
+
+void print_error(const std::string& words) {
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::output_not_possible, {}, words);
+  print_diagnostics(diagnostics.all(), true);
+}
+
+// All scenes that have levels, in one text. Empty after an error, which has been printed.
+std::optional<std::string> changed_project(const std::string& bytes, const AdviseOptions& options,
+                                           const Advice& advice, const report::ProjectPart& part) {
+  std::string text = bytes;
+  for (const SceneAdvice& scene : advice.scenes) {
+    if (scene.outcome != AdviceOutcome::levels) continue;
+    calc::Diagnostics diagnostics;
+    auto changed =
+        check::with_scene_levels(text, options.project, levels_of(scene, part), diagnostics);
+    if (!changed) {
+      print_diagnostics(diagnostics.all(), true);
+      return std::nullopt;
+    }
+    text = *std::move(changed);
+  }
+  return text;
+}
+
+bool is_readable_or_print(const calc::FileContent& content, const std::string& project) {
+  if (content.ok()) return true;
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::file_not_readable, {project, 0, 0}, project,
+                     content.error);
+  print_diagnostics(diagnostics.all(), true);
+  return false;
+}
+
+ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
+  watch_for_interrupt();
+  AdviseOptions options = asked;
+  CheckOptions& check = options.check;
+  const ProjectReader files(check.input);
+  check.settings.today = day_of(check.settings);
+  const std::set<std::string> inputs{options.project};
+  calc::Diagnostics outputs;
+  check_data_outputs(options.outputs, inputs, outputs);
+  print_diagnostics(outputs.all(), true);
+  if (outputs.has_errors()) return kNotJudged;
+  for (const std::string& problem : {solver_problem(), write_problem(options)}) {
+    if (problem.empty()) continue;
+    print_error(problem);
+    return kNotJudged;
+  }
+  const calc::FileContent project = files.read(options.project);
+  if (!is_readable_or_print(project, options.project)) return kNotJudged;
+  const std::optional<CheckSetup> setup = set_up_or_print(check, context, files);
+  if (!setup) return kNotJudged;
+
+  const calc::Stages stages = setup->opened.stages();
+  calc::MemoryStore memory(kMostStoreBytes);
+  const calc::LookStore store{memory, setup->opened.identity};
+  Progress progress(progress_style(check.output, context.environment),
+                    context.environment.stderr_columns, "checks");
+  LightKeeper keeper(progress, options.project);
+  const report::ProjectPart part =
+      check_safely(options.project, {check.settings, files, setup->packs, stages, keeper, nullptr,
+                                     &store, setup->crew.most_begun});
+  progress.clear();
+  if (interrupted()) return kInterrupted;
+  print_diagnostics(part.diagnostics, check.output.quiet);
+  if (!part.is_judged) return kNotJudged;
+
+  const auto check_levels = [&](const SceneAdvice& advice,
+                                std::string& reason) -> std::optional<report::ProjectPart> {
+    calc::Diagnostics diagnostics;
+    auto text = check::with_scene_levels(project.bytes, options.project, levels_of(advice, part),
+                                         diagnostics);
+    if (!text) {
+      reason = diagnostics.all().front().message;
+      return std::nullopt;
+    }
+    const ChangedProject changed(files, options.project, *std::move(text));
+    // Other random numbers: levels that were chosen by the same ones may owe something to them.
+    check::Settings settings = check.settings;
+    settings.goal = rules::Goal::verdict;
+    ++settings.radiosity.seed;
+    WatchedProject observer(progress, options.project);
+    report::ProjectPart result =
+        check_safely(options.project, {settings, changed, setup->packs, stages, observer, nullptr,
+                                       &store, setup->crew.most_begun});
+    progress.clear();
+    if (result.is_judged) return result;
+    reason = result.diagnostics.empty() ? "the changed project was not judged"
+                                        : result.diagnostics.back().message;
+    return std::nullopt;
+  };
+  Advice advice{options.project, {}, {}};
+  advice.scenes = find_advice(
+      part, keeper.light(),
+      {options.steps, check.settings.confidence, options.scene, options.has_scene}, check_levels);
+  if (interrupted()) return kInterrupted;
+  if (advice.scenes.empty()) {
+    print_error(
+        options.has_scene
+            ? fmt::format("scene '{}' has no requirement that hangs on its levels", options.scene)
+            : "the project has no requirement that hangs on the levels of luminaires");
+    return kNotJudged;
+  }
+  if (!options.write_file.empty()) {
+    const auto text = changed_project(project.bytes, options, advice, part);
+    if (!text) return kNotJudged;
+    if (const std::string why = report::write_file_atomically(options.write_file, *text);
+        !why.empty()) {
+      print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
+      return kNotJudged;
+    }
+  }
+  calc::Diagnostics written;
+  const std::string text = write_data_outputs(
+      options.outputs,
+      [&](DataFormat kind) {
+        return kind == DataFormat::json ? render_advice_json(advice) : render_advice_text(advice);
+      },
+      check.output.quiet, written);
+  print_diagnostics(written.all(), true);
+  const bool is_printed = print_result(text);
+  return is_printed && !written.has_errors() ? exit_code_of_advice(advice) : kNotJudged;
+}
+
+std::string complete_advise(AdviseOptions& options) {
+  CheckOptions& check = options.check;
+  check.input.projects = {options.project};
+  for (const DataOutput& output : options.outputs) {
+    if (output.kind == DataFormat::csv || output.kind == DataFormat::html) {
+      return "--format: text or json";
+    }
+  }
+  if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
+  return complete_work(check.settings.radiosity, check.backend);
+}
+
+}  // namespace
+
+Command advise_command() {
+  const auto options = std::make_shared<AdviseOptions>();
+  CheckOptions& check = options->check;
+  check.pictures = false;
+  check.settings.goal = rules::Goal::accuracy;
+  Command command{"advise", "Find the dimming levels that pass with the least power"};
+  command.places = {project_place(options->project)};
+  command.options = {
+      rules_option(check.input.rule_files),
+      allow_option(check.input.allowed),
+      {"--scene", "ID", "Only this scene; 'full-output' is that of requirements without one",
+       [options](const std::string& text) -> std::string {
+         if (text.empty()) return "the id of a scene, or full-output";
+         options->scene = text == "full-output" ? "" : text;
+         options->has_scene = true;
+         return "";
+       }},
+      {"--steps", "N", "Levels are multiples of 1/N, from 1 to 1000; default 100",
+       whole_number(options->steps, 1, 1000)},
+      {"--write", "FILE",
+       "Write the project with the levels that were found, for --against or compare; in the\n"
+       "folder of the project. What is asked of full output is then asked of a new scene",
+       some_text(options->write_file)}};
+  add(command.options,
+      data_format_options(options->outputs,
+                          "text or json, into a file or to standard output; default text. Can be "
+                          "repeated"));
+  for (Option& option : accuracy_options(check.settings)) {
+    if (option.names != "--goal" && option.names != "--by-luminaire") {
+      command.options.push_back(std::move(option));
+    }
+  }
+  add(command.options, work_options(check.settings.radiosity));
+  add(command.options, backend_options(check.backend));
+  add(command.options, {quiet_option(check.output.quiet)});
+  command.notes = kAdviseNotes;
+  command.examples = {{"luxgate advise office.xml --write dimmed.xml",
+                       "Levels for every scene, and a project that has them"}};
+  command.exit_codes = {
+      {kAllMet, "levels were found for every scene, and everything asked of it passes with them"},
+      {kNotMet, "for a scene there are none, or something that they cannot mend is not met"},
+      {kNotJudged, "usage, input or file error, or the project could not be judged"},
+      {kInterrupted, "interrupted"}};
+  command.complete = [options](const Environment&) { return complete_advise(*options); };
+  command.run = [options](const RunContext& context) { return run_advise(*options, context); };
+  return command;
+}
+
+}  // namespace cli

@@ -1,0 +1,356 @@
+#include "report/tools/advise/find_advice.h"
+
+#include "report/text/words.h"
+#include "report/tools/advise/level_solver.h"
+#include "rules/measure/level_conditions.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace cli {
+namespace {
+
+// Of a requirement, at a time: few of a plane's points ever matter.
+constexpr std::size_t kWorstConditions = 4;
+// The conditions keep one half width of the interval away from a limit, since that of a sum of
+// groups is not known before; where judging wants more, so much more.
+constexpr double kMoreSafety = 1.5;
+constexpr int kMostTries = 10, kMostChecks = 4;
+// How many times the light of the luminaires is looked for at most.
+constexpr double kMostLight = 20.0;
+
+using Levels01 = std::vector<double>;
+
+// A requirement that counts, with where it is in the part, and its conditions.
+struct Asked {
+  std::size_t space = 0, plane = 0, finding = 0;
+  const PlaneLight* light = nullptr;
+  std::optional<rules::LevelConditions> conditions;
+  double safety = 1.0;
+
+  bool is_searched() const { return conditions && conditions->problem().empty(); }
+};
+
+// Values of points are judged anew from their light; what is of the space needs the project.
+bool is_of_points(const rules::Requirement& requirement) {
+  const rules::MetricSource source = rules::metric_row(requirement.metric).source;
+  return source == rules::MetricSource::values || source == rules::MetricSource::counted_values ||
+         source == rules::MetricSource::neighbours;
+}
+
+class SceneSearch {
+ public:
+  SceneSearch(const report::ProjectPart& part, const LightOfPlanes& light,
+              const AdviceSettings& settings, const std::string& scene)
+      : part_(part), settings_(settings) {
+    advice_.scene = scene;
+    find_groups();
+    find_asked(light);
+  }
+
+  bool is_anything_asked() const { return !asked_.empty(); }
+
+  SceneAdvice search(const CheckLevels& check) {
+    settle_costs();
+    take_now();
+    if (const std::string why = why_none(); !why.empty()) {
+      advice_.reason = why;
+      return std::move(advice_);
+    }
+    for (int tries = 0; tries < kMostChecks; ++tries) {
+      const std::optional<Levels> found = levels_that_judge();
+      if (!found) break;
+      take(*found);
+      advice_.outcome = AdviceOutcome::levels;
+      std::string reason;
+      const std::optional<report::ProjectPart> changed = check(advice_, reason);
+      if (!changed) {
+        advice_.outcome = AdviceOutcome::none_found;
+        advice_.reason = reason;
+        return std::move(advice_);
+      }
+      if (take_findings(*changed)) return std::move(advice_);
+      advice_.outcome = AdviceOutcome::none_found;
+      advice_.reason =
+          "the levels that were found did not pass the check with other random numbers";
+    }
+    if (advice_.outcome == AdviceOutcome::none_found && advice_.reason.empty()) explain();
+    return std::move(advice_);
+  }
+
+ private:
+  void find_groups() {
+    std::map<std::string, AdvisedGroup> groups;
+    std::set<std::string> without_power;
+    for (const report::SpacePart& space : part_.spaces) {
+      for (const report::LuminaireMark& mark : space.luminaires) {
+        AdvisedGroup& group = groups[mark.group];
+        group.group = mark.group;
+        ++group.luminaires;
+        for (const report::LuminaireRow& row : part_.luminaires) {
+          if (row.type_id != mark.type_id) continue;
+          group.power_w += row.power_w;
+          group.flux_lm += row.flux_lm;
+          advice_.is_by_flux = advice_.is_by_flux || !(row.power_w > 0.0);
+          break;
+        }
+      }
+    }
+    const auto scene =
+        std::find_if(part_.scenes.begin(), part_.scenes.end(),
+                     [&](const report::SceneRow& row) { return row.id == advice_.scene; });
+    for (auto& [name, group] : groups) {
+      group.now = scene == part_.scenes.end() ? 1.0 : report::level_of(*scene, name);
+      advice_.groups.push_back(std::move(group));
+    }
+  }
+
+  void find_asked(const LightOfPlanes& light) {
+    std::vector<std::string> names;
+    for (const AdvisedGroup& group : advice_.groups) names.push_back(group.group);
+    for (std::size_t s = 0; s < part_.spaces.size(); ++s) {
+      for (std::size_t p = 0; p < part_.spaces[s].planes.size(); ++p) {
+        const report::PlanePart& plane = part_.spaces[s].planes[p];
+        const auto known = light.find(plane.id);
+        for (std::size_t f = 0; f < plane.findings.size(); ++f) {
+          const rules::Finding& finding = plane.findings[f];
+          const rules::Requirement& requirement = finding.requirement;
+          if (requirement.scene != advice_.scene || !rules::counts(rules::outcome_of(finding)) ||
+              (rules::is_of_space(requirement.metric) &&
+               !rules::is_of_space_in_scene(requirement.metric))) {
+            continue;
+          }
+          Asked asked{s, p, f, nullptr, std::nullopt};
+          AdvisedRequirement told{
+              std::string(report::title_of(part_.spaces[s].name, part_.spaces[s].id)),
+              std::string(report::title_of(plane.name, plane.id)), finding, finding, ""};
+          if (known != light.end() && known->second.field.problem.empty() &&
+              is_of_points(requirement)) {
+            asked.light = &known->second;
+            asked.conditions.emplace(requirement, asked.light->grid, asked.light->field, names,
+                                     settings_.confidence);
+            told.not_searched = asked.conditions->problem();
+          } else {
+            told.not_searched = "not of the light of the plane's points alone";
+          }
+          asked_.push_back(std::move(asked));
+          advice_.requirements.push_back(std::move(told));
+        }
+      }
+    }
+  }
+
+  void settle_costs() {
+    problem_.steps = settings_.steps;
+    for (const AdvisedGroup& group : advice_.groups) {
+      problem_.cost.push_back(advice_.is_by_flux ? group.flux_lm : group.power_w);
+      problem_.range.push_back({0.0, 1.0});
+    }
+  }
+
+  void take_now() {
+    for (std::size_t g = 0; g < advice_.groups.size(); ++g) {
+      advice_.now += problem_.cost[g] * advice_.groups[g].now;
+    }
+  }
+
+  std::string why_none() const {
+    if (advice_.groups.empty()) return "there are no luminaires";
+    for (const AdvisedRequirement& one : advice_.requirements) {
+      if (one.before.requirement.state == rules::LightState::end_of_duration) {
+        return "what a battery leaves at its end is no level to be chosen";
+      }
+    }
+    const bool is_any = std::any_of(asked_.begin(), asked_.end(),
+                                    [](const Asked& asked) { return asked.is_searched(); });
+    return is_any ? "" : "none of its requirements is one on the sum of the light of groups";
+  }
+
+  // without: indices of requirements that are left out.
+  BrokenConditions broken(double safety_share, const std::set<std::size_t>& without = {}) const {
+    return [this, safety_share, without](const Levels01& level) {
+      std::vector<rules::LevelCondition> all;
+      for (std::size_t i = 0; i < asked_.size(); ++i) {
+        if (!asked_[i].is_searched() || without.contains(i)) continue;
+        std::vector<rules::LevelCondition> some =
+            asked_[i].conditions->broken(level, safety_share * asked_[i].safety, kWorstConditions);
+        std::move(some.begin(), some.end(), std::back_inserter(all));
+      }
+      return all;
+    };
+  }
+
+  std::vector<calc::LightScene> scenes_with(const Levels01& level) const {
+    calc::LightScene scene;
+    scene.id = "advised";
+    for (std::size_t g = 0; g < level.size(); ++g) {
+      scene.level_of_group.emplace_back(advice_.groups[g].group, level[g]);
+    }
+    return {scene};
+  }
+
+  // As a check with these levels would, of the same light.
+  rules::Finding judged(const Asked& asked, const Levels01& level) const {
+    const report::PlanePart& plane = part_.spaces[asked.space].planes[asked.plane];
+    rules::Requirement requirement = plane.findings[asked.finding].requirement;
+    requirement.scene = "advised";
+    rules::Finding finding =
+        rules::judge_plane({requirement}, asked.light->grid, asked.light->field, scenes_with(level),
+                           settings_.confidence)
+            .front();
+    finding.requirement.scene = advice_.scene;
+    return finding;
+  }
+
+  // Levels by which everything that was searched passes, of the light that is known. Empty: none;
+  // then `infeasible_` says whether none can.
+  std::optional<Levels> levels_that_judge() {
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      const LevelAnswer answer = least_levels(problem_, broken(1.0));
+      if (!answer.levels) {
+        is_proven_ = answer.is_proven;
+        return std::nullopt;
+      }
+      bool is_good = true;
+      for (Asked& asked : asked_) {
+        if (!asked.is_searched()) continue;
+        if (judged(asked, answer.levels->level).verdict == rules::Verdict::pass) continue;
+        asked.safety *= kMoreSafety;
+        is_good = false;
+      }
+      if (is_good) return answer.levels;
+    }
+    advice_.reason = "judging wants more room than was found";
+    return std::nullopt;
+  }
+
+  void take(const Levels& levels) {
+    for (std::size_t g = 0; g < advice_.groups.size(); ++g) {
+      advice_.groups[g].level = levels.level[g];
+    }
+    advice_.advised = levels.cost;
+    advice_.least = levels.least_cost;
+  }
+
+  // True: all that was searched passes.
+  bool take_findings(const report::ProjectPart& changed) {
+    bool is_good = true;
+    advice_.aggregates_not_met.clear();
+    for (const rules::AggregateFinding& finding : changed.aggregates) {
+      if (!rules::counts(rules::outcome_of(finding)) || finding.verdict == rules::Verdict::pass) {
+        continue;
+      }
+      advice_.aggregates_not_met.push_back(
+          fmt::format("{} ({})", finding.clause.empty() ? finding.id : finding.clause,
+                      calc::name_of(finding.verdict)));
+    }
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      Asked& asked = asked_[i];
+      advice_.requirements[i].after =
+          changed.spaces[asked.space].planes[asked.plane].findings[asked.finding];
+      if (!asked.is_searched()) continue;
+      if (advice_.requirements[i].after.verdict == rules::Verdict::pass) continue;
+      asked.safety *= kMoreSafety;
+      is_good = false;
+    }
+    return is_good;
+  }
+
+  bool can_be_met(double safety_share, double most, const std::set<std::size_t>& without) const {
+    LevelProblem any = problem_;
+    any.steps = 0;
+    for (LevelRange& range : any.range) range.high = most;
+    return least_levels(any, broken(safety_share, without)).levels.has_value();
+  }
+
+  // Why there are no levels.
+  void explain() {
+    for (Asked& asked : asked_) asked.safety = 1.0;
+    if (can_be_met(1.0, 1.0, {})) {
+      advice_.reason = is_proven_ ? "there are levels, but none in these steps"
+                                  : "there may be levels in these steps, but the search ended";
+      return;
+    }
+    if (can_be_met(0.0, 1.0, {})) {
+      advice_.outcome = AdviceOutcome::too_uncertain;
+      return;
+    }
+    find_contradiction();
+    find_more_light();
+  }
+
+  // What cannot be met together: one after the other is left out, and comes back if there are
+  // levels without it.
+  void find_contradiction() {
+    std::set<std::size_t> without;
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      if (!asked_[i].is_searched()) continue;
+      without.insert(i);
+      if (can_be_met(0.0, 1.0, without)) {
+        without.erase(i);
+        advice_.contradicting.push_back(i);
+      }
+    }
+    advice_.outcome = AdviceOutcome::contradiction;
+  }
+
+  void find_more_light() {
+    LevelProblem more = problem_;
+    more.steps = 0;
+    for (LevelRange& range : more.range) range.high = kMostLight;
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      const LevelAnswer answer = least_levels(more, broken(1.0));
+      if (!answer.levels) return;
+      bool is_good = true;
+      for (std::size_t i = 0; i < asked_.size(); ++i) {
+        if (asked_[i].light == nullptr) continue;
+        rules::Finding finding = judged(asked_[i], answer.levels->level);
+        if (asked_[i].is_searched() && finding.verdict != rules::Verdict::pass) {
+          asked_[i].safety *= kMoreSafety;
+          is_good = false;
+        }
+        advice_.requirements[i].after = std::move(finding);
+      }
+      if (!is_good) continue;
+      take(*answer.levels);
+      advice_.outcome = AdviceOutcome::more_light;
+      return;
+    }
+    for (AdvisedRequirement& one : advice_.requirements) one.after = one.before;
+  }
+
+  const report::ProjectPart& part_;
+  const AdviceSettings& settings_;
+  SceneAdvice advice_;
+  std::vector<Asked> asked_;
+  LevelProblem problem_;
+  bool is_proven_ = true;
+};
+
+}  // namespace
+
+std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
+                                     const AdviceSettings& settings, const CheckLevels& check) {
+  std::vector<std::string> scenes;
+  const auto add = [&](const std::string& scene) {
+    if (settings.is_one_scene && scene != settings.scene) return;
+    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
+  };
+  add("");
+  for (const report::SceneRow& scene : part.scenes) add(scene.id);
+  std::vector<SceneAdvice> all;
+  for (const std::string& scene : scenes) {
+    SceneSearch search(part, light, settings, scene);
+    if (search.is_anything_asked()) all.push_back(search.search(check));
+  }
+  return all;
+}
+
+}  // namespace cli

@@ -1,0 +1,39 @@
+#pragma once
+// Levels for every scene of a project that has been checked, from the light of its planes.
+
+#include "calc/base/field.h"
+#include "calc/scene/sensor_grid.h"
+#include "report/document/document.h"
+#include "report/tools/advise/advice.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// What is known of a plane's light beyond what a document has.
+struct PlaneLight {
+  calc::SensorGrid grid;
+  calc::PlaneField field;
+};
+using LightOfPlanes = std::map<std::string, PlaneLight>;  // by plane id
+
+struct AdviceSettings {
+  int steps = 100;           // levels are multiples of 1 / steps
+  double confidence = 0.95;  // of the check
+  std::string scene;         // only this one; "" = all
+  bool is_one_scene = false;
+};
+
+// The changed project, checked with other random numbers. Empty: it could not be; `reason` says
+// why.
+using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
+                                                                     std::string& reason)>;
+
+// part: judged. A scene's requirements that are waived, or only advice, are left out.
+std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
+                                     const AdviceSettings& settings, const CheckLevels& check);
+
+}  // namespace cli

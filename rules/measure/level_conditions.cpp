@@ -1,0 +1,246 @@
+#include "rules/measure/level_conditions.h"
+
+#include "rules/catalogue/mask.h"
+#include "rules/measure/derived_points.h"
+#include "rules/measure/error_spending.h"
+#include "rules/measure/metrics.h"
+#include "rules/measure/replicate_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rules {
+namespace {
+
+// Of the largest coefficient, beyond every limit: so that "more than" is met, too, and what a
+// solver rounds breaks nothing. Far below what lamps differ.
+constexpr double kRoom = 1e-6;
+
+double scale_of(const LevelCondition& condition) {
+  double scale = 0.0;
+  for (const double c : condition.coefficient) scale = std::max(scale, std::abs(c));
+  return scale;
+}
+
+LevelCondition with_room(LevelCondition condition) {
+  condition.at_least += kRoom * scale_of(condition);
+  return condition;
+}
+
+// Values of the chosen points by one group alone, at its full output.
+PointValues light_of(const Requirement& requirement, const calc::SensorGrid& grid,
+                     const calc::PlaneField& field,
+                     const std::vector<std::pair<std::string, double>>& levels,
+                     const std::vector<std::size_t>& points) {
+  PointValues values =
+      combine_channels(field, requirement.state, levels,
+                       requirement.direct_only ? LightParts::direct : LightParts::all);
+  if (grid.derived == calc::DerivedQuantity::four_planes) values = mean_of_four_planes(values);
+  return select_points(values, points);
+}
+
+// Of which no interval can be told beforehand; the verdict on other levels says so.
+std::string why_not(const Requirement& requirement, const calc::SensorGrid& grid) {
+  if (!requirement.problem.empty()) return requirement.problem;
+  if (calc::is_plain_number(grid.derived)) return "a rating or a ratio of points";
+  if (requirement.any_one_unit_out) return "with any one luminaire out";
+  const bool is_lower = is_lower_limit(requirement.comparison);
+  switch (requirement.metric) {
+    case Metric::average:
+    case Metric::value_at_point:
+      return "";
+    case Metric::minimum:
+    case Metric::uniformity_min_avg:
+    case Metric::uniformity_min_max:
+      return is_lower ? "" : "a limit from above of a least value";
+    case Metric::maximum:
+      return is_lower ? "a limit from below of a greatest value" : "";
+    default:
+      return "no sum of the light of groups";
+  }
+}
+
+}  // namespace
+
+double LevelCondition::lack(const std::vector<double>& level) const {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < coefficient.size(); ++g) sum += coefficient[g] * level[g];
+  return at_least - sum;
+}
+
+LevelConditions::LevelConditions(const Requirement& requirement, const calc::SensorGrid& grid,
+                                 const calc::PlaneField& field,
+                                 const std::vector<std::string>& groups, double confidence)
+    : is_upper_(!is_lower_limit(requirement.comparison)),
+      limit_(requirement.limit),
+      groups_(groups.size()),
+      problem_(why_not(requirement, grid)) {
+  if (!problem_.empty()) return;
+  const MaskedPoints masked = apply_mask(requirement.mask, grid);
+  problem_ = masked.problem;
+  if (!problem_.empty()) return;
+  if (masked.points.empty()) {
+    problem_ = "no point counts";
+    return;
+  }
+  std::vector<std::size_t> points = masked.points;
+  if (requirement.metric == Metric::value_at_point) {
+    // The nearest, as judging takes it; where that refuses, nothing passes.
+    const auto nearest =
+        std::min_element(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
+          return glm::length(grid.position_m[a] - requirement.point_m.value()) <
+                 glm::length(grid.position_m[b] - requirement.point_m.value());
+        });
+    points = {*nearest};
+  }
+  const double level = look_confidence(confidence, field);
+  // One level for each group alone, the last for what no level changes.
+  std::vector<PointValues> of_group;
+  for (std::size_t g = 0; g <= groups.size(); ++g) {
+    std::vector<std::pair<std::string, double>> levels;
+    for (std::size_t other = 0; other < groups.size(); ++other) {
+      levels.emplace_back(groups[other], other == g ? 1.0 : 0.0);
+    }
+    if (g < groups.size()) {
+      for (const calc::LightChannel& channel : field.channels) {
+        if (std::find(groups.begin(), groups.end(), channel.group) == groups.end()) {
+          levels.emplace_back(channel.group, 0.0);
+        }
+      }
+    }
+    of_group.push_back(light_of(requirement, grid, field, levels, points));
+  }
+  const auto add = [&](std::size_t g, Light& light, double lx, double below, double above) {
+    light.lx.resize(groups_ + 1);
+    light.below_lx.resize(groups_ + 1);
+    light.above_lx.resize(groups_ + 1);
+    light.lx[g] = lx;
+    light.below_lx[g] = below;
+    light.above_lx[g] = above;
+  };
+  switch (requirement.metric) {
+    case Metric::average:
+      kind_ = Kind::average;
+      break;
+    case Metric::uniformity_min_avg:
+      kind_ = Kind::of_average;
+      break;
+    case Metric::uniformity_min_max:
+      kind_ = Kind::of_maximum;
+      break;
+    default:
+      kind_ = Kind::each_point;
+  }
+  light_.resize(kind_ == Kind::average ? 1 : points.size());
+  if (kind_ != Kind::average) point_ = points;
+  for (std::size_t g = 0; g < of_group.size(); ++g) {
+    PointValues& values = of_group[g];
+    const double t = one_sided_t(values.replicates, 0.5 * (1.0 - level));
+    if (kind_ == Kind::of_average) {
+      // Point less its share of the average, replicate by replicate: what both have in common
+      // does not count twice.
+      const std::vector<double> means = plane_means(values);
+      for (std::size_t r = 0; r < values.replicates; ++r) {
+        for (std::size_t i = 0; i < values.points; ++i) {
+          values.value_lx[r * values.points + i] -= limit_ * means[r];
+        }
+      }
+    }
+    const ReplicateSample sample = summarize(values, 0, values.replicates);
+    if (kind_ == Kind::average) {
+      const Limits limits = plane_limits(sample, t);
+      add(g, light_[0], limits.value, limits.value - limits.low, limits.high - limits.value);
+      continue;
+    }
+    for (std::size_t i = 0; i < values.points; ++i) {
+      const Limits limits = point_limits(sample, i, t);
+      add(g, light_[i], limits.value, limits.value - limits.low, limits.high - limits.value);
+    }
+  }
+  if (kind_ == Kind::of_average) limit_ = 0.0;
+}
+
+LevelCondition LevelConditions::condition(const Light& light, double safety) const {
+  LevelCondition result;
+  const auto coefficient = [&](std::size_t g) {
+    return is_upper_ ? -(light.lx[g] + safety * light.above_lx[g])
+                     : light.lx[g] - safety * light.below_lx[g];
+  };
+  for (std::size_t g = 0; g < groups_; ++g) result.coefficient.push_back(coefficient(g));
+  result.at_least = (is_upper_ ? -limit_ : limit_) - coefficient(groups_);
+  return with_room(std::move(result));
+}
+
+// The point must have that share of what the other one has.
+LevelCondition LevelConditions::pair_condition(std::size_t least, std::size_t greatest,
+                                               double safety) const {
+  LevelCondition result;
+  const auto coefficient = [&](std::size_t g) {
+    return light_[least].lx[g] - safety * light_[least].below_lx[g] -
+           limit_ * (light_[greatest].lx[g] + safety * light_[greatest].above_lx[g]);
+  };
+  for (std::size_t g = 0; g < groups_; ++g) result.coefficient.push_back(coefficient(g));
+  result.at_least = -coefficient(groups_);
+  result.point = point_[least];
+  return with_room(std::move(result));
+}
+
+std::vector<LevelCondition> LevelConditions::all(const std::vector<double>& level,
+                                                 double safety) const {
+  std::vector<LevelCondition> conditions;
+  if (kind_ != Kind::of_maximum) {
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+      conditions.push_back(condition(light_[i], safety));
+      if (kind_ != Kind::average) conditions.back().point = point_[i];
+    }
+    return conditions;
+  }
+  // Whichever points may be the greatest: the pairs that matter are those with the one that is.
+  const auto upper_lx = [&](const Light& light) {
+    double sum = light.lx[groups_] + safety * light.above_lx[groups_];
+    for (std::size_t g = 0; g < groups_; ++g) {
+      sum += level[g] * (light.lx[g] + safety * light.above_lx[g]);
+    }
+    return sum;
+  };
+  std::size_t greatest = 0;
+  for (std::size_t i = 1; i < light_.size(); ++i) {
+    if (upper_lx(light_[i]) > upper_lx(light_[greatest])) greatest = i;
+  }
+  for (std::size_t i = 0; i < light_.size(); ++i) {
+    if (i != greatest) conditions.push_back(pair_condition(i, greatest, safety));
+  }
+  return conditions;
+}
+
+std::vector<LevelCondition> LevelConditions::broken(const std::vector<double>& level, double safety,
+                                                    std::size_t most) const {
+  std::vector<std::pair<double, std::size_t>> lacks;
+  std::vector<LevelCondition> conditions = all(level, safety);
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const LevelCondition& one = conditions[i];
+    // Half of the room is for the solver's rounding.
+    const double lack = one.lack(level);
+    if (lack > 0.5 * kRoom * scale_of(one)) lacks.emplace_back(-lack, i);
+  }
+  std::sort(lacks.begin(), lacks.end());
+  std::vector<LevelCondition> worst;
+  for (std::size_t i = 0; i < std::min(most, lacks.size()); ++i) {
+    worst.push_back(std::move(conditions[lacks[i].second]));
+  }
+  return worst;
+}
+
+std::optional<LevelCondition> LevelConditions::nearest(const std::vector<double>& level,
+                                                       double safety) const {
+  std::vector<LevelCondition> conditions = all(level, safety);
+  if (conditions.empty()) return std::nullopt;
+  return *std::max_element(conditions.begin(), conditions.end(),
+                           [&](const LevelCondition& a, const LevelCondition& b) {
+                             return a.lack(level) < b.lack(level);
+                           });
+}
+
+}  // namespace rules

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Whether what `luxgate advise` says holds.
+
+  advise.py LUXGATE EXAMPLES WORK [PROJECTS]
+
+Cases whose answer is known, then PROJECTS (default 12) random rooms that are known to pass at some levels: advice
+must be found for each, must not cost more than these levels, and the project that it writes must pass a check with
+random numbers that neither search nor advice have seen. Exit code 1: something does not hold.
+"""
+
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+failures = []
+
+
+def expect(condition, words):
+    if not condition:
+        failures.append(words)
+        print("FAILED: " + words)
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def advise(luxgate, project, *options):
+    done = run(luxgate, "advise", project, "--quiet", "--json", *options)
+    return done.returncode, json.loads(done.stdout) if done.stdout.startswith("{") else None, done.stderr
+
+
+def room(requirements, groups=(("a", "1.5 2 2.79"), ("b", "4.5 2 2.79")), scenes=""):
+    lights = ""
+    for number, (name, place) in enumerate(groups):
+        group = f' group="{name}"' if name else ""
+        lights += f'<luminaire id="L{number}" type="t" position="{place}"{group}/>'
+    return f"""<luxgate version="1" maintenance-factor="0.8">
+<material id="m" reflectance="0.5"/><luminaire-type id="t" photometry="batwing_1200.ies" power-w="36"/>{scenes}
+<room id="r" size="6 4 2.8" floor="m" ceiling="m" walls="m">{lights}
+<plane id="p" height="0.75" margin="0.5">{requirements}</plane></room></luxgate>
+"""
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def known_cases(luxgate, examples, work):
+    office = os.path.join(examples, "04-office")
+    copied = os.path.join(work, "office")
+    shutil.copytree(office, copied, dirs_exist_ok=True)
+    dimmed = os.path.join(copied, "dimmed.xml")
+    code, advice, _ = advise(luxgate, os.path.join(copied, "project.xml"), "--write", dimmed)
+    full = advice["scenes"][0]
+    expect(code == 0 and full["outcome"] == "levels" and full["is_all_met"], "the office has levels")
+    expect(full["least"] <= full["advised"] < full["now"] == 540, "the office saves power")
+    expect(all(one["after"]["verdict"] == "pass" for one in full["requirements"]), "every requirement is said to pass")
+    done = run(luxgate, "check", dimmed, "--seed", "77", "--quiet")
+    expect(done.returncode == 0, f"the office with these levels passes: {done.returncode} {done.stderr}")
+    scene = xml.etree.ElementTree.parse(dimmed).find("scene[@id='advised']")
+    levels = {dim.get("group"): float(dim.get("level")) for dim in scene}
+    expect(levels == {row["group"]: row["level"] for row in full["groups"]}, "the levels are those that were said")
+    again, same, _ = advise(luxgate, os.path.join(copied, "project.xml"), "--jobs", "1")
+    expect(again == code and same == advice, "the same advice with one thread")
+
+    corridor = os.path.join(examples, "05-failing-corridor", "project.xml")
+    code, advice, _ = advise(luxgate, corridor)
+    expect(code == 1 and advice["scenes"][0]["outcome"] == "more-light", "the corridor needs more light")
+    expect(advice["scenes"][0]["unit"] == "lm", "nobody says the power of its luminaires: lumens are counted")
+    measured = advice["scenes"][0]["requirements"]
+    average = next(one for one in measured if one["quantity"] == "average")
+    factor = advice["scenes"][0]["groups"][0]["level"]
+    expect(abs(factor * average["before"]["low"] / average["limit"] - 1) < 0.02,
+           "the corridor needs as much as its average lacks")
+    expect(advice["scenes"][0]["contradicting"] == [measured.index(average)], "its average alone is the reason")
+
+    def case(name, *parts, **more):
+        return write(os.path.join(work, name + ".xml"), room(*parts, **more))
+
+    both = ('<require id="mean" quantity="average" at-least="180"/><require id="top" quantity="maximum" '
+            'at-most="60"/><require id="low" quantity="minimum" at-least="5"/>')
+    code, advice, _ = advise(luxgate, case("both", both))
+    scene = advice["scenes"][0]
+    expect(code == 1 and scene["outcome"] == "contradiction", "what excludes each other has no levels")
+    expect({scene["requirements"][i]["id"] for i in scene["contradicting"]} == {"mean", "top"},
+           "it is said what excludes each other")
+
+    # One group, exact but for the average's noise: the level is limit / value, a step up.
+    single = '<require quantity="average" at-least="100"/>'
+    code, advice, _ = advise(luxgate, case("single", single, groups=(("", "3 2 2.79"),)))
+    scene = advice["scenes"][0]
+    value = scene["requirements"][0]["before"]
+    level = scene["groups"][0]["level"]
+    expect(code == 0 and level >= 100 / value["high"] and level <= 100 / value["low"] + 0.02, "one group: limit / value")
+    code, advice, _ = advise(luxgate, case("tenths", single, groups=(("", "3 2 2.79"),)), "--steps", "10")
+    level = advice["scenes"][0]["groups"][0]["level"]
+    expect(code == 0 and abs(level * 10 - round(level * 10)) < 1e-12, "levels keep to their steps")
+
+    for name, command, words in (
+            ("scene", [case("x", single), "--scene", "nowhere"], "nowhere"),
+            ("nothing", [case("nothing", "")], "no requirement"),
+            ("folder", [case("x", single), "--write", os.path.join(os.path.dirname(work), "elsewhere.xml")], "folder"),
+            ("itself", [case("x", single), "--write", os.path.join(work, "x.xml")], "project itself"),
+            ("steps", [case("x", single), "--steps", "0"], "--steps"),
+            ("html", [case("x", single), "--format", "html"], "text or json"),
+            ("broken", [write(os.path.join(work, "broken.xml"), "<luxgate")], "broken.xml")):
+        done = run(luxgate, "advise", *command)
+        expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")
+    expect(not os.path.exists(os.path.join(os.path.dirname(work), "elsewhere.xml")), "nothing is written elsewhere")
+
+
+def random_case(luxgate, work, number):
+    """A room that passes at levels drawn before; then the advice for it."""
+    draw = random.Random(number)
+    names = ["a", "b", "c", "d"][:draw.randint(2, 4)]
+    groups = [(name, f"{draw.uniform(0.6, 5.4):.2f} {draw.uniform(0.6, 3.4):.2f} 2.79") for name in names]
+    levels = {name: draw.randint(10, 100) / 100 for name in names}
+    scene = '<scene id="s">' + "".join(f'<dim group="{name}" level="{level}"/>' for name, level in levels.items()) \
+        + "</scene>"
+    path = os.path.join(work, f"random-{number}.xml")
+    kinds = ["average", "minimum", "maximum", "Uo", "Ud"]
+    asked = "".join(f'<require id="{kind}" quantity="{kind}" {"at-most" if kind == "maximum" else "at-least"}="'
+                    f'{"0.5" if kind in ("Uo", "Ud") else "100"}" scene="s"/>' for kind in kinds)
+    write(path, room(asked, groups, scene))
+    result = path[:-4] + ".json"
+    run(luxgate, "check", path, "--goal", "accuracy", "--tolerance", "0.01", "--quiet", "--format", "json=" + result)
+    with open(result, encoding="utf-8") as file:
+        findings = json.load(file)["projects"][0]["spaces"][0]["planes"][0]["findings"]
+    chosen = draw.sample(kinds, draw.randint(1, 4))
+    if not {"average", "minimum"} & set(chosen):
+        chosen.append("average")
+    asked = ""
+    for finding in findings:
+        kind, value = finding["requirement"], finding["measured"]
+        if kind not in chosen:
+            continue
+        room_left = draw.uniform(0.02, 0.1)
+        limit = value["high"] * (1 + room_left) if kind == "maximum" else value["low"] * (1 - room_left)
+        asked += f'<require id="{kind}" quantity="{kind}" {"at-most" if kind == "maximum" else "at-least"}="' \
+                 f'{limit:.4g}" scene="s"/>'
+    write(path, room(asked, groups, scene))
+    dimmed = path[:-4] + "-dimmed.xml"
+    code, advice, told = advise(luxgate, path, "--tolerance", "0.01", "--write", dimmed)
+    name = f"random room {number}"
+    if advice is None or code != 0:
+        expect(False, f"{name}: {code} {told} {advice and advice['scenes'][0]['outcome']}")
+        return 0.0
+    found = advice["scenes"][0]
+    expect(found["advised"] <= found["now"] + 1e-9, f"{name}: {found['advised']} W are more than {found['now']} W")
+    expect(found["least"] <= found["advised"], f"{name}: less than the least")
+    done = run(luxgate, "check", dimmed, "--seed", str(1000 + number), "--quiet")
+    expect(done.returncode == 0, f"{name}: the written project ends with {done.returncode}: {done.stderr}")
+    return found["advised"] / found["now"]
+
+
+def main():
+    luxgate, examples, work = sys.argv[1:4]
+    count = int(sys.argv[4]) if len(sys.argv) > 4 else 12
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    shutil.copy(os.path.join(examples, "04-office", "photometry", "batwing_1200.ies"), work)
+    known_cases(luxgate, examples, work)
+    shares = [random_case(luxgate, work, number) for number in range(1, count + 1)]
+    print(f"{count} random rooms: on average {100 * sum(shares) / max(1, count):.1f} % of the power of the levels drawn")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

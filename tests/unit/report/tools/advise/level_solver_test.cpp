@@ -1,0 +1,122 @@
+#include "report/tools/advise/level_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace cli {
+namespace {
+
+using rules::LevelCondition;
+
+BrokenConditions broken_of(const std::vector<LevelCondition>& all) {
+  return [all](const std::vector<double>& level) {
+    std::vector<LevelCondition> broken;
+    for (const LevelCondition& one : all) {
+      if (one.lack(level) > 1e-6) broken.push_back(one);
+    }
+    if (broken.size() > 1) broken.resize(1);  // one at a time is enough
+    return broken;
+  };
+}
+
+LevelProblem two_groups(int steps, double a_w = 100.0, double b_w = 100.0) {
+  return {{a_w, b_w}, {{0.0, 1.0}, {0.0, 1.0}}, steps};
+}
+
+// Two luminaires, two points: 400 a + 100 b >= 300, 100 a + 400 b >= 300 meet at a = b = 0.6.
+const std::vector<LevelCondition> kTwoPoints{{{400, 100}, 300, 0}, {{100, 400}, 300, 1}};
+
+TEST(LevelSolver, FindsTheCornerOfTwoConditions) {
+  const LevelAnswer answer = least_levels(two_groups(0), broken_of(kTwoPoints));
+  ASSERT_TRUE(answer.levels);
+  EXPECT_NEAR(answer.levels->level[0], 0.6, 1e-6);
+  EXPECT_NEAR(answer.levels->level[1], 0.6, 1e-6);
+  EXPECT_NEAR(answer.levels->cost, 120.0, 1e-4);
+}
+
+TEST(LevelSolver, TakesTheCheaperGroup) {
+  const LevelAnswer answer = least_levels(two_groups(0, 10.0, 100.0), broken_of(kTwoPoints));
+  ASSERT_TRUE(answer.levels);
+  EXPECT_NEAR(answer.levels->level[0], 1.0, 1e-6);  // 100 + 400 b >= 300
+  EXPECT_NEAR(answer.levels->level[1], 0.5, 1e-6);
+}
+
+TEST(LevelSolver, KeepsToItsSteps) {
+  const LevelAnswer answer = least_levels(two_groups(8), broken_of(kTwoPoints));
+  ASSERT_TRUE(answer.levels);
+  EXPECT_TRUE(answer.is_proven);
+  // One step less in any group lacks light at one of the points.
+  EXPECT_EQ(answer.levels->level, (std::vector<double>{5.0 / 8.0, 5.0 / 8.0}));
+  EXPECT_LE(answer.levels->least_cost, answer.levels->cost);
+}
+
+TEST(LevelSolver, KnowsWhatCannotBe) {
+  std::vector<LevelCondition> dark = kTwoPoints;
+  dark.push_back({{-400, -400}, -300, 2});  // at most 300 lx where both add up
+  const LevelAnswer answer = least_levels(two_groups(100), broken_of(dark));
+  EXPECT_FALSE(answer.levels);
+  EXPECT_TRUE(answer.is_proven);
+}
+
+TEST(LevelSolver, KnowsThatNoStepIsBetween) {
+  // 0.4 <= a <= 0.45 has no tenth but 0.4; 0.41 <= a <= 0.45 has none.
+  const auto between = [](double low, double high) {
+    return std::vector<LevelCondition>{{{1, 0}, low, 0}, {{-1, 0}, -high, 0}};
+  };
+  EXPECT_TRUE(least_levels(two_groups(10), broken_of(between(0.399, 0.45))).levels);
+  const LevelAnswer none = least_levels(two_groups(10), broken_of(between(0.41, 0.45)));
+  EXPECT_FALSE(none.levels);
+  EXPECT_TRUE(none.is_proven);
+  EXPECT_TRUE(least_levels(two_groups(0), broken_of(between(0.41, 0.45))).levels);
+}
+
+TEST(LevelSolver, NeedsNothingForNothing) {
+  const LevelAnswer answer = least_levels(two_groups(100), broken_of({}));
+  ASSERT_TRUE(answer.levels);
+  EXPECT_EQ(answer.levels->level, (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(answer.levels->cost, 0.0);
+}
+
+// Every combination of tenths by hand.
+TEST(LevelSolver, IsNeverDearerThanAllCombinations) {
+  std::mt19937 random(11);
+  const auto any = [&](int from, int to) {
+    return static_cast<double>(from +
+                               static_cast<int>(random() % static_cast<unsigned>(to - from)));
+  };
+  int feasible = 0;
+  for (int round = 0; round < 60; ++round) {
+    LevelProblem problem{{any(10, 90), any(10, 90), any(10, 90)}, {{}, {}, {}}, 10};
+    std::vector<LevelCondition> all;
+    for (std::size_t p = 0; p < 5; ++p) {
+      all.push_back({{any(0, 300), any(0, 300), any(0, 300)}, any(50, 350) + 0.5, p});
+    }
+    all.push_back({{-any(0, 300), -any(0, 300), -any(0, 300)}, -any(300, 600) - 0.5, 9});
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 11 * 11 * 11; ++i) {
+      const std::vector<double> level{0.1 * (i % 11), 0.1 * (i / 11 % 11), 0.1 * (i / 121)};
+      if (std::any_of(all.begin(), all.end(),
+                      [&](const LevelCondition& one) { return one.lack(level) > 1e-6; })) {
+        continue;
+      }
+      best = std::min(best, problem.cost[0] * level[0] + problem.cost[1] * level[1] +
+                                problem.cost[2] * level[2]);
+    }
+    const LevelAnswer answer = least_levels(problem, broken_of(all));
+    ASSERT_TRUE(answer.is_proven);
+    ASSERT_EQ(answer.levels.has_value(), best < std::numeric_limits<double>::infinity());
+    if (!answer.levels) continue;
+    ++feasible;
+    EXPECT_NEAR(answer.levels->cost, best, 1e-6 * best) << "in round " << round;
+    for (const LevelCondition& one : all) EXPECT_LE(one.lack(answer.levels->level), 1e-6);
+  }
+  EXPECT_GT(feasible, 15);
+}
+
+}  // namespace
+}  // namespace cli
