@@ -104,9 +104,11 @@ void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, d
   }
 }
 
+// Sizes of housings and openings are often rounded to this.
+constexpr double kSizeRounding_m = 1.0e-3;
+
 // What is wrong with a housing for this opening is said at the attribute.
 void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housing& housing) {
-  constexpr double kRounding_m = 1.0e-3, kNoLight = 1.0e-6;
   const LuminousOpening& opening = web.opening();
   const auto refuse = [&](std::string_view attribute, const std::string& expected) {
     const std::string_view where = reader.has("dimensions") ? "dimensions" : attribute;
@@ -133,13 +135,13 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
     }
     return;
   }
-  if (housing.size_m && (housing.size_m->x < opening.along_c0_m - kRounding_m ||
-                         housing.size_m->y < opening.along_c90_m - kRounding_m)) {
+  if (housing.size_m && (housing.size_m->x < opening.along_c0_m - kSizeRounding_m ||
+                         housing.size_m->y < opening.along_c90_m - kSizeRounding_m)) {
     refuse("size", fmt::format("at least the luminous opening, {:.4g} x {:.4g} m",
                                opening.along_c0_m, opening.along_c90_m));
   }
   const double backwards = backward_share(web);
-  if (housing.depth_m > 0.0 && backwards > kNoLight) {
+  if (housing.depth_m > 0.0 && backwards > kNoBackwardLight) {
     refuse("depth",
            fmt::format("none: {:.2g} % of the light goes backwards and would be lost in the "
                        "housing; the face alone takes up light on both sides",
@@ -147,20 +149,94 @@ void check_housing(ElementReader& reader, const PhotometricWeb& web, const Housi
   }
 }
 
+void read_stated_size(const ProjectContext& context, ElementReader& reader, Housing& housing) {
+  housing.depth_m =
+      reader.optional_number("depth", kPositive).value_or(0.0) * context.metres_per_unit;
+  if (!reader.has("size")) return;
+  const std::vector<double> size =
+      reader.numbers("size", 2, "2 numbers (along C0, along C90)", kPositive);
+  housing.size_m = glm::dvec2(size[0], size[1]) * context.metres_per_unit;
+}
+
+// Of several emitters, light[i] with openings[i].
+void check_common_housing(ElementReader& reader, const std::vector<PlacedWeb>& light,
+                          const std::vector<HousedOpening>& openings, const Housing& housing) {
+  const auto need = [&](const std::string& what) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "housing", what);
+  };
+  const auto refuse = [&](std::string_view attribute, const std::string& expected) {
+    reader.report(DiagnosticId::number_out_of_range, reader.where(attribute), attribute, "housing",
+                  reader.text(attribute), expected);
+  };
+  for (std::size_t i = 0; i < openings.size(); ++i) {
+    const LuminousOpening& opening = openings[i].opening;
+    if (opening.shape == OpeningShape::point) {
+      return need(
+          fmt::format("photometry with a luminous opening, which emitter '{}' has not, or "
+                      "which opening=\"point\" leaves out",
+                      light[i].emitter));
+    }
+    if (opening.is_body()) {
+      return need(
+          fmt::format("flat luminous openings, where a luminaire has several emitters: that of "
+                      "emitter '{}' is a body of its own, {:.4g} x {:.4g} x {:.4g} m",
+                      light[i].emitter, opening.along_c0_m, opening.along_c90_m, opening.height_m));
+    }
+    if (housing.depth_m > 0.0 && openings[i].backward_share > kNoBackwardLight) {
+      refuse("depth", fmt::format("none: {:.2g} % of the light of emitter '{}' goes backwards and "
+                                  "would be lost in the housing; the faces alone take up light on "
+                                  "both sides",
+                                  100.0 * openings[i].backward_share, light[i].emitter));
+      return;
+    }
+  }
+  const HousingBox reach = reach_of(openings);
+  const glm::dvec3 size_m = reach.upper_m - reach.lower_m;
+  if (housing.size_m && (housing.size_m->x < size_m.x - kSizeRounding_m ||
+                         housing.size_m->y < size_m.y - kSizeRounding_m)) {
+    refuse("size", fmt::format("at least what the luminous openings take up together, {:.4g} x "
+                               "{:.4g} m",
+                               size_m.x, size_m.y));
+    return;
+  }
+  const std::optional<HiddenOpening> hidden = hidden_opening(openings, housing);
+  if (!hidden) return;
+  const std::string& emitter = light[hidden->emitter].emitter;
+  if (hidden->face) {
+    return need(
+        fmt::format("luminous openings none of which stands in the light of another: the "
+                    "face of emitter '{}' would reach {:.3g} m into that of emitter '{}'",
+                    light[*hidden->face].emitter, hidden->before_m, emitter));
+  }
+  refuse("depth", fmt::format("none, or one with which the box around all openings does not stand "
+                              "before one of them: it would reach {:.3g} m into the light of "
+                              "emitter '{}'",
+                              hidden->before_m, emitter));
+}
+
+// A box, of whose size nobody but the project knows: each emitter has a file of its own.
+void read_common_size(const ProjectContext& context, ElementReader& reader, Housing& housing) {
+  if (reader.has("dimensions")) {
+    reader.report(DiagnosticId::missing_form, reader.where("dimensions"), "housing",
+                  "'depth' in place of 'dimensions', where a luminaire has several emitters: each "
+                  "has photometry of its own");
+    return;
+  }
+  if (reader.has("size") && !reader.has("depth")) {
+    reader.report(DiagnosticId::missing_form, reader.where("size"), "housing",
+                  "'depth' with 'size', where a luminaire has several emitters: their faces have "
+                  "the size of the openings");
+    return;
+  }
+  read_stated_size(context, reader, housing);
+}
+
 // Its size in the project, or where that asks for it in the photometry.
 void read_housing_size(const ProjectContext& context, ElementReader& reader,
                        const PhotometrySource& source, Housing& housing) {
   reader.exclude("dimensions", "size");
   reader.exclude("dimensions", "depth");
-  if (!reader.has("dimensions")) {
-    housing.depth_m =
-        reader.optional_number("depth", kPositive).value_or(0.0) * context.metres_per_unit;
-    if (!reader.has("size")) return;
-    const std::vector<double> size =
-        reader.numbers("size", 2, "2 numbers (along C0, along C90)", kPositive);
-    housing.size_m = glm::dvec2(size[0], size[1]) * context.metres_per_unit;
-    return;
-  }
+  if (!reader.has("dimensions")) return read_stated_size(context, reader, housing);
   reader.choice("dimensions", kHousingDimensionsType.words);
   if (!reader.ok()) return;
   if (!source.body_m) {
@@ -186,16 +262,21 @@ void read_housing(const ProjectContext& context, const XmlElement& element,
                     "one <housing> at most");
       continue;
     }
-    if (light.size() > 1) {
-      reader.report(DiagnosticId::missing_form, reader.where(), "housing",
-                    "a luminaire with one emitter");
-      continue;
-    }
-    const PhotometricWeb& web = context.project.webs[light.front().web];
     Housing housing;
     housing.material = read_material(context, reader);
-    read_housing_size(context, reader, web.source(), housing);
-    if (reader.ok()) check_housing(reader, web, housing);
+    if (light.size() > 1) {
+      std::vector<HousedOpening> openings;
+      for (const PlacedWeb& emitter : light) {
+        const PhotometricWeb& web = context.project.webs[emitter.web];
+        openings.push_back({web.opening(), backward_share(web), emitter.place});
+      }
+      read_common_size(context, reader, housing);
+      if (reader.ok()) check_common_housing(reader, light, openings, housing);
+    } else {
+      const PhotometricWeb& web = context.project.webs[light.front().web];
+      read_housing_size(context, reader, web.source(), housing);
+      if (reader.ok()) check_housing(reader, web, housing);
+    }
     if (reader.ok()) type.housing = housing;
   }
 }

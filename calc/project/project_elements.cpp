@@ -335,14 +335,17 @@ const ElementRow kHousingElement{
         "The luminaire as a thing that shades and takes up light that others and the room send to "
         "it. Without it light passes through luminaires. Its own light is not touched: photometry "
         "has been measured with the housing. The face lies in the opening; of an opening that is a "
-        "body (with a luminous height) the housing is that body.",
+        "body (with a luminous height) the housing is that body. A luminaire of several emitters "
+        "has a face in each opening, all of them flat.",
     .attributes = {kMaterialAttribute,
                    {"depth", &kPositiveType, optional,
                     "How far the housing reaches behind a flat opening, for luminaires on a "
                     "surface or in the open. Without it there is the face alone, as of luminaires "
-                    "set into a ceiling."},
+                    "set into a ceiling. Of several emitters: of the one box around all openings, "
+                    "along the luminaire's axis from the opening farthest in front."},
                    {"size", &kSize2Type, optional,
-                    "Along C0 and along C90, where the housing is larger than the opening."},
+                    "Along C0 and along C90, where the housing is larger than the opening. Of "
+                    "several emitters: of the box, which needs a depth."},
                    {"dimensions", &kHousingDimensionsType, optional,
                     "file: size and depth are those of the luminaire in its photometry file "
                     "(EULUMDAT)."}}};

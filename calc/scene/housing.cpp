@@ -169,6 +169,50 @@ std::vector<NamedMesh> meshes_of(const LuminousOpening& opening, const Housing& 
   return meshes;
 }
 
+glm::dvec3 to_emitter(const EmitterPlace& place, const glm::dvec3& p) {
+  return glm::transpose(place.turn) * (p - place.position_m);
+}
+
+// Of a type of several emitters; nobody asks for their light here.
+std::vector<HousedOpening> openings_of(const Project& project, const LuminaireType& type) {
+  std::vector<HousedOpening> openings;
+  for (const TypeEmitter& emitter : type.emitters) {
+    const PhotometricWeb& web = project.webs[project.luminaire_types[emitter.type].web];
+    openings.push_back({web.opening(), 0.0, emitter.place});
+  }
+  return openings;
+}
+
+// The box around all openings, in the axes of the first emitter.
+NamedMesh common_box(const std::vector<HousedOpening>& openings, const Housing& housing) {
+  const HousingBox box = housing_box_m(openings, housing);
+  const glm::dvec2 lower_m(box.lower_m), upper_m(box.upper_m);
+  Outline outline = rectangle(0.5 * (upper_m - lower_m));
+  for (glm::dvec2& corner : outline) corner += 0.5 * (lower_m + upper_m);
+  NamedMesh named{"housing", true, prism(outline, box.lower_m.z, box.upper_m.z)};
+  for (glm::dvec3& p : named.mesh.vertex_m) p = to_emitter(openings.front().place, p);
+  return named;
+}
+
+// The size of a housing of several emitters is that of the box, not of the faces.
+NamedMesh face_of_several(const LuminousOpening& opening) { return face_of(opening, {}); }
+
+// Of one emitter, which stands for its luminaire if that has no other.
+std::vector<NamedMesh> meshes_of(const Project& project, const LuminaireType& type) {
+  const LuminousOpening& opening = project.webs[type.web].opening();
+  if (type.is_further_emitter) return {face_of_several(opening)};
+  if (type.emitters.empty()) return meshes_of(opening, *type.housing);
+  std::vector<NamedMesh> meshes{face_of_several(opening)};
+  if (type.housing->depth_m > 0.0) {
+    meshes.push_back(common_box(openings_of(project, type), *type.housing));
+  }
+  return meshes;
+}
+
+// The id of an emitter's luminaire: with_all_emitters() puts the emitter's own behind a "/", which
+// other ids do not have.
+std::string_view whole_luminaire(std::string_view id) { return id.substr(0, id.find('/')); }
+
 Body placed(NamedMesh named, const Luminaire& luminaire, std::uint32_t material) {
   Body body;
   body.id = luminaire.id + "." + named.name;
@@ -186,7 +230,8 @@ Body placed(NamedMesh named, const Luminaire& luminaire, std::uint32_t material)
 }  // namespace
 
 bool is_housing_of(const Body& body, const Luminaire& luminaire) {
-  return !body.housing_of.empty() && body.housing_of == luminaire.id;
+  return !body.housing_of.empty() &&
+         whole_luminaire(body.housing_of) == whole_luminaire(luminaire.id);
 }
 
 double backward_share(const PhotometricWeb& web) {
@@ -197,10 +242,83 @@ std::vector<Body> housing_bodies(const Project& project, const Luminaire& lumina
   const LuminaireType& type = project.luminaire_types[luminaire.type];
   std::vector<Body> bodies;
   if (!type.housing) return bodies;
-  for (NamedMesh& named : meshes_of(project.webs[type.web].opening(), *type.housing)) {
+  for (NamedMesh& named : meshes_of(project, type)) {
     bodies.push_back(placed(std::move(named), luminaire, type.housing->material));
   }
   return bodies;
+}
+
+namespace {
+
+// How far a flat opening reaches from its centre in a unit direction of the luminaire's axes.
+double half_width_m(const HousedOpening& housed, const glm::dvec3& direction) {
+  const glm::dvec3 half_m = 0.5 * housed.opening.size_m();
+  const double c0_m = half_m.x * std::abs(glm::dot(housed.place.turn[0], direction)),
+               c90_m = half_m.y * std::abs(glm::dot(housed.place.turn[1], direction));
+  return housed.opening.shape == OpeningShape::disk ? std::sqrt(c0_m * c0_m + c90_m * c90_m)
+                                                    : c0_m + c90_m;
+}
+
+}  // namespace
+
+HousingBox reach_of(const std::vector<HousedOpening>& openings) {
+  HousingBox reach;
+  for (std::size_t i = 0; i < openings.size(); ++i) {
+    glm::dvec3 out_m(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 along(0.0);
+      along[axis] = 1.0;
+      out_m[axis] = half_width_m(openings[i], along);
+    }
+    const glm::dvec3 lower_m = openings[i].place.position_m - out_m,
+                     upper_m = openings[i].place.position_m + out_m;
+    reach.lower_m = i == 0 ? lower_m : glm::min(reach.lower_m, lower_m);
+    reach.upper_m = i == 0 ? upper_m : glm::max(reach.upper_m, upper_m);
+  }
+  return reach;
+}
+
+HousingBox housing_box_m(const std::vector<HousedOpening>& openings, const Housing& housing) {
+  HousingBox box = reach_of(openings);
+  if (housing.size_m) {
+    const glm::dvec2 middle_m = 0.5 * (glm::dvec2(box.lower_m) + glm::dvec2(box.upper_m));
+    box.lower_m = {middle_m - 0.5 * *housing.size_m, box.lower_m.z};
+    box.upper_m = {middle_m + 0.5 * *housing.size_m, box.upper_m.z};
+  }
+  box.upper_m.z = box.lower_m.z + housing.depth_m;
+  return box;
+}
+
+std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& openings,
+                                            const Housing& housing) {
+  constexpr double kRounding_m = 1.0e-6;
+  std::optional<HiddenOpening> worst;
+  const auto look = [&](std::size_t emitter, std::optional<std::size_t> face, double before_m) {
+    if (before_m <= std::max(kRounding_m, worst ? worst->before_m : 0.0)) return;
+    worst = HiddenOpening{emitter, face, before_m};
+  };
+  for (std::size_t i = 0; i < openings.size(); ++i) {
+    const EmitterPlace& place = openings[i].place;
+    for (std::size_t face = 0; face < openings.size(); ++face) {
+      if (face == i) continue;
+      const HousedOpening& other = openings[face];
+      // Round faces are polygons of the disk's area, whose corners lie beyond it.
+      const double reach_m = half_width_m(other, place.turn[2]) *
+                             (other.opening.shape == OpeningShape::disk ? same_area_factor() : 1.0);
+      const double z_m = to_emitter(place, other.place.position_m).z;
+      look(i, face, reach_m - z_m);
+      if (openings[i].backward_share > kNoBackwardLight) look(i, face, reach_m + z_m);
+    }
+    if (!(housing.depth_m > 0.0)) continue;
+    const HousingBox box = housing_box_m(openings, housing);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const glm::dvec3 p((corner & 1u) != 0 ? box.upper_m.x : box.lower_m.x,
+                         (corner & 2u) != 0 ? box.upper_m.y : box.lower_m.y,
+                         (corner & 4u) != 0 ? box.upper_m.z : box.lower_m.z);
+      look(i, std::nullopt, -to_emitter(place, p).z);
+    }
+  }
+  return worst;
 }
 
 void fit_housings(const Project& project, Space& space) {
@@ -231,7 +349,7 @@ void fit_housings(const Project& project, Space& space) {
 std::size_t housing_triangles(const Project& project, const LuminaireType& type) {
   std::size_t triangles = 0;
   if (!type.housing) return triangles;
-  for (const NamedMesh& named : meshes_of(project.webs[type.web].opening(), *type.housing)) {
+  for (const NamedMesh& named : meshes_of(project, type)) {
     triangles += named.mesh.triangle.size();
   }
   return triangles;

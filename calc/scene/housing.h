@@ -5,14 +5,24 @@
 #include "calc/scene/project.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace calc {
 
+// A luminous opening and where it is in the luminaire.
+struct HousedOpening {
+  LuminousOpening opening;
+  double backward_share = 0.0;  // backward_share() of its light
+  EmitterPlace place;
+};
+
+// Whether the body is part of the housing of the luminaire, of all its emitters together.
 bool is_housing_of(const Body& body, const Luminaire& luminaire);
 
 // How much of its light goes backwards, beyond the plane of a flat opening: [0, 1].
 double backward_share(const PhotometricWeb& web);
+inline constexpr double kNoBackwardLight = 1.0e-6;  // up to this share it is none
 
 // The bodies of a luminaire's housing, "<id>.face" and "<id>.housing", where the luminaire is:
 //
@@ -21,10 +31,31 @@ double backward_share(const PhotometricWeb& web);
 //    closed prism from there backwards, too. Round ones have 32 corners and the disk's area.
 //  - opening that is a body: that body, 1 mm (at most a tenth of its smallest half side) within the
 //    surface that light leaves, so that it hides nothing of its own. Round ones are inscribed.
+//  - several emitters, all flat: each has its face, and the first one, with a depth, the box around
+//    all openings (housing_box_m).
 //
 // None where the type has no housing. The reader sees to it that the opening has a size, that the
-// housing is not smaller, and that none with a depth hides light that goes backwards.
+// housing is not smaller, and that none hides light of its own luminaire.
 std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire);
+
+// In the luminaire's axes, m. Lower and upper corner of what the openings reach.
+struct HousingBox {
+  glm::dvec3 lower_m{0.0}, upper_m{0.0};
+};
+HousingBox reach_of(const std::vector<HousedOpening>& openings);
+// The box of a housing around several openings: over their outline (or of the housing's size, with
+// the same middle), from the one that is farthest in front backwards by the depth.
+HousingBox housing_box_m(const std::vector<HousedOpening>& openings, const Housing& housing);
+
+// Of several emitters: what would stand before an opening and hide its light.
+struct HiddenOpening {
+  std::size_t emitter = 0;               // whose light
+  std::optional<std::size_t> face = {};  // by the face of this emitter; empty: by the box
+  double before_m = 0.0;                 // how far before it, > 0
+};
+// The worst one; empty if there is none. openings: flat.
+std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& openings,
+                                            const Housing& housing);
 
 // Of luminaires whose luminous body is cut (opening_fit.h) and counts as flat, a body about its
 // centre would hide the light: these get the face of the flat opening instead. Once all bodies and

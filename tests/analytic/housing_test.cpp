@@ -3,6 +3,7 @@
 #include "calc/scene/housing.h"
 
 #include "calc/base/statistics.h"
+#include "calc/scene/luminaire_sums.h"
 #include "tests/support/facet_grid.h"
 #include "tests/support/scenes.h"
 
@@ -29,17 +30,22 @@ calc::Project project_of(calc::PhotometricWeb web, double depth_m, double reflec
   return project;
 }
 
-void add_housing(const calc::Project& project, const glm::dvec3& at, calc::PreparedScene& scene) {
-  calc::Luminaire luminaire;
-  luminaire.id = "l";
-  luminaire.position_m = at;
-  luminaire.world_from_luminaire = glm::dmat3(1.0);
+void add_housing(const calc::Project& project, const calc::Luminaire& luminaire,
+                 calc::PreparedScene& scene) {
   for (const calc::Body& body : calc::housing_bodies(project, luminaire)) {
     for (const glm::uvec3& t : body.triangle) {
       add_triangle(scene, body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z],
                    project.materials[0].reflectance);
     }
   }
+}
+
+void add_housing(const calc::Project& project, const glm::dvec3& at, calc::PreparedScene& scene) {
+  calc::Luminaire luminaire;
+  luminaire.id = "l";
+  luminaire.position_m = at;
+  luminaire.world_from_luminaire = glm::dmat3(1.0);
+  add_housing(project, luminaire, scene);
 }
 
 struct Ball {
@@ -131,6 +137,63 @@ TEST(Housing, ADiskOverAPlaneHidesWhatItCovers) {
     EXPECT_NEAR(lx.value / expected_lx, 1.0, 3e-3);
     EXPECT_LT(lx.low, expected_lx * 1.001);
     EXPECT_GT(lx.high, expected_lx * 0.999);
+  }
+}
+
+// Of a rectangle over a corner of it, at this height over the point and parallel to it.
+double corner_factor(double x_m, double y_m, double height_m) {
+  const double a = x_m / height_m, b = y_m / height_m;
+  const double of_a = std::sqrt(1.0 + a * a), of_b = std::sqrt(1.0 + b * b);
+  return (a / of_a * std::atan(b / of_a) + b / of_b * std::atan(a / of_b)) / (2.0 * calc::kPi);
+}
+
+// Two openings side by side below a luminous ceiling: without a depth their faces hide a part of it
+// each, and the ceiling shines through between; the box hides that, too.
+TEST(Housing, ABoxAroundTwoOpeningsHidesWhatIsBetween) {
+  constexpr double kCeiling_m = 3.0, kLamp_m = 1.5, kHalf_m = 3.0;
+  constexpr double kCeilingLuminance = 100.0, kLampLuminance = 700.0;
+  constexpr double kNear_m = 0.3, kFar_m = 0.6, kAside_m = 0.4;  // of the openings, from the middle
+  for (const double depth_m : {0.0, 0.15}) {
+    SCOPED_TRACE(depth_m);
+    const calc::LuminousOpening opening{calc::OpeningShape::rectangle, kFar_m - kNear_m,
+                                        2 * kAside_m, 0.0};
+    calc::Project project = project_of(
+        lambert_web(kLampLuminance * opening.along_c0_m * opening.along_c90_m, 900, opening),
+        depth_m);
+    const double at_m = 0.5 * (kNear_m + kFar_m);
+    project.luminaire_types[0].emitters = {{0, {{-at_m, 0, 0}, glm::dmat3(1.0)}},
+                                           {1, {{at_m, 0, 0}, glm::dmat3(1.0)}}};
+    project.luminaire_types.push_back(project.luminaire_types[0]);
+    project.luminaire_types[1].id = "lamp/2";
+    project.luminaire_types[1].emitters.clear();
+    project.luminaire_types[1].is_further_emitter = true;
+    calc::Luminaire whole;
+    whole.id = "l";
+    whole.position_m = {0, 0, kLamp_m};
+    whole.world_from_luminaire = glm::dmat3(1.0);
+    calc::PreparedScene scene;
+    const calc::PhotometricWeb ceiling =
+        lambert_web(kCeilingLuminance * 4.0 * kHalf_m * kHalf_m, 900,
+                    {calc::OpeningShape::rectangle, 2 * kHalf_m, 2 * kHalf_m, 0.0});
+    add_luminaire(scene, ceiling, {0, 0, kCeiling_m});
+    for (const calc::Luminaire& one : calc::with_all_emitters(project, {whole})) {
+      add_housing(project, one, scene);
+      add_luminaire(scene, project.webs[0], one.position_m);
+    }
+    set_extent(scene);
+    calc::SensorGrid grid;
+    grid.position_m = {{0.0, 0.0, 0.0}};
+    grid.normal = {{0, 0, 1}};
+    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 4);
+    const calc::Estimate lx = calc::t_interval(replicates_at(solution.fields[0], 0), 0.999);
+    const double gap = 4.0 * corner_factor(kNear_m, kAside_m, kLamp_m);
+    const double lamps = 4.0 * corner_factor(kFar_m, kAside_m, kLamp_m) - gap;
+    const double hidden = depth_m > 0.0 ? lamps + gap : lamps;
+    ASSERT_GT(gap, 0.03);
+    const double expected_lx =
+        calc::kPi * (kCeilingLuminance * (centre_factor(kHalf_m, kCeiling_m) - hidden) +
+                     kLampLuminance * lamps);
+    EXPECT_NEAR(lx.value / expected_lx, 1.0, 3e-3);
   }
 }
 
