@@ -45,6 +45,7 @@ luxgate_test(scene_tests
     unit/calc/project/objects_xml_test.cpp
     unit/calc/project/planes_xml_test.cpp
     unit/calc/scene/box_shelf_test.cpp
+    unit/calc/scene/housing_mesh_test.cpp
     unit/calc/scene/housing_several_test.cpp
     unit/calc/scene/housing_test.cpp
     unit/calc/scene/opening_fit_test.cpp

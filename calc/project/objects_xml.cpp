@@ -8,6 +8,7 @@
 #include "calc/scene/luminaire_sums.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace calc {
@@ -74,18 +75,30 @@ void add_luminaires(ProjectContext& context, ElementReader& reader, IdTable& ids
   ids.add(reader, reader.id(), 0);
   const std::vector<Luminaire> luminaires =
       with_all_emitters(context.project, read_luminaires(context, reader));
+  const auto mesh_of = [&](const Luminaire& luminaire) {
+    const auto mesh = context.housing_meshes.find(luminaire.type);
+    return mesh == context.housing_meshes.end() ? nullptr : &mesh->second;
+  };
   double housings = 0.0, triangles = 0.0;
+  std::map<std::size_t, double> triangles_of;  // of a type
   for (const Luminaire& luminaire : luminaires) {
     const LuminaireType& type = context.project.luminaire_types[luminaire.type];
     if (!type.housing) continue;
     housings += 2.0;  // a face and a prism at most
-    triangles += static_cast<double>(housing_triangles(context.project, type));
+    const auto [count, is_new] = triangles_of.try_emplace(luminaire.type, 0.0);
+    if (is_new) {
+      count->second =
+          static_cast<double>(housing_triangles(context.project, type, mesh_of(luminaire)));
+    }
+    triangles += count->second;
   }
   const double instances = into.instances() + static_cast<double>(luminaires.size()) + housings;
   if (!check_room_for(context, reader, instances, into.triangles + triangles)) return;
   into.luminaires.insert(into.luminaires.end(), luminaires.begin(), luminaires.end());
   for (const Luminaire& luminaire : luminaires) {
-    for (Body& body : housing_bodies(context.project, luminaire)) into.add_body(std::move(body));
+    for (Body& body : housing_bodies(context.project, luminaire, mesh_of(luminaire))) {
+      into.add_body(std::move(body));
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include "calc/base/xml_reader.h"
 #include "calc/project/former_ids.h"
 #include "calc/project/project_files.h"
+#include "calc/scene/housing.h"
 #include "calc/scene/polygon_mend.h"
 #include "calc/scene/project.h"
 
@@ -61,6 +62,8 @@ struct ProjectContext {
   std::optional<double> maintenance_factor = {};  // of types that state none
   IdTable materials{"material"};
   IdTable luminaire_types{"luminaire type"};
+  // Of luminaire types whose housing is a file: index into Project::luminaire_types.
+  std::map<std::size_t, HousingMesh> housing_meshes{};
   IdTable planes{"plane"};
   FormerIds former_planes{"plane"};
   std::set<std::string, std::less<>>

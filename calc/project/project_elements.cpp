@@ -348,7 +348,21 @@ const ElementRow kHousingElement{
                     "several emitters: of the box, which needs a depth."},
                    {"dimensions", &kHousingDimensionsType, optional,
                     "file: size and depth are those of the luminaire in its photometry file "
-                    "(EULUMDAT)."}}};
+                    "(EULUMDAT)."},
+                   {"file", &kTextType, optional,
+                    "A mesh file (see mesh) in place of depth, size and dimensions, all of it of "
+                    "this material. x is C0, y C90, z points backwards (up for a luminaire that "
+                    "shines down), from the centre of the opening, or of several emitters from the "
+                    "luminaire's position. It lies behind flat openings, which keep their faces, "
+                    "and within openings that are bodies."},
+                   kMeshFormatAttribute,
+                   kMeshNodeAttribute,
+                   {"position", &kVectorType, optional,
+                    "Of a mesh: where its origin goes in these axes (0 0 0)."},
+                   {"rotation", &kNumberType, optional, "Of a mesh: about z."},
+                   kMeshScaleAttribute,
+                   kMeshUpAttribute,
+                   kMeshUnitsAttribute}};
 
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/scene/opening.h"
 #include "calc/scene/opening_fit.h"
 
 #include <algorithm>
@@ -119,12 +120,15 @@ Mesh turned(Mesh mesh, OpeningShape shape) {
   return mesh;
 }
 
-Mesh inside_of(const LuminousOpening& opening) {
+// How far a housing lies within the surface of this body.
+double within_m(const LuminousOpening& opening) {
   constexpr double kWithin_m = 1.0e-3, kLeast = 0.9;
   const glm::dvec3 outer_m = 0.5 * opening.size_m();
-  const double within_m =
-      std::min(kWithin_m, (1.0 - kLeast) * std::min({outer_m.x, outer_m.y, outer_m.z}));
-  const glm::dvec3 half_m = outer_m - within_m;
+  return std::min(kWithin_m, (1.0 - kLeast) * std::min({outer_m.x, outer_m.y, outer_m.z}));
+}
+
+Mesh inside_of(const LuminousOpening& opening) {
+  const glm::dvec3 half_m = 0.5 * opening.size_m() - within_m(opening);
   switch (opening.shape) {
     case OpeningShape::cylinder:
       return prism(ellipse(glm::dvec2(half_m)), -half_m.z, half_m.z);
@@ -145,29 +149,34 @@ Outline outline_of(const LuminousOpening& opening, const Housing& housing) {
   return is_round ? ellipse(same_area_factor() * half_m) : rectangle(half_m);
 }
 
+constexpr std::string_view kFace = "face", kHousing = "housing";
+
 struct NamedMesh {
-  const char* name;
+  std::string_view name;
   bool is_closed;
   Mesh mesh;
 };
 
 // Of a flat opening.
 NamedMesh face_of(const LuminousOpening& opening, const Housing& housing) {
-  return {"face", false, sheet(outline_of(opening, housing))};
+  return {kFace, false, sheet(outline_of(opening, housing))};
 }
 
 std::vector<NamedMesh> meshes_of(const LuminousOpening& opening, const Housing& housing) {
   std::vector<NamedMesh> meshes;
   if (opening.is_body()) {
-    meshes.push_back({"housing", true, inside_of(opening)});
+    meshes.push_back({kHousing, true, inside_of(opening)});
     return meshes;
   }
   meshes.push_back(face_of(opening, housing));
   if (housing.depth_m > 0.0) {
-    meshes.push_back({"housing", true, prism(outline_of(opening, housing), 0.0, housing.depth_m)});
+    meshes.push_back({kHousing, true, prism(outline_of(opening, housing), 0.0, housing.depth_m)});
   }
   return meshes;
 }
+
+// What lies no further before an opening, or off a place, is there but for rounding.
+constexpr double kSamePlane_m = 1.0e-6;
 
 glm::dvec3 to_emitter(const EmitterPlace& place, const glm::dvec3& p) {
   return glm::transpose(place.turn) * (p - place.position_m);
@@ -189,21 +198,35 @@ NamedMesh common_box(const std::vector<HousedOpening>& openings, const Housing& 
   const glm::dvec2 lower_m(box.lower_m), upper_m(box.upper_m);
   Outline outline = rectangle(0.5 * (upper_m - lower_m));
   for (glm::dvec2& corner : outline) corner += 0.5 * (lower_m + upper_m);
-  NamedMesh named{"housing", true, prism(outline, box.lower_m.z, box.upper_m.z)};
+  NamedMesh named{kHousing, true, prism(outline, box.lower_m.z, box.upper_m.z)};
   for (glm::dvec3& p : named.mesh.vertex_m) p = to_emitter(openings.front().place, p);
   return named;
 }
 
-// The size of a housing of several emitters is that of the box, not of the faces.
-NamedMesh face_of_several(const LuminousOpening& opening) { return face_of(opening, {}); }
+// A size is that of the box around several openings, not of the faces; a mesh has none.
+NamedMesh own_face(const LuminousOpening& opening) { return face_of(opening, {}); }
+
+// In the axes of the emitter at this place.
+NamedMesh of_file(const HousingMesh& mesh, const EmitterPlace& place) {
+  NamedMesh named{kHousing, mesh.is_closed, {{}, mesh.triangle}};
+  for (const glm::dvec3& p : mesh.vertex_m) {
+    named.mesh.vertex_m.push_back(to_emitter(place, p));
+  }
+  return named;
+}
 
 // Of one emitter, which stands for its luminaire if that has no other.
-std::vector<NamedMesh> meshes_of(const Project& project, const LuminaireType& type) {
+std::vector<NamedMesh> meshes_of(const Project& project, const LuminaireType& type,
+                                 const HousingMesh* mesh) {
   const LuminousOpening& opening = project.webs[type.web].opening();
-  if (type.is_further_emitter) return {face_of_several(opening)};
-  if (type.emitters.empty()) return meshes_of(opening, *type.housing);
-  std::vector<NamedMesh> meshes{face_of_several(opening)};
-  if (type.housing->depth_m > 0.0) {
+  if (type.is_further_emitter) return {own_face(opening)};
+  if (type.emitters.empty() && mesh == nullptr) return meshes_of(opening, *type.housing);
+  std::vector<NamedMesh> meshes;
+  if (!opening.is_body()) meshes.push_back(own_face(opening));
+  if (mesh != nullptr) {
+    meshes.push_back(
+        of_file(*mesh, type.emitters.empty() ? EmitterPlace{} : type.emitters.front().place));
+  } else if (type.housing->depth_m > 0.0) {
     meshes.push_back(common_box(openings_of(project, type), *type.housing));
   }
   return meshes;
@@ -215,7 +238,7 @@ std::string_view whole_luminaire(std::string_view id) { return id.substr(0, id.f
 
 Body placed(NamedMesh named, const Luminaire& luminaire, std::uint32_t material) {
   Body body;
-  body.id = luminaire.id + "." + named.name;
+  body.id = luminaire.id + "." + std::string(named.name);
   body.housing_of = luminaire.id;
   body.where = luminaire.where;
   body.is_closed = named.is_closed;
@@ -225,6 +248,12 @@ Body placed(NamedMesh named, const Luminaire& luminaire, std::uint32_t material)
     body.vertex_m.push_back(luminaire.position_m + luminaire.world_from_luminaire * p);
   }
   return body;
+}
+
+// Of a housing's bodies.
+bool is_face(const Body& body) {
+  return body.id.size() > body.housing_of.size() &&
+         body.id.substr(body.housing_of.size() + 1) == kFace;
 }
 
 }  // namespace
@@ -238,11 +267,12 @@ double backward_share(const PhotometricWeb& web) {
   return web.zonal_flux_lm(0.5 * kPi, kPi) / web.flux_lm();
 }
 
-std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire) {
+std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire,
+                                 const HousingMesh* mesh) {
   const LuminaireType& type = project.luminaire_types[luminaire.type];
   std::vector<Body> bodies;
   if (!type.housing) return bodies;
-  for (NamedMesh& named : meshes_of(project, type)) {
+  for (NamedMesh& named : meshes_of(project, type, mesh)) {
     bodies.push_back(placed(std::move(named), luminaire, type.housing->material));
   }
   return bodies;
@@ -257,6 +287,29 @@ double half_width_m(const HousedOpening& housed, const glm::dvec3& direction) {
                c90_m = half_m.y * std::abs(glm::dot(housed.place.turn[1], direction));
   return housed.opening.shape == OpeningShape::disk ? std::sqrt(c0_m * c0_m + c90_m * c90_m)
                                                     : c0_m + c90_m;
+}
+
+std::vector<glm::dvec3> box_corners_m(const HousingBox& box) {
+  std::vector<glm::dvec3> corners_m;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners_m.emplace_back((i & 1u) != 0 ? box.upper_m.x : box.lower_m.x,
+                           (i & 2u) != 0 ? box.upper_m.y : box.lower_m.y,
+                           (i & 4u) != 0 ? box.upper_m.z : box.lower_m.z);
+  }
+  return corners_m;
+}
+
+// Files may hold others.
+std::vector<glm::dvec3> used_corners_m(const HousingMesh& mesh) {
+  std::vector<char> is_used(mesh.vertex_m.size(), 0);
+  for (const glm::uvec3& t : mesh.triangle) {
+    for (const std::uint32_t v : {t.x, t.y, t.z}) is_used[v] = 1;
+  }
+  std::vector<glm::dvec3> corners_m;
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i] != 0) corners_m.push_back(mesh.vertex_m[i]);
+  }
+  return corners_m;
 }
 
 }  // namespace
@@ -290,11 +343,16 @@ HousingBox housing_box_m(const std::vector<HousedOpening>& openings, const Housi
 }
 
 std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& openings,
-                                            const Housing& housing) {
-  constexpr double kRounding_m = 1.0e-6;
+                                            const Housing& housing, const HousingMesh* mesh) {
+  std::vector<glm::dvec3> corners_m;
+  if (mesh != nullptr) {
+    corners_m = used_corners_m(*mesh);
+  } else if (housing.depth_m > 0.0) {
+    corners_m = box_corners_m(housing_box_m(openings, housing));
+  }
   std::optional<HiddenOpening> worst;
   const auto look = [&](std::size_t emitter, std::optional<std::size_t> face, double before_m) {
-    if (before_m <= std::max(kRounding_m, worst ? worst->before_m : 0.0)) return;
+    if (before_m <= std::max(kSamePlane_m, worst ? worst->before_m : 0.0)) return;
     worst = HiddenOpening{emitter, face, before_m};
   };
   for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -309,16 +367,19 @@ std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& op
       look(i, face, reach_m - z_m);
       if (openings[i].backward_share > kNoBackwardLight) look(i, face, reach_m + z_m);
     }
-    if (!(housing.depth_m > 0.0)) continue;
-    const HousingBox box = housing_box_m(openings, housing);
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 p((corner & 1u) != 0 ? box.upper_m.x : box.lower_m.x,
-                         (corner & 2u) != 0 ? box.upper_m.y : box.lower_m.y,
-                         (corner & 4u) != 0 ? box.upper_m.z : box.lower_m.z);
-      look(i, std::nullopt, -to_emitter(place, p).z);
-    }
+    for (const glm::dvec3& p : corners_m) look(i, std::nullopt, -to_emitter(place, p).z);
   }
   return worst;
+}
+
+std::optional<glm::dvec3> corner_outside(const LuminousOpening& opening, const HousingMesh& mesh) {
+  PlacedLuminaire body{};
+  body.world_from_luminaire = glm::dmat3(1.0);
+  body.opening = opening;
+  for (const glm::dvec3& p : used_corners_m(mesh)) {
+    if (!is_inside_opening(body, p, kSamePlane_m - within_m(opening))) return p;
+  }
+  return std::nullopt;
 }
 
 void fit_housings(const Project& project, Space& space) {
@@ -331,7 +392,7 @@ void fit_housings(const Project& project, Space& space) {
     std::vector<std::pair<std::size_t, Body>> faces;
     for (std::size_t i = 0; i < space.bodies.size(); ++i) {
       const Body& body = space.bodies[i];
-      if (body.housing_of.empty() || !body.is_closed) continue;
+      if (body.housing_of.empty() || is_face(body)) continue;
       const Luminaire& luminaire = *luminaire_of.at(body.housing_of);
       const LuminaireType& type = project.luminaire_types[luminaire.type];
       const LuminousOpening& opening = project.webs[type.web].opening();
@@ -346,10 +407,11 @@ void fit_housings(const Project& project, Space& space) {
   }
 }
 
-std::size_t housing_triangles(const Project& project, const LuminaireType& type) {
+std::size_t housing_triangles(const Project& project, const LuminaireType& type,
+                              const HousingMesh* mesh) {
   std::size_t triangles = 0;
   if (!type.housing) return triangles;
-  for (const NamedMesh& named : meshes_of(project, type)) {
+  for (const NamedMesh& named : meshes_of(project, type, mesh)) {
     triangles += named.mesh.triangle.size();
   }
   return triangles;

@@ -17,6 +17,14 @@ struct HousedOpening {
   EmitterPlace place;
 };
 
+// A housing of a file: surfaces in the luminaire's axes (x = C0, y = C90, z backwards), m, about
+// the centre of its opening, or of several emitters about its place.
+struct HousingMesh {
+  std::vector<glm::dvec3> vertex_m;
+  std::vector<glm::uvec3> triangle;
+  bool is_closed = false;  // is_watertight()
+};
+
 // Whether the body is part of the housing of the luminaire, of all its emitters together.
 bool is_housing_of(const Body& body, const Luminaire& luminaire);
 
@@ -33,10 +41,12 @@ inline constexpr double kNoBackwardLight = 1.0e-6;  // up to this share it is no
 //    surface that light leaves, so that it hides nothing of its own. Round ones are inscribed.
 //  - several emitters, all flat: each has its face, and the first one, with a depth, the box around
 //    all openings (housing_box_m).
+//  - with a mesh (not null): that in place of prism, body or box. Flat openings keep their faces.
 //
 // None where the type has no housing. The reader sees to it that the opening has a size, that the
 // housing is not smaller, and that none hides light of its own luminaire.
-std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire);
+std::vector<Body> housing_bodies(const Project& project, const Luminaire& luminaire,
+                                 const HousingMesh* mesh = nullptr);
 
 // In the luminaire's axes, m. Lower and upper corner of what the openings reach.
 struct HousingBox {
@@ -47,15 +57,19 @@ HousingBox reach_of(const std::vector<HousedOpening>& openings);
 // the same middle), from the one that is farthest in front backwards by the depth.
 HousingBox housing_box_m(const std::vector<HousedOpening>& openings, const Housing& housing);
 
-// Of several emitters: what would stand before an opening and hide its light.
+// What would stand before an opening and hide its light.
 struct HiddenOpening {
   std::size_t emitter = 0;               // whose light
-  std::optional<std::size_t> face = {};  // by the face of this emitter; empty: by the box
+  std::optional<std::size_t> face = {};  // by the face of this emitter; empty: by box or mesh
   double before_m = 0.0;                 // how far before it, > 0
 };
-// The worst one; empty if there is none. openings: flat.
+// The worst one; empty if there is none. openings: flat, of several emitters or with a mesh (null:
+// a box, if the housing has a depth).
 std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& openings,
-                                            const Housing& housing);
+                                            const Housing& housing, const HousingMesh* mesh);
+// Of an opening that is a body: a corner of the mesh that is not as far within it as housing_bodies
+// says of its own; empty if there is none.
+std::optional<glm::dvec3> corner_outside(const LuminousOpening& opening, const HousingMesh& mesh);
 
 // Of luminaires whose luminous body is cut (opening_fit.h) and counts as flat, a body about its
 // centre would hide the light: these get the face of the flat opening instead. Once all bodies and
@@ -63,6 +77,7 @@ std::optional<HiddenOpening> hidden_opening(const std::vector<HousedOpening>& op
 void fit_housings(const Project& project, Space& space);
 
 // Of these bodies.
-std::size_t housing_triangles(const Project& project, const LuminaireType& type);
+std::size_t housing_triangles(const Project& project, const LuminaireType& type,
+                              const HousingMesh* mesh = nullptr);
 
 }  // namespace calc

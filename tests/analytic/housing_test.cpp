@@ -31,8 +31,8 @@ calc::Project project_of(calc::PhotometricWeb web, double depth_m, double reflec
 }
 
 void add_housing(const calc::Project& project, const calc::Luminaire& luminaire,
-                 calc::PreparedScene& scene) {
-  for (const calc::Body& body : calc::housing_bodies(project, luminaire)) {
+                 calc::PreparedScene& scene, const calc::HousingMesh* mesh = nullptr) {
+  for (const calc::Body& body : calc::housing_bodies(project, luminaire, mesh)) {
     for (const glm::uvec3& t : body.triangle) {
       add_triangle(scene, body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z],
                    project.materials[0].reflectance);
@@ -40,12 +40,13 @@ void add_housing(const calc::Project& project, const calc::Luminaire& luminaire,
   }
 }
 
-void add_housing(const calc::Project& project, const glm::dvec3& at, calc::PreparedScene& scene) {
+void add_housing(const calc::Project& project, const glm::dvec3& at, calc::PreparedScene& scene,
+                 const calc::HousingMesh* mesh = nullptr) {
   calc::Luminaire luminaire;
   luminaire.id = "l";
   luminaire.position_m = at;
   luminaire.world_from_luminaire = glm::dmat3(1.0);
-  add_housing(project, luminaire, scene);
+  add_housing(project, luminaire, scene, mesh);
 }
 
 struct Ball {
@@ -54,7 +55,8 @@ struct Ball {
 };
 
 // A luminous ball in the middle of a sphere of 1 m.
-Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
+Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance,
+                    const calc::HousingMesh* mesh = nullptr) {
   const calc::Project project =
       project_of(calc::PhotometricWeb::make({0.0}, {0.0, calc::kPi}, {100.0, 100.0},
                                             {calc::OpeningShape::ellipsoid, 0.6, 0.6, 0.6}, {}),
@@ -63,7 +65,7 @@ Ball ball_in_sphere(double sphere_reflectance, double housing_reflectance) {
   add_sphere(scene, 1.0, 1, sphere_reflectance);
   const FacetGrid facets = facet_grid(scene);
   const double sphere_m2 = surface_area_m2(scene);
-  add_housing(project, {0, 0, 0}, scene);
+  add_housing(project, {0, 0, 0}, scene, mesh);
   const double housing_m2 = surface_area_m2(scene) - sphere_m2;
   add_luminaire(scene, project.webs[0], {0, 0, 0});
   set_extent(scene);
@@ -89,6 +91,27 @@ TEST(Housing, AnAbsorbingLampInAnIntegratingSphere) {
     const double expected_lx = ball.direct_lx / (1.0 - rho * (1.0 - ball.share));
     EXPECT_NEAR(ball.mean_lx / expected_lx, 1.0, 4e-3);
     EXPECT_LT(ball.mean_lx, 0.97 * ball.direct_lx / (1.0 - rho));  // without a body
+  }
+}
+
+// As a file would have it: triangles of an icosphere.
+calc::HousingMesh icosphere(double radius_m) {
+  calc::PreparedScene scene;
+  add_sphere(scene, radius_m, 2, 0.0);
+  return {{scene.vertex_m.begin(), scene.vertex_m.end()}, scene.triangle, true};
+}
+
+// The lamp is smaller than the luminous ball around it: what counts is its own area.
+TEST(Housing, AnAbsorbingMeshInAnIntegratingSphere) {
+  for (const double radius_m : {0.29, 0.2}) {
+    SCOPED_TRACE(radius_m);
+    const calc::HousingMesh mesh = icosphere(radius_m);
+    const Ball ball = ball_in_sphere(0.9, 0.0, &mesh);
+    ASSERT_NEAR(ball.share, radius_m * radius_m, 0.07 * radius_m * radius_m);
+    const double expected_lx = ball.direct_lx / (1.0 - 0.9 * (1.0 - ball.share));
+    EXPECT_NEAR(ball.mean_lx / expected_lx, 1.0, 4e-3);
+    // Without a body it would be more, by more than the tolerance.
+    EXPECT_LT(ball.mean_lx, 0.8 * ball.direct_lx / (1.0 - 0.9));
   }
 }
 
@@ -138,6 +161,42 @@ TEST(Housing, ADiskOverAPlaneHidesWhatItCovers) {
     EXPECT_LT(lx.low, expected_lx * 1.001);
     EXPECT_GT(lx.high, expected_lx * 0.999);
   }
+}
+
+// The corners of a box and its triangles, in an order of its own.
+calc::HousingMesh box_mesh(const glm::dvec3& low_m, const glm::dvec3& high_m) {
+  calc::HousingMesh mesh;
+  for (unsigned i = 0; i < 8; ++i) {
+    mesh.vertex_m.emplace_back((i & 4u) != 0 ? high_m.x : low_m.x,
+                               (i & 2u) != 0 ? high_m.y : low_m.y,
+                               (i & 1u) != 0 ? high_m.z : low_m.z);
+  }
+  mesh.triangle = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                   {2, 3, 7}, {2, 7, 6}, {1, 5, 7}, {1, 7, 3}, {0, 2, 6}, {0, 6, 4}};
+  mesh.is_closed = true;
+  return mesh;
+}
+
+// A grey box on a lamp in a grey sphere, made by its depth and as a mesh.
+TEST(Housing, AMeshOfABoxIsTheBox) {
+  const calc::LuminousOpening opening{calc::OpeningShape::rectangle, 0.6, 0.4, 0.0};
+  const calc::Project project = project_of(lambert_web(100.0, 90, opening), 0.3, 0.2);
+  const calc::HousingMesh mesh = box_mesh({-0.3, -0.2, 0.0}, {0.3, 0.2, 0.3});
+  const auto mean_lx = [&](const calc::HousingMesh* of_file) {
+    calc::PreparedScene scene;
+    add_sphere(scene, 1.0, 1, 0.7);
+    const FacetGrid facets = facet_grid(scene);
+    add_housing(project, {0, 0, 0}, scene, of_file);
+    add_luminaire(scene, project.webs[0], {0, 0, 0});
+    set_extent(scene);
+    const calc::SpaceSolution solution = solve_with_paths(scene, facets.grid, 5, 256);
+    EXPECT_EQ(solution.fields[0].problem, "");
+    return facet_mean(facets, solution.fields[0]).value;
+  };
+  const double of_box_lx = mean_lx(nullptr);
+  EXPECT_NEAR(mean_lx(&mesh) / of_box_lx, 1.0, 1e-3);
+  const calc::HousingMesh half = box_mesh({-0.3, -0.2, 0.0}, {0.3, 0.2, 0.15});
+  EXPECT_GT(mean_lx(&half) / of_box_lx, 1.01);
 }
 
 // Of a rectangle over a corner of it, at this height over the point and parallel to it.

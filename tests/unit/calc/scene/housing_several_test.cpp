@@ -2,6 +2,7 @@
 
 #include "calc/scene/housing.h"
 #include "calc/scene/solids.h"
+#include "tests/support/mesh_rooms.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
 #include <fmt/format.h>
@@ -75,6 +76,8 @@ Loaded room_with(const std::vector<Place>& places, const std::string& housing,
       R"(/></luminaire-type><room id="r" size="4 3 2.5" ceiling="white" walls="white" floor="white">)" +
       luminaires + R"(<plane id="task" height="0.75"/></room>)"));
   files.add("dir/lamp.gldf", gldf(places, ldt));
+  files.add("dir/body.obj",
+            test_support::ObjText().box("b", {-0.6, -0.6, 0}, {0.6, 0.6, 0.08}, false).text());
   return load(files);
 }
 
@@ -176,6 +179,22 @@ TEST(HousingOfSeveral, TheHousingOfAnotherLuminaireIsASolid) {
   EXPECT_THAT(loaded.messages, HasSubstr("inside the solid 'M.housing'"));
 }
 
+const std::string kMesh = R"(file="body.obj" units="m" up="z")";
+
+// In the luminaire's axes, whatever those of the first emitter.
+TEST(HousingOfSeveral, AMeshStandsOnce) {
+  const Loaded loaded = room_with(kBeside, kMesh);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_THAT(ids(loaded), ElementsAre("L.face", "L.housing", "L/e2.face"));
+  expect_box(body(loaded, "L.housing"), {1.4, 0.9, 2.0}, {2.6, 2.1, 2.08});
+  EXPECT_TRUE(body(loaded, "L.housing").is_closed);
+  EXPECT_THAT(loaded.messages, Not(HasSubstr("in-solid")));
+  const Loaded turned = room_with({{0, 0, 0.2, 180}, {0.5, 0, 0}}, kMesh);
+  ASSERT_TRUE(turned.project) << turned.messages;
+  expect_box(body(turned, "L.housing"), {1.4, 0.9, 2.0}, {2.6, 2.1, 2.08});
+  EXPECT_NEAR(turned.project->luminaire_types.back().housing.value().depth_m, 0.18, 1e-12);
+}
+
 TEST(HousingOfSeveral, WhatWouldHideTheirLightIsRefused) {
   struct Refused {
     std::vector<Place> places;
@@ -192,6 +211,10 @@ TEST(HousingOfSeveral, WhatWouldHideTheirLightIsRefused) {
        "",
        "<housing> needs luminous openings none of which stands in the light of another: the face "
        "of emitter 'e1' would reach 0.02 m into that of emitter 'e2'"},
+      {kDownAndUp, kMesh,
+       "attribute 'file' of <housing>: body.obj is not allowed; expected a mesh behind all "
+       "openings, no part of which stands before one of them: it would reach 0.03 m into the light "
+       "of emitter 'e2'"},
       {kBeside, R"(depth="0.1" size="1 1.2")",
        "attribute 'size' of <housing>: 1 1.2 is not allowed; expected at least what the luminous "
        "openings take up together, 1.1 x 1.2 m"},

@@ -12,6 +12,7 @@
 #include "report/tools/export/radiance_scene.h"
 #include "report/tools/export/radiance_sensors.h"
 #include "tests/support/command_lines.h"
+#include "tests/support/mesh_rooms.h"
 #include "tests/support/scratch_folder.h"
 
 #include <gtest/gtest.h>
@@ -638,6 +639,45 @@ TEST(RadianceExport, DisksAreRings) {
   for (const Source& source : exported.sources) {
     EXPECT_NEAR(Exported::area_m2(source), calc::kPi * 0.09, 1e-9);
   }
+  fs::remove_all(folder);
+}
+
+// What shades in luxgate shades there, behind the source: the mesh and the face of the opening.
+TEST(RadianceExport, AHousingOfAMeshIsASurface) {
+  const fs::path folder = shaped_project("housing", "0.3 0.9 0");
+  std::ofstream(folder / "down.ies")
+      << "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
+         "TILT=NONE\n1 -1 1 2 1 1 2 0.3 0.9 0\n1 1 12\n0 90\n0\n100 0\n";
+  std::ofstream(folder / "body.obj")
+      << test_support::ObjText().box("body", {-0.45, -0.15, 0}, {0.45, 0.15, 0.1}, false).text();
+  const std::string project_file = (folder / "project.xml").string();
+  std::ofstream(project_file)
+      << "<luxgate version='1'><material id='m' reflectance='0.5'/>"
+         "<material id='grey' reflectance='0.25'/><luminaire-type id='t' photometry='down.ies'>"
+         "<housing material='grey' file='body.obj' units='m' up='z'/></luminaire-type>"
+         "<room id='r' size='8 6 3' floor='m' walls='m' ceiling='m'>"
+         "<luminaire id='l' type='t' position='2 3 2'/>"
+         "<plane id='p' origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1'/></room></luxgate>";
+  const cli::CommandOutcome outcome =
+      cli::run_export(options_for(project_file, folder / "out"), calc::DiskFileReader());
+  ASSERT_EQ(outcome.code, cli::kAllMet)
+      << (outcome.diagnostics.empty() ? "" : outcome.diagnostics[0].message);
+  const Exported exported(folder / "out");
+  double area_m2 = 0.0, lowest_m = 9.0, highest_m = 0.0;
+  for (std::size_t t = 0; t < exported.scene.triangle.size(); ++t) {
+    if (exported.scene.reflectance[t] != 0.25) continue;
+    const glm::uvec3& v = exported.scene.triangle[t];
+    const glm::dvec3 a(exported.scene.vertex_m[v.x]), b(exported.scene.vertex_m[v.y]),
+        c(exported.scene.vertex_m[v.z]);
+    area_m2 += 0.5 * glm::length(glm::cross(b - a, c - a));
+    for (const glm::dvec3& p : {a, b, c}) {
+      lowest_m = std::min(lowest_m, p.z);
+      highest_m = std::max(highest_m, p.z);
+    }
+  }
+  EXPECT_NEAR(area_m2, 3 * 0.27 + 0.24, 1e-5);
+  EXPECT_NEAR(lowest_m, 2.0, 1e-6);
+  EXPECT_NEAR(highest_m, 2.1, 1e-6);
   fs::remove_all(folder);
 }
 
