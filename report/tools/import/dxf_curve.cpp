@@ -11,12 +11,13 @@ namespace cli {
 namespace {
 
 constexpr int kDeepestHalving = 12;  // of a span of a spline
+constexpr double kRounding = 1.001;
 
 glm::dvec3 point_at(const DxfEllipse& ellipse, double t) {
   return ellipse.centre + calc::cos(t) * ellipse.x_axis + calc::sin(t) * ellipse.y_axis;
 }
 
-void add_ellipse(const DxfEllipse& ellipse, double error, std::vector<glm::dvec3>& points) {
+double add_ellipse(const DxfEllipse& ellipse, double error, std::vector<glm::dvec3>& points) {
   // It is a stretched circle: chords of equal steps are at most as far away as those of the circle
   // about it.
   const double radius = std::max(glm::length(ellipse.x_axis), glm::length(ellipse.y_axis));
@@ -27,6 +28,10 @@ void add_ellipse(const DxfEllipse& ellipse, double error, std::vector<glm::dvec3
   for (int i = 1; i < count; ++i) {
     points.push_back(point_at(ellipse, ellipse.from + ellipse.angle * i / count));
   }
+  // The height of an arc over its chord; where no limit was met its rounding does not count.
+  const double half = calc::sin(std::fabs(ellipse.angle) / count / 4.0);
+  const double reached = 2.0 * radius * half * half;
+  return reached <= error * kRounding ? error : reached;
 }
 
 // With weights as the fourth coordinate: (w x, w y, w z, w).
@@ -69,13 +74,14 @@ double distance_to_chord(const glm::dvec3& at, const glm::dvec3& from, const glm
 }
 
 // Weights are positive, so the curve stays in the hull of its poles: where these are near the chord
-// it is, too.
-void add_bezier(const Poles& poles, double error, int depth, std::vector<glm::dvec3>& points) {
+// it is, too. How far they are at most.
+double add_bezier(const Poles& poles, double error, int depth, std::vector<glm::dvec3>& points) {
   const glm::dvec3 from = projected(poles.front()), to = projected(poles.back());
-  const bool is_fine = std::all_of(poles.begin(), poles.end(), [&](const glm::dvec4& pole) {
-    return distance_to_chord(projected(pole), from, to) <= error;
-  });
-  if (is_fine || depth == 0) return;
+  double farthest = 0.0;
+  for (const glm::dvec4& pole : poles) {
+    farthest = std::max(farthest, distance_to_chord(projected(pole), from, to));
+  }
+  if (farthest <= error || depth == 0) return farthest;
   Poles first, second(poles.size()), left = poles;
   for (std::size_t level = 0; level < poles.size(); ++level) {
     first.push_back(left.front());
@@ -83,9 +89,9 @@ void add_bezier(const Poles& poles, double error, int depth, std::vector<glm::dv
     for (std::size_t i = 0; i + 1 < left.size(); ++i) left[i] = 0.5 * (left[i] + left[i + 1]);
     left.pop_back();
   }
-  add_bezier(first, error, depth - 1, points);
+  const double before = add_bezier(first, error, depth - 1, points);
   points.push_back(projected(second.front()));
-  add_bezier(second, error, depth - 1, points);
+  return std::max(before, add_bezier(second, error, depth - 1, points));
 }
 
 // Knots [at] < [at + 1] within the curve.
@@ -97,14 +103,16 @@ std::vector<std::size_t> spans_of(const DxfSpline& spline) {
   return spans;
 }
 
-void add_spline(const DxfSpline& spline, double error, std::vector<glm::dvec3>& points) {
+double add_spline(const DxfSpline& spline, double error, std::vector<glm::dvec3>& points) {
   const double least = std::max(error, kFinestOfSpline * curve_size(spline));
   const std::vector<std::size_t> spans = spans_of(spline);
+  double reached = error;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const Poles bezier = bezier_of_span(spline, spans[i]);
     if (i > 0) points.push_back(projected(bezier.front()));
-    add_bezier(bezier, least, kDeepestHalving, points);
+    reached = std::max(reached, add_bezier(bezier, least, kDeepestHalving, points));
   }
+  return reached;
 }
 
 std::string spline_problem(const DxfSpline& spline) {
@@ -174,12 +182,11 @@ double curve_size(const DxfCurve& curve) {
   return glm::distance(low, high);
 }
 
-void add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points) {
+double add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points) {
   if (const auto* ellipse = std::get_if<DxfEllipse>(&curve)) {
-    add_ellipse(*ellipse, error, points);
-  } else {
-    add_spline(std::get<DxfSpline>(curve), error, points);
+    return add_ellipse(*ellipse, error, points);
   }
+  return add_spline(std::get<DxfSpline>(curve), error, points);
 }
 
 }  // namespace cli

@@ -40,7 +40,7 @@ glm::dvec3 curve_end(const DxfCurve& curve);
 double curve_size(const DxfCurve& curve);
 
 // Appends what lies strictly between its ends, so that the chords are at most `error` from it, but
-// for the limits above.
-void add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points);
+// for the limits above. How far they are from it at most: above `error` where a limit was met.
+double add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points);
 
 }  // namespace cli

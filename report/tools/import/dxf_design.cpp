@@ -71,6 +71,14 @@ bool is_near(const glm::dvec3& at) {
   return std::fabs(at.x) < kFarthest && std::fabs(at.y) < kFarthest && std::fabs(at.z) < kFarthest;
 }
 
+// With one digit, so that things alike are said once.
+double one_digit_up(double value) {
+  if (!std::isfinite(value)) return value;
+  double step = 1.0e-9;
+  while (step * 10.0 <= value) step *= 10.0;
+  return std::ceil(value / step) * step;
+}
+
 class Builder {
  public:
   Builder(const DxfDrawing& drawing, const ImportMap& map) : drawing_(drawing), map_(map) {}
@@ -271,12 +279,12 @@ class Builder {
     return areas;
   }
 
-  // error: in the file's unit. False: it is too far away.
+  // error: in the file's unit, as is what its chords have reached. False: it is too far away.
   bool add_piece(const DxfPlaced& placed, double error, double scale,
-                 std::vector<PlanPiece>& pieces) {
+                 std::vector<PlanPiece>& pieces, double* reached = nullptr) {
     PlanPiece piece;
     if (placed.entity->vertex.empty() || !problem_.empty()) return true;
-    const std::vector<glm::dvec3> points = placed.corners(error);
+    const std::vector<glm::dvec3> points = placed.corners(error, reached);
     points_ += points.size();
     if (points_ > kMostPoints) {
       problem_ =
@@ -297,8 +305,16 @@ class Builder {
   std::vector<PlanPiece> pieces_of(const std::vector<DxfPlaced>& list, const std::string& what) {
     std::vector<PlanPiece> pieces;
     for (const DxfPlaced& placed : list) {
-      if (!add_piece(placed, kChordError_m / metres_, metres_, pieces)) {
+      const double error = kChordError_m / metres_;
+      double reached = error;
+      if (!add_piece(placed, error, metres_, pieces, &reached)) {
         notes_.left_out(what, "it is too far away", place_of(placed));
+      } else if (reached > error) {
+        notes_.doubt(what,
+                     fmt::format("an arc or curve of it is so large that its chords are up to {:g} "
+                                 "m from it, not {:g} m",
+                                 one_digit_up(reached * metres_), kChordError_m),
+                     place_of(placed));
       }
     }
     return pieces;
@@ -642,7 +658,9 @@ class Builder {
 
   bool take_rectangle(const DxfPlaced& placed, glm::dvec3& centre, DesignBox& box) const {
     if (placed.entity->kind != Kind::polyline) return false;
-    std::vector<glm::dvec3> corner = placed.corners(kChordError_m / metres_);
+    double reached = 0.0;
+    std::vector<glm::dvec3> corner = placed.corners(kChordError_m / metres_, &reached);
+    if (reached > kChordError_m / metres_) return false;
     if (corner.size() == 5 && corner[0] == corner[4]) corner.pop_back();
     if (corner.size() != 4) return false;
     const glm::dvec2 u(corner[1] - corner[0]), v(corner[3] - corner[0]), w(corner[2] - corner[1]);

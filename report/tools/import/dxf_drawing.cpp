@@ -53,22 +53,37 @@ glm::dmat4 turned(double degrees) {
   return matrix;
 }
 
+// By how much it makes a distance longer, at most.
+double largest_stretch(const glm::dmat4& matrix) {
+  const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+  const glm::dvec3 length(glm::length(x), glm::length(y), glm::length(z));
+  constexpr double kRight = 1.0e-9;
+  const bool is_square = std::fabs(glm::dot(x, y)) <= kRight * length.x * length.y &&
+                         std::fabs(glm::dot(y, z)) <= kRight * length.y * length.z &&
+                         std::fabs(glm::dot(z, x)) <= kRight * length.z * length.x;
+  // Blocks stretched in turned blocks lean; no column says then how far that goes.
+  return is_square ? std::max({length.x, length.y, length.z}) : glm::length(length);
+}
+
 DxfEllipse round_arc(const glm::dvec3& centre, double radius, double from, double angle) {
   return {centre, {radius, 0.0, 0.0}, {0.0, radius, 0.0}, from, angle};
 }
 
-void add_bulge(const glm::dvec3& from, const glm::dvec3& to, double bulge, double error,
-               std::vector<glm::dvec3>& points) {
+// As add_chords().
+double add_bulge(const glm::dvec3& from, const glm::dvec3& to, double bulge, double error,
+                 std::vector<glm::dvec3>& points) {
   const glm::dvec2 chord(to - from);
   const double length = glm::length(chord);
-  if (bulge == 0.0 || length == 0.0) return;
+  if (bulge == 0.0 || length == 0.0) return error;
   // The centre lies beside the middle of the chord.
   const double beside = (1.0 - bulge * bulge) / (4.0 * bulge);
   const glm::dvec2 centre = glm::dvec2(from) + 0.5 * chord + beside * glm::dvec2(-chord.y, chord.x);
   const glm::dvec2 spoke = glm::dvec2(from) - centre;
   const double radius = glm::length(spoke);
-  if (!std::isfinite(radius) || radius > 1.0e9 * length) return;  // straight
-  add_chords(
+  if (!std::isfinite(radius) || radius > 1.0e9 * length) {  // straight, or nearly a whole circle
+    return std::max(error, 0.5 * std::fabs(bulge) * length);
+  }
+  return add_chords(
       round_arc({centre, from.z}, radius, calc::atan2(spoke.y, spoke.x), 4.0 * calc::atan(bulge)),
       error, points);
 }
@@ -883,10 +898,10 @@ glm::dvec3 DxfPlaced::at(std::size_t vertex) const {
   return glm::dvec3(to_world * glm::dvec4(own, 1.0));
 }
 
-std::vector<glm::dvec3> DxfPlaced::corners(double largest_error) const {
-  double stretch = 0.0;
-  for (int i = 0; i < 3; ++i) stretch = std::max(stretch, glm::length(glm::dvec3(to_world[i])));
+std::vector<glm::dvec3> DxfPlaced::corners(double largest_error, double* reached) const {
+  const double stretch = largest_stretch(to_world);
   const double error = stretch > 0.0 ? largest_error / stretch : largest_error;
+  double farthest = error;
   std::vector<glm::dvec3> own;
   const std::vector<DxfVertex>& vertex = entity->vertex;
   if (entity->kind == DxfEntity::Kind::circle || entity->kind == DxfEntity::Kind::arc) {
@@ -899,21 +914,23 @@ std::vector<glm::dvec3> DxfPlaced::corners(double largest_error) const {
       return vertex[0].at + entity->radius * glm::dvec3(calc::cos(at), calc::sin(at), 0.0);
     };
     own.push_back(end(from));
-    add_chords(round_arc(vertex[0].at, entity->radius, from, angle), error, own);
+    farthest = add_chords(round_arc(vertex[0].at, entity->radius, from, angle), error, own);
     if (!is_whole) own.push_back(end(from + angle));
   } else {
     auto side = entity->side.begin();
     for (std::size_t i = 0; i < vertex.size(); ++i) {
       own.push_back(vertex[i].at);
       if (side != entity->side.end() && side->vertex == i) {
-        add_chords(side->curve, error, own);
+        farthest = std::max(farthest, add_chords(side->curve, error, own));
         ++side;
       } else if (i + 1 < vertex.size() || entity->is_closed) {
-        add_bulge(vertex[i].at, vertex[(i + 1) % vertex.size()].at, vertex[i].bulge, error, own);
+        const glm::dvec3& to = vertex[(i + 1) % vertex.size()].at;
+        farthest = std::max(farthest, add_bulge(vertex[i].at, to, vertex[i].bulge, error, own));
       }
     }
   }
   for (glm::dvec3& point : own) point = glm::dvec3(to_world * glm::dvec4(point, 1.0));
+  if (reached != nullptr) *reached = farthest > error ? farthest * stretch : largest_error;
   return own;
 }
 

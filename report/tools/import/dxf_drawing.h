@@ -107,7 +107,8 @@ struct DxfPlaced {
   glm::dvec3 at(std::size_t vertex) const;
   // Its corners in the world, arcs and curves as chords that are at most so far from them. Bulges
   // are kept by mirrors and turns; in a stretched block they become chords of the stretched arc.
-  std::vector<glm::dvec3> corners(double largest_error) const;
+  // reached: above largest_error where a limit of dxf_curve.h leaves them farther away; else equal.
+  std::vector<glm::dvec3> corners(double largest_error, double* reached = nullptr) const;
 };
 
 // Every entity of model space as often as it stands there, an INSERT with rows and columns once for

@@ -91,6 +91,19 @@ TEST(DxfDesign, CrossingOutlinesAreLeftOut) {
   EXPECT_TRUE(has_note(made, NoteKind::left_out, "its sides cross or touch each other"));
 }
 
+TEST(DxfDesign, CurvesThatAreTooLargeForTheirChordsAreSaid) {
+  DxfText text;
+  text.section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000);
+  text.entity("ARC", "ROUTE").at(0, 0).add(40, 5.0e10).add(50, 0.0).add(51, 90.0);
+  text.entity("ARC", "ROUTE").at(0, 0).add(40, 2000.0).add(50, 0.0).add(51, 90.0).end();
+  cli::ImportMap map = a_map();
+  map.route.emplace_back();
+  map.route[0].layer = "ROUTE";
+  const cli::Design made = design(text.whole(), map);
+  EXPECT_EQ(made.route.size(), 1u);
+  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its chords are up to 1 m from it, not 0.001 m"));
+}
+
 DxfText with_luminaires() {
   DxfText text;
   text.section("BLOCKS").block("LUM_A").line("0", -300, 0, 300, 0).add(0, "ENDBLK").end();

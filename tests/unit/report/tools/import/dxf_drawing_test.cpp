@@ -146,6 +146,34 @@ TEST(DxfDrawing, ArcsAreChordsWithinTheError) {
   EXPECT_GT(corner[1].y, 0.0);
 }
 
+TEST(DxfDrawing, ChordsSayWhereALimitLeavesThemFartherAway) {
+  constexpr double kError = 1.0e-3;
+  DxfText text;
+  text.section("BLOCKS").block("B").entity("CIRCLE", "0").at(0, 0).add(40, 1000.0);
+  text.add(0, "ENDBLK").end().section("ENTITIES");
+  text.entity("CIRCLE", "a").at(0, 0).add(40, 1000.0);  // 2222 chords are enough
+  text.entity("CIRCLE", "a").at(0, 0).add(40, 1.0e6);
+  text.entity("LWPOLYLINE", "a").add(70, 0).add(10, 0.0).add(20, 0.0).add(42, 1.0e10);
+  text.add(10, 1.0).add(20, 0.0);
+  text.insert("B", "a", 0, 0).add(41, 1000.0).end();
+  const cli::DxfDrawing read = drawing(text.whole());
+  const auto circles = placed(read, Kind::circle);
+  ASSERT_EQ(circles.size(), 3u);
+  double reached = 0.0;
+  EXPECT_LT(circles[0].corners(kError, &reached).size(), 2500u);
+  EXPECT_EQ(reached, kError);
+  const std::vector<glm::dvec3> corner = circles[1].corners(kError, &reached);
+  ASSERT_EQ(corner.size(), 4096u);
+  EXPECT_NEAR(reached, 1.0e6 - glm::length(0.5 * (corner[0] + corner[1])), 1.0e-6);
+  EXPECT_GT(reached, 0.29);
+  circles[2].corners(kError, &reached);  // stretched 1000 times
+  EXPECT_NEAR(reached, 0.294, 0.01);
+  const auto lines = placed(read, Kind::polyline);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].corners(kError, &reached).size(), 2u);
+  EXPECT_EQ(reached, 5.0e9);
+}
+
 TEST(DxfDrawing, HatchLoopsAreOutlines) {
   DxfText text;
   text.section("ENTITIES").entity("HATCH", "a", "5").at(0, 0).add(91, 2);
@@ -203,6 +231,28 @@ TEST(DxfDrawing, EllipsesAndSplinesAreTheirClosedForms) {
   for (const glm::dvec3& corner : found[1].corners(kError)) {
     EXPECT_NEAR(glm::length(corner), 3.0, 1.0e-12);
   }
+}
+
+TEST(DxfDrawing, LargeSplinesSayHowFarTheirChordsAre) {
+  DxfText text;
+  text.section("ENTITIES").entity("SPLINE", "a").add(70, 0).add(71, 2);
+  for (const double knot : {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}) text.add(40, knot);
+  text.at(0, 0).at(2.0e6, 4.0e6).at(4.0e6, 0).end();
+  const cli::DxfDrawing read = drawing(text.whole());
+  const auto found = placed(read, Kind::curve);
+  ASSERT_EQ(found.size(), 1u);
+  double reached = 0.0;
+  found[0].corners(10.0, &reached);
+  EXPECT_EQ(reached, 10.0);
+  const std::vector<glm::dvec3> corner = found[0].corners(1.0e-3, &reached);
+  double farthest = 0.0;  // of the parabola y = 2 x - x^2 / 2e6 from the middles of the chords
+  for (std::size_t i = 0; i + 1 < corner.size(); ++i) {
+    const glm::dvec3 middle = 0.5 * (corner[i] + corner[i + 1]);
+    farthest = std::max(farthest, 2.0 * middle.x - middle.x * middle.x / 2.0e6 - middle.y);
+  }
+  EXPECT_GT(reached, 1.0);
+  EXPECT_GT(reached, 0.5 * farthest);
+  EXPECT_LE(reached, 1.0e-6 * std::sqrt(32.0) * 1.0e6);
 }
 
 TEST(DxfDrawing, SplinesThatAreNoneAreCountedWithTheirReason) {
