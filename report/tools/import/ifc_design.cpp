@@ -26,6 +26,7 @@ namespace {
 constexpr int kDeepestStructure = 32;         // steps from a thing up to its storey
 constexpr std::size_t kMostAttributes = 200;  // of one luminaire
 constexpr std::size_t kMostNotes = 1000;      // that differ
+constexpr std::size_t kLongestExample = 60;   // of a text in a note
 constexpr double kFarOrigin_m = 1000.0;       // where an origin is taken away
 constexpr double kVertical = 1.0e-5;          // sine of the angle to the vertical
 // What a room of a building has: beyond it the unit may be wrong.
@@ -144,9 +145,22 @@ class DesignReader {
   }
 
   // --- arguments -------------------------------------------------------------------------------
-  static std::string text_of(const std::vector<StepValue>& arguments, std::size_t i) {
+  std::string text_of(const std::vector<StepValue>& arguments, std::size_t i) {
     if (i >= arguments.size()) return {};
-    return std::string(calc::trim(calc::printable(arguments[i].untyped().text().value_or(""))));
+    return std::string(calc::trim(letters_of(arguments[i].untyped())));
+  }
+
+  std::string letters_of(const StepValue& value) {
+    bool is_sure = true;
+    const std::string text = value.text(&is_sure).value_or("");
+    // Bytes that are no UTF-8 were said of the whole file.
+    if (!is_sure && text_.is_utf8() && unsure_.insert(value.slice().data()).second) {
+      note(DesignNote::Kind::doubt, "text",
+           "an escape in it means no letter, or is of an alphabet other than ISO 8859-1 to -9; "
+           "letters may be missing (U+FFFD) or wrong",
+           fmt::format("'{}'", calc::shorten_utf8(calc::printable(text), kLongestExample)));
+    }
+    return calc::printable(text);
   }
 
   DesignSource source(std::uint32_t instance, const std::vector<StepValue>& arguments) {
@@ -204,7 +218,7 @@ class DesignReader {
     });
   }
 
-  std::string storey_of(std::uint32_t thing) const {
+  std::string storey_of(std::uint32_t thing) {
     for (int step = 0; step < kDeepestStructure; ++step) {
       const auto found = parent_.find(thing);
       if (found == parent_.end()) return {};
@@ -251,11 +265,9 @@ class DesignReader {
     }
   }
 
-  static std::string value_text(const StepValue& value) {
+  std::string value_text(const StepValue& value) {
     const StepValue plain = value.untyped();
-    if (plain.kind() == StepValue::Kind::text) {
-      return calc::printable(plain.text().value_or(""));
-    }
+    if (plain.kind() == StepValue::Kind::text) return letters_of(plain);
     if (plain.kind() == StepValue::Kind::enumeration) {
       const std::string word = plain.enumeration();
       return word == "T" ? "true" : word == "F" ? "false" : word == "U" ? "unknown" : word;
@@ -587,6 +599,7 @@ class DesignReader {
   std::vector<DesignNote> notes_;
   std::map<std::tuple<DesignNote::Kind, std::string, std::string>, std::size_t> note_at_;
   std::set<std::string> keys_;
+  std::set<const char*> unsure_;  // texts whose letters were doubted, by their places
   // By instance, which is by number: nothing here depends on a hash.
   std::map<std::uint32_t, std::uint32_t> type_, parent_;
   std::set<std::uint32_t> lights_, has_sets_;

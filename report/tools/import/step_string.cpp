@@ -23,13 +23,102 @@ std::optional<char32_t> hex(std::string_view digits) {
   return value;
 }
 
-// Letter of the upper half of an ISO 8859 alphabet.
-char32_t letter_of_page(char page, char32_t byte) {
-  if (page == 'A' || byte == 0xA0 || byte == 0xAD || byte < 0xA0) return byte;
-  if (page != 'E') return kUnknownLetter;
+// Letters 0xA1 to 0xFF of the alphabets that no rule gives.
+constexpr std::u16string_view kIso8859_2 =
+    u"Ą˘Ł¤ĽŚ§¨ŠŞŤŹ\u00ADŽŻ°ą˛ł´ľśˇ¸šşťź˝žż"
+    u"ŔÁÂĂÄĹĆÇČÉĘËĚÍÎĎĐŃŇÓÔŐÖ×ŘŮÚŰÜÝŢß"
+    u"ŕáâăäĺćçčéęëěíîďđńňóôőö÷řůúűüýţ˙";
+constexpr std::u16string_view kIso8859_3 =
+    u"Ħ˘£¤\uFFFDĤ§¨İŞĞĴ\u00AD\uFFFDŻ°ħ²³´µĥ·¸ışğĵ½\uFFFDż"
+    u"ÀÁÂ\uFFFDÄĊĈÇÈÉÊËÌÍÎÏ\uFFFDÑÒÓÔĠÖ×ĜÙÚÛÜŬŜß"
+    u"àáâ\uFFFDäċĉçèéêëìíîï\uFFFDñòóôġö÷ĝùúûüŭŝ˙";
+constexpr std::u16string_view kIso8859_4 =
+    u"ĄĸŖ¤ĨĻ§¨ŠĒĢŦ\u00ADŽ¯°ą˛ŗ´ĩļˇ¸šēģŧŊžŋ"
+    u"ĀÁÂÃÄÅÆĮČÉĘËĖÍÎĪĐŅŌĶÔÕÖ×ØŲÚÛÜŨŪß"
+    u"āáâãäåæįčéęëėíîīđņōķôõö÷øųúûüũū˙";
+static_assert(kIso8859_2.size() == 95 && kIso8859_3.size() == 95 && kIso8859_4.size() == 95);
+
+// Greek, in the edition of 2003.
+char32_t greek_letter(char32_t byte) {
+  switch (byte) {
+    case 0xA1:
+      return 0x2018;
+    case 0xA2:
+      return 0x2019;
+    case 0xA4:
+      return 0x20AC;
+    case 0xA5:
+      return 0x20AF;
+    case 0xAA:
+      return 0x37A;
+    case 0xAF:
+      return 0x2015;
+    case 0xAE:
+    case 0xD2:
+    case 0xFF:
+      return kUnknownLetter;
+    default:
+      break;
+  }
+  const bool is_latin = byte < 0xB4 || byte == 0xB7 || byte == 0xBB || byte == 0xBD;
+  return is_latin ? byte : byte - 0xB4 + 0x384;
+}
+
+char32_t arabic_letter(char32_t byte) {
+  const bool is_letter = byte == 0xAC || byte == 0xBB || byte == 0xBF ||
+                         (byte >= 0xC1 && byte <= 0xDA) || (byte >= 0xE0 && byte <= 0xF2);
+  if (is_letter) return byte - 0xA0 + 0x600;
+  return byte == 0xA4 ? byte : kUnknownLetter;
+}
+
+char32_t hebrew_letter(char32_t byte) {
+  if (byte >= 0xE0 && byte <= 0xFA) return byte - 0xE0 + 0x5D0;
+  if (byte == 0xAA) return 0xD7;
+  if (byte == 0xBA) return 0xF7;
+  if (byte == 0xDF) return 0x2017;
+  if (byte == 0xFD || byte == 0xFE) return byte - 0xFD + 0x200E;
+  return byte >= 0xA2 && byte <= 0xBE ? byte : kUnknownLetter;
+}
+
+char32_t turkish_letter(char32_t byte) {
+  constexpr std::pair<char32_t, char32_t> kOther[] = {{0xD0, 0x11E}, {0xDD, 0x130}, {0xDE, 0x15E},
+                                                      {0xF0, 0x11F}, {0xFD, 0x131}, {0xFE, 0x15F}};
+  for (const auto& [of, letter] : kOther) {
+    if (of == byte) return letter;
+  }
+  return byte;
+}
+
+char32_t cyrillic_letter(char32_t byte) {
   if (byte == 0xF0) return 0x2116;  // numero sign
   if (byte == 0xFD) return 0xA7;    // section sign
   return byte - 0xA0 + 0x400;
+}
+
+// Letter of the upper half of an ISO 8859 alphabet: page A is ISO 8859-1, I is ISO 8859-9.
+char32_t letter_of_page(char page, char32_t byte) {
+  if (page < 'A' || page > 'I') return kUnknownLetter;
+  if (byte <= 0xA0 || byte == 0xAD) return byte;
+  switch (page) {
+    case 'B':
+      return kIso8859_2[byte - 0xA1];
+    case 'C':
+      return kIso8859_3[byte - 0xA1];
+    case 'D':
+      return kIso8859_4[byte - 0xA1];
+    case 'E':
+      return cyrillic_letter(byte);
+    case 'F':
+      return arabic_letter(byte);
+    case 'G':
+      return greek_letter(byte);
+    case 'H':
+      return hebrew_letter(byte);
+    case 'I':
+      return turkish_letter(byte);
+    default:
+      return byte;
+  }
 }
 
 class StringReader {
@@ -74,9 +163,12 @@ class StringReader {
       const auto byte = static_cast<unsigned char>(rest_[3]);
       letter(byte < 0x80 ? std::optional(letter_of_page(page_, byte + 0x80u)) : std::nullopt);
       rest_.remove_prefix(4);
-    } else if (rest_.size() >= 4 && rest_[1] == 'P' && rest_[3] == '\\' && rest_[2] >= 'A' &&
-               rest_[2] <= 'I') {
+    } else if (rest_.size() >= 4 && rest_[1] == 'P' && rest_[3] == '\\') {
       page_ = rest_[2];
+      if (page_ < 'A' || page_ > 'I') {  // an alphabet that nobody knows
+        is_sure_ = false;
+        raw_ += rest_.substr(0, 4);
+      }
       rest_.remove_prefix(4);
     } else {  // written by somebody who does not know that it must be doubled
       raw_ += '\\';

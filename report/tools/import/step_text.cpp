@@ -230,9 +230,9 @@ std::optional<std::uint64_t> StepValue::reference() const {
   return StepCursor(slice_).reference();
 }
 
-std::optional<std::string> StepValue::text() const {
+std::optional<std::string> StepValue::text(bool* is_sure) const {
   if (kind_ != Kind::text) return std::nullopt;
-  return step_string(slice_.substr(1, slice_.size() - 2));
+  return step_string(slice_.substr(1, slice_.size() - 2), is_sure);
 }
 
 std::string StepValue::enumeration() const {

@@ -50,9 +50,10 @@ class StepValue {
   // Each is empty where the value is of another kind.
   std::optional<double> number() const;            // finite
   std::optional<std::uint64_t> reference() const;  // of an instance, which may not exist
-  std::optional<std::string> text() const;         // UTF-8, all escapes resolved
-  std::string enumeration() const;                 // in capitals, without its dots: "METRE"
-  std::string type_name() const;                   // of a typed value, in capitals
+  // UTF-8, all escapes resolved; is_sure: as of step_string().
+  std::optional<std::string> text(bool* is_sure = nullptr) const;
+  std::string enumeration() const;  // in capitals, without its dots: "METRE"
+  std::string type_name() const;    // of a typed value, in capitals
   // Of a list, or what stands between the brackets of a typed value.
   std::vector<StepValue> items() const;
   // The only argument of a typed value, else the value itself.
@@ -64,8 +65,9 @@ class StepValue {
 };
 
 // A string as it stands between its quotes, in UTF-8. is_sure becomes false where letters had to be
-// guessed: bytes that are no UTF-8 are taken for Windows-1252, a page of \P\ other than 8859-1 and
-// 8859-5, and escapes that mean no character, give U+FFFD.
+// guessed: bytes that are no UTF-8 are taken for Windows-1252, escapes that mean no character give
+// U+FFFD (of \S\ those that the alphabet of \P\, ISO 8859-1 to -9, does not have), and a \P\ of any
+// other alphabet stays as it is written, its letters U+FFFD.
 std::string step_string(std::string_view between_quotes, bool* is_sure = nullptr);
 
 // The way back, with the quotes, in ASCII alone: whoever reads it, in whichever alphabet, reads the

@@ -81,6 +81,22 @@ TEST(IfcDesign, ThePropertyOfUseComesFirst) {
   EXPECT_EQ(design.room[0].use, "Büro");
 }
 
+TEST(IfcDesign, LettersOfUnknownAlphabetsAreSaid) {
+  std::string data = kRoom;
+  const auto rename = [&](const std::string& name) {
+    std::string renamed = data;
+    return read(renamed.replace(renamed.find("'Office'"), 8, "'" + name + "'"));
+  };
+  const Design known = rename("\\PB\\\\S\\C\\S\\f");
+  ASSERT_EQ(known.room.size(), 1u);
+  EXPECT_EQ(known.room[0].name, "Ăć");
+  EXPECT_TRUE(notes(known, "alphabet").empty());
+  const Design unknown = rename("B\\PX\\\\S\\|ro");
+  ASSERT_EQ(unknown.room.size(), 1u);
+  EXPECT_EQ(unknown.room[0].name, "B\\PX\\\uFFFDro");
+  EXPECT_THAT(notes(unknown, "alphabet"), ElementsAre("doubt: 1 x text"));
+}
+
 TEST(IfcDesign, PlacesStandOnOneAnother) {
   // The storey is 3 m up and turned by 90 degrees, the space 10 m along its x.
   std::string data = kRoom;

@@ -105,6 +105,25 @@ TEST(StepText, ResolvesEscapes) {
   EXPECT_EQ(text("C:\\dir"), "C:\\dir");
 }
 
+TEST(StepText, KnowsTheAlphabetsOfIso8859) {
+  // The letters 0xBF, 0xC1, 0xE6 and 0xFE of each.
+  const auto text = [](char page) {
+    return cli::step_string(std::string("\\P") + page + "\\\\S\\?\\S\\A\\S\\f\\S\\~");
+  };
+  EXPECT_EQ(text('A'), "¿Áæþ");
+  EXPECT_EQ(text('B'), "żÁćţ");
+  EXPECT_EQ(text('C'), "żÁĉŝ");
+  EXPECT_EQ(text('D'), "ŋÁæū");
+  EXPECT_EQ(text('E'), "ПСцў");
+  EXPECT_EQ(text('F'), "\u061F\u0621\u0646\uFFFD");
+  EXPECT_EQ(text('G'), "ΏΑζώ");
+  EXPECT_EQ(text('H'), "\uFFFD\uFFFD\u05D6\u200F");
+  EXPECT_EQ(text('I'), "¿Áæş");
+  // A page holds until the next one, and not beyond its string.
+  EXPECT_EQ(cli::step_string("\\PB\\\\S\\f\\PA\\\\S\\f"), "ćæ");
+  EXPECT_EQ(cli::step_string("\\PX\\\\S\\f"), "\\PX\\\uFFFD");
+}
+
 TEST(StepText, SaysWhereLettersAreGuessed) {
   const auto sure = [](std::string_view raw) {
     bool is_sure = true;
@@ -114,7 +133,9 @@ TEST(StepText, SaysWhereLettersAreGuessed) {
   EXPECT_TRUE(sure("B\xC3\xBCro \\X2\\00FC\\X0\\"));
   EXPECT_FALSE(sure("B\xFCro"));
   EXPECT_EQ(cli::step_string("B\xFCro"), "Büro");
-  EXPECT_FALSE(sure("\\PG\\\\S\\a"));
+  EXPECT_TRUE(sure("\\PG\\\\S\\a"));
+  EXPECT_FALSE(sure("\\PG\\\\S\\."));  // nothing in ISO 8859-7
+  EXPECT_FALSE(sure("\\PX\\\\S\\a"));
   EXPECT_FALSE(sure("\\X2\\D83D\\X0\\"));  // half of a pair
   EXPECT_FALSE(sure("\\X2\\DE00D83D\\X0\\"));
   EXPECT_FALSE(sure("\\X2\\00FC"));
