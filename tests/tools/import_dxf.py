@@ -124,6 +124,27 @@ def refusals():
     expect(suggested.returncode == 0 and "at least one [[room]]" in done.stderr, "a suggested map is read back")
 
 
+def holes():
+    """A room with a rectangular and another column: solids, no light and no points in them."""
+    loops = [[(0, 0), (6000, 0), (6000, 4000), (0, 4000)], [(1000, 1000), (2000, 1000), (2000, 2500), (1000, 2500)],
+             [(4000, 1000), (5000, 1000), (5000, 3000), (4500, 2000)]]
+    hatch = [(0, "HATCH"), (5, "5"), (8, "A-AREA"), (10, 0), (20, 0), (30, 0), (91, len(loops))]
+    for loop in loops:
+        hatch += [(92, 3), (72, 0), (73, 1), (93, len(loop)), *(pair for x, y in loop for pair in ((10, x), (20, y))), (97, 0)]
+    (WORK / "holes.dxf").write_text(pairs((0, "SECTION"), (2, "ENTITIES"), *hatch, (0, "ENDSEC"), (0, "EOF")))
+    (WORK / "holes.toml").write_text('unit = "mm"\n' + MAP[:MAP.find("[[luminaire]]")])
+    done = run("import", "holes.dxf", "--map", "holes.toml", "-o", "holes")
+    expect(done.returncode == 0 and "2 x room: a hole in its outline is written as a solid" in done.stdout,
+           f"holes are said: {done.returncode} {done.stdout} {done.stderr}")
+    meshes = list((WORK / "holes/holes").glob("*.obj"))
+    expect(len(meshes) == 1 and 'size="1 1.5 3"' in (WORK / "holes/project.xml").read_text(), f"a box and a mesh: {meshes}")
+    shown = run("geometry", "holes/project.xml").stdout
+    expect("watertight yes" in shown and "shells     3 closed" in shown, f"columns are closed: {shown}")
+    meshes[0].write_text(meshes[0].read_text() + "# by hand\n")
+    done = run("import", "holes.dxf", "--map", "holes.toml", "-o", "holes")
+    expect("it was changed by hand: it is kept" in done.stdout and meshes[0].read_text().endswith("hand\n"), "and kept")
+
+
 def the_way_back():
     """What --format dxf writes is read back: outlines in metres and names in every alphabet."""
     name = "B\u00fcro \u20ac \u0151 \u03a9 \u65e5 50 %"
@@ -267,6 +288,7 @@ WORK.mkdir(parents=True)
 shutil.copy(EXAMPLES / "photometry/lambert_panel_600.ies", WORK / "panel.ies")
 the_way_of_a_project()
 refusals()
+holes()
 the_way_back()
 the_example()
 by_ezdxf()

@@ -81,7 +81,7 @@ double add_bezier(const Poles& poles, double error, int depth, std::vector<glm::
   for (const glm::dvec4& pole : poles) {
     farthest = std::max(farthest, distance_to_chord(projected(pole), from, to));
   }
-  if (farthest <= error || depth == 0) return farthest;
+  if (farthest <= error || depth == 0 || points.size() >= kMostCurvePoints) return farthest;
   Poles first, second(poles.size()), left = poles;
   for (std::size_t level = 0; level < poles.size(); ++level) {
     first.push_back(left.front());
@@ -180,6 +180,13 @@ double curve_size(const DxfCurve& curve) {
     high = glm::max(high, point);
   }
   return glm::distance(low, high);
+}
+
+std::size_t curve_work(const DxfCurve& curve) {
+  const auto* spline = std::get_if<DxfSpline>(&curve);
+  if (spline == nullptr) return 1;
+  const auto degree = static_cast<std::size_t>(spline->degree);
+  return spline->control.size() * (1 + degree * degree / 8);
 }
 
 double add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points) {

@@ -14,6 +14,8 @@ namespace cli {
 inline constexpr int kMostChords = 4096;  // of an arc or ellipse
 inline constexpr int kHighestSplineDegree = 25;
 inline constexpr std::size_t kMostSplinePoints = 4096;  // control points of one
+// Of an entity: a spline that begins beyond it, or goes beyond it, gets one chord for each span.
+inline constexpr std::size_t kMostCurvePoints = 1'000'000;
 // Of a spline's control polygon: chords need not be closer to it than that.
 inline constexpr double kFinestOfSpline = 1.0e-6;
 
@@ -38,6 +40,9 @@ glm::dvec3 curve_start(const DxfCurve& curve);
 glm::dvec3 curve_end(const DxfCurve& curve);
 // What it takes at most, as the distance of two of its points.
 double curve_size(const DxfCurve& curve);
+
+// How long chords of it take to find, as a number of points that take as long.
+std::size_t curve_work(const DxfCurve& curve);
 
 // Appends what lies strictly between its ends, so that the chords are at most `error` from it, but
 // for the limits above. How far they are from it at most: above `error` where a limit was met.

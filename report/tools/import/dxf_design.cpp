@@ -6,6 +6,7 @@
 #include "calc/base/utf8.h"
 #include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/polygon_mend.h"
 #include "report/tools/import/design_heights.h"
 #include "report/tools/import/design_notes.h"
 #include "report/tools/import/design_rooms.h"
@@ -33,8 +34,12 @@ constexpr double kFarAway_m = 1000.0;   // origins are multiples of it
 // So that no file takes all memory or time.
 constexpr std::size_t kMostPoints = 5'000'000;  // of lines that may be outlines
 constexpr std::size_t kMostRooms = 5000;
-constexpr std::size_t kMostThings = 100'000;  // luminaires, furniture, texts: of each
-constexpr double kFarthest = 1.0e12;          // in the file's unit
+constexpr std::size_t kMostThings = 100'000;        // luminaires, furniture, texts: of each
+constexpr std::size_t kMostCurveWork = 50'000'000;  // as corner_work() counts
+constexpr std::size_t kMostText = 100'000'000;      // bytes that copies of texts take
+constexpr double kMostLooks = 2.0e10;               // at corners of rooms, for what stands in them
+constexpr std::size_t kMostComparisons = 300'000'000;  // of corners of rooms with other rooms
+constexpr double kFarthest = 1.0e12;                   // in the file's unit
 
 using Kind = DxfEntity::Kind;
 
@@ -91,6 +96,10 @@ class Builder {
     plane_.resize(map_.plane.size());
     route_.resize(map_.route.size());
     problem = sort_entities();
+    if (problem.empty()) {
+      check_counts();
+      problem = problem_;
+    }
     if (!problem.empty()) return std::nullopt;
     const ImportUnit unit = choose_unit(unit_option.empty() ? map_.unit : unit_option,
                                         unit_option.empty() ? "the map" : "--unit", drawing_.unit,
@@ -103,7 +112,9 @@ class Builder {
     design_.unit_reason = unit.reason;
     metres_ = *metres_per_import_unit(unit.name);
     points_ = 0;
+    work_ = 0;
     add_rooms();
+    check_looks();
     if (!problem_.empty()) {
       problem = problem_;
       return std::nullopt;
@@ -142,6 +153,32 @@ class Builder {
         problem_ = fmt::format("more than {} {} are in this drawing", kMostThings, what);
       }
     }
+  }
+
+  // Everything looks for its room among all of them.
+  void check_looks() {
+    double corners = 0.0;
+    for (const DesignRoom& room : design_.room) {
+      corners += static_cast<double>(room.outline_m.size());
+      for (const auto& hole : room.hole_m) corners += static_cast<double>(hole.size());
+    }
+    const std::size_t things = luminaire_.size() + furniture_.size() + text_.size();
+    if (problem_.empty() && corners * static_cast<double>(things) > kMostLooks) {
+      problem_ = fmt::format(
+          "{} luminaires, pieces of furniture and texts stand among rooms of {:.0f} corners: to "
+          "find the room of each takes too long",
+          things, corners);
+    }
+  }
+
+  // False, with the problem: copies of texts take too much memory.
+  bool has_memory_for(std::size_t bytes) {
+    text_bytes_ += bytes;
+    if (text_bytes_ > kMostText && problem_.empty()) {
+      problem_ = fmt::format("names and attributes, with all blocks, are more than {} bytes long",
+                             kMostText);
+    }
+    return text_bytes_ <= kMostText;
   }
 
   std::string place_of(const DxfPlaced& placed) const {
@@ -284,6 +321,11 @@ class Builder {
                  std::vector<PlanPiece>& pieces, double* reached = nullptr) {
     PlanPiece piece;
     if (placed.entity->vertex.empty() || !problem_.empty()) return true;
+    work_ += corner_work(*placed.entity);
+    if (work_ > kMostCurveWork) {
+      problem_ = "to follow the lines and curves that may be outlines takes too long";
+      return true;
+    }
     const std::vector<glm::dvec3> points = placed.corners(error, reached);
     points_ += points.size();
     if (points_ > kMostPoints) {
@@ -298,6 +340,7 @@ class Builder {
     piece.is_closed = placed.entity->is_closed;
     piece.key = placed.key;
     piece.place = place_of(placed);
+    if (placed.entity->kind == Kind::outline) piece.shape = placed.entity->place;
     pieces.push_back(std::move(piece));
     return true;
   }
@@ -338,7 +381,7 @@ class Builder {
       const std::vector<DxfPlaced>& list = has_outlines ? room_[i].outline : room_[i].surface;
       const PlanOutlines found = find_outlines(pieces_of(list, what), kSamePlace_m, rule.closes);
       say_failures(found, what);
-      for (const PlanOutline& outline : found.outline) add_room(outline, i);
+      add_rooms_of(found.outline, i);
       if (found.outline.empty()) {
         notes_.left_out(
             "rooms",
@@ -347,6 +390,57 @@ class Builder {
             fmt::format("map line {}", rule.line));
       }
     }
+  }
+
+  // Loops of a hatch that lie in another one of it are holes, those in holes rooms again.
+  void add_rooms_of(const std::vector<PlanOutline>& outlines, std::size_t rule) {
+    std::map<std::size_t, std::vector<std::size_t>> loops;  // by hatch
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      if (outlines[i].shape != 0) loops[outlines[i].shape].push_back(i);
+    }
+    // Around each outline: how many, and the smallest.
+    std::vector<std::size_t> depth(outlines.size(), 0), around(outlines.size(), outlines.size());
+    std::size_t comparisons = 0;
+    for (const auto& [shape, list] : loops) {
+      for (const std::size_t i : list) {
+        for (const std::size_t k : list) {
+          comparisons += outlines[k].corner.size();
+          if (comparisons > kMostComparisons) {
+            problem_ = "to compare the loops of hatches with each other takes too long";
+            return;
+          }
+          if (i == k || !is_within(outlines[i].corner, outlines[k].corner, comparisons)) continue;
+          ++depth[i];
+          if (around[i] == outlines.size() || calc::signed_area(outlines[k].corner) <
+                                                  calc::signed_area(outlines[around[i]].corner)) {
+            around[i] = k;
+          }
+        }
+      }
+    }
+    std::vector<std::size_t> room_of(outlines.size(), 0);
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      if (depth[i] % 2 != 0) continue;
+      room_of[i] = design_.room.size();
+      add_room(outlines[i], rule);
+      if (!problem_.empty()) return;
+    }
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      if (depth[i] % 2 == 0) continue;
+      std::vector<glm::dvec2> hole = outlines[i].corner;
+      std::reverse(hole.begin(), hole.end());
+      design_.room[room_of[around[i]]].hole_m.push_back(std::move(hole));
+    }
+  }
+
+  // Smaller, and no corner outside.
+  static bool is_within(const std::vector<glm::dvec2>& inner, const std::vector<glm::dvec2>& outer,
+                        std::size_t& comparisons) {
+    if (!(calc::enclosed_area(inner) < calc::enclosed_area(outer))) return false;
+    return std::all_of(inner.begin(), inner.end(), [&](const glm::dvec2& corner) {
+      comparisons += outer.size();
+      return calc::contains_point(outer, corner);
+    });
   }
 
   void add_room(const PlanOutline& outline, std::size_t rule) {
@@ -392,6 +486,9 @@ class Builder {
     }
     for (DesignRoom& room : design_.room) {
       for (glm::dvec2& corner : room.outline_m) corner -= glm::dvec2(design_.origin_m);
+      for (std::vector<glm::dvec2>& hole : room.hole_m) {
+        for (glm::dvec2& corner : hole) corner -= glm::dvec2(design_.origin_m);
+      }
     }
   }
 
@@ -409,6 +506,7 @@ class Builder {
       const glm::dvec3 at = in_metres(placed.at(0));
       const std::string storey = storey_of(placed.layer);
       if (placed.entity->text.empty() || !is_near(at)) continue;
+      if (!has_memory_for(placed.entity->text.size())) return;
       if (const std::optional<std::size_t> room = room_at(design_, at, std::nullopt, storey)) {
         inside[*room].push_back({at.y, at.x, placed.entity->text});
         continue;
@@ -448,16 +546,49 @@ class Builder {
           fmt::format("its area would be {:.3g} m2: is the unit {} right?", area, design_.unit),
           room.source.place);
     }
+    say_rooms_in_rooms();
+  }
+
+  void say_rooms_in_rooms() {
+    struct Box {
+      glm::dvec2 low, high;
+    };
+    std::vector<Box> boxes;
+    for (const DesignRoom& room : design_.room) {
+      Box box{room.outline_m[0], room.outline_m[0]};
+      for (const glm::dvec2& corner : room.outline_m) {
+        box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+      }
+      boxes.push_back(box);
+    }
+    std::size_t comparisons = 0;
     for (std::size_t i = 0; i < design_.room.size(); ++i) {
       const DesignRoom& room = design_.room[i];
-      glm::dvec2 inner(0.0);
       for (std::size_t k = 0; k < design_.room.size(); ++k) {
         const DesignRoom& other = design_.room[k];
         if (k == i || other.storey != room.storey || other.floor_z_m != room.floor_z_m) continue;
-        const bool is_inside = std::all_of(
-            other.outline_m.begin(), other.outline_m.end(),
-            [&](const glm::dvec2& corner) { return calc::contains_point(room.outline_m, corner); });
-        if (!is_inside ||
+        const double near = kSamePlace_m;
+        if (boxes[k].low.x < boxes[i].low.x - near || boxes[k].low.y < boxes[i].low.y - near ||
+            boxes[k].high.x > boxes[i].high.x + near || boxes[k].high.y > boxes[i].high.y + near) {
+          continue;
+        }
+        const bool is_inside = std::all_of(other.outline_m.begin(), other.outline_m.end(),
+                                           [&](const glm::dvec2& corner) {
+                                             comparisons += room.outline_m.size();
+                                             return calc::contains_point(room.outline_m, corner);
+                                           });
+        if (comparisons > kMostComparisons) {
+          notes_.doubt("rooms",
+                       "not all of them were compared, because their outlines have too many "
+                       "corners: one may lie in another one",
+                       "");
+          return;
+        }
+        const bool is_in_hole = std::any_of(room.hole_m.begin(), room.hole_m.end(),
+                                            [&](const std::vector<glm::dvec2>& hole) {
+                                              return is_within(other.outline_m, hole, comparisons);
+                                            });
+        if (!is_inside || is_in_hole ||
             (k < i && calc::signed_area(other.outline_m) == calc::signed_area(room.outline_m))) {
           continue;
         }
@@ -501,6 +632,10 @@ class Builder {
         add_attributes(placed, design_.luminaire[*part]);
         continue;
       }
+      std::size_t bytes = placed.entity->block.size();
+      for (const auto& [name, value] : placed.entity->attribute)
+        bytes += name.size() + value.size();
+      if (!has_memory_for(bytes)) return;
       DesignLuminaire luminaire;
       luminaire.rule = block.rule;
       luminaire.source = {key_of(placed, at, true), place_of(placed)};
@@ -596,8 +731,10 @@ class Builder {
   void add_furniture() {
     std::vector<std::size_t> of_rule(map_.furniture.size(), 0);
     std::map<std::string, DxfExtent> extents;
+    std::size_t work = kMostDxfWork;
     for (const Block& block : furniture_) {
       const DxfPlaced& placed = block.placed;
+      if (!has_memory_for(placed.entity->block.size())) return;
       const DxfEntity& entity = *placed.entity;
       const MapFurniture& rule = map_.furniture[block.rule];
       ++of_rule[block.rule];
@@ -613,9 +750,12 @@ class Builder {
       glm::dvec3 centre;
       if (is_block) {
         const auto [found, is_new] = extents.try_emplace(dxf_key(entity.block_in_file));
-        if (is_new) found->second = extent_of_block(drawing_, entity.block_in_file);
+        if (is_new) found->second = extent_of_block(drawing_, entity.block_in_file, work);
         if (!found->second.is_any) {
-          notes_.left_out(what, "its block has nothing that takes room", place_of(placed));
+          notes_.left_out(what,
+                          found->second.problem.empty() ? "its block has nothing that takes room"
+                                                        : found->second.problem,
+                          place_of(placed));
           continue;
         }
         const auto base = drawing_.block.find(dxf_key(entity.block_in_file));
@@ -773,7 +913,7 @@ class Builder {
   std::vector<DxfPlaced> text_;
   std::vector<glm::dvec3> place_;  // of luminaires, as drawn
   std::string problem_;
-  std::size_t points_ = 0, parts_ = 0, loose_ = 0, clipped_ = 0;
+  std::size_t points_ = 0, work_ = 0, text_bytes_ = 0, parts_ = 0, loose_ = 0, clipped_ = 0;
   DxfSkipped skipped_;
   std::map<std::pair<std::string, std::string>, std::size_t> not_asked_;
   std::map<std::string, int> used_;

@@ -88,6 +88,7 @@ double add_bulge(const glm::dvec3& from, const glm::dvec3& to, double bulge, dou
       error, points);
 }
 
+constexpr const char* kNameTooLong = "a name is longer than 1020 bytes";
 constexpr const char* kNotJoined = "the edges of its loops do not join";
 
 // The values of one record, from its 0 to the next.
@@ -253,6 +254,7 @@ class DrawingReader {
       block_ = nullptr;
       if (find(2) == nullptr) return skip("BLOCK", "it has no name");
       const std::string name = name_of(*find(2));
+      if (name.size() > kLongestDxfName) return skip("BLOCK", kNameTooLong);
       DxfBlock& block = drawing_.block[dxf_key(name)];
       if (!block.name.empty()) return skip("BLOCK", "another one has its name");
       block.name = name;
@@ -303,8 +305,14 @@ class DrawingReader {
     }
     record_ = std::move(own);
     if (const DxfPair* layer = find(8)) entity.layer = name_of(*layer);
+    // Copies of these stand with everything that is placed.
+    if (entity.layer.size() > kLongestDxfName) {
+      ++drawing_.skipped[{name_, calc::shorten_utf8(entity.layer, 40), kNameTooLong}];
+      return false;
+    }
     if (entity.layer.empty()) entity.layer = "0";
     if (const DxfPair* handle = find(5)) entity.handle = name_of(*handle);
+    if (entity.handle.size() > kLongestDxfHandle) entity.handle.clear();
     if (find(210) != nullptr) {
       entity.normal = {number(210), number(220), number(230, 1.0)};
       if (glm::length(entity.normal) == 0.0) is_broken_ = true;
@@ -356,6 +364,11 @@ class DrawingReader {
     } else if (name_ == "POLYLINE") {
       take_polyline(entity);
     } else if (name_ == "INSERT") {
+      if (find(2) != nullptr && name_of(*find(2)).size() > kLongestDxfName) {
+        is_passing_ = true;
+        skip(name_, kNameTooLong);
+        return false;
+      }
       take_insert(entity);
     } else if (name_ == "TEXT" || name_ == "MTEXT") {
       take_text(entity);
@@ -570,7 +583,7 @@ class DrawingReader {
       outline.is_closed = true;
       if (loop > 0.0 && !outline.handle.empty()) outline.handle += fmt::format("_{:.0f}", loop);
       std::string why;
-      if ((static_cast<int>(*flags) & 2) != 0) {
+      if (std::fmod(std::floor(*flags / 2.0), 2.0) != 0.0) {
         if (!read_loop(next, i, outline, z)) why = "its loops cannot be read";
       } else {
         // Programs do not agree on what the angles of ellipses are: those count that close the
@@ -787,6 +800,8 @@ class Visitor {
     go(drawing_.entity, top, 0);
     return problem_;
   }
+  // By a visit.
+  void stop(const std::string& why) { problem_ = why; }
   // What stands in one block, in its coordinates.
   std::string run(const DxfBlock& block) {
     DxfPlaced top;
@@ -939,37 +954,55 @@ std::string visit_dxf(const DxfDrawing& drawing, const std::function<bool(const 
   return Visitor(drawing, visit, skipped).run();
 }
 
-DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in_file) {
+std::size_t corner_work(const DxfEntity& entity) {
+  std::size_t work = 1 + entity.vertex.size();
+  for (const DxfCurvedSide& side : entity.side) work += curve_work(side.curve);
+  return work;
+}
+
+DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in_file,
+                          std::size_t& work) {
   DxfExtent extent;
   const auto block = drawing.block.find(dxf_key(block_in_file));
   if (block == drawing.block.end()) return extent;
   constexpr double kFine = 1.0e-3;  // of the radius: extents need no more
   DxfSkipped skipped;
-  const std::string problem =
-      Visitor(
-          drawing,
-          [&](const DxfPlaced& placed) {
-            using Kind = DxfEntity::Kind;
-            const Kind kind = placed.entity->kind;
-            if (kind == Kind::insert) return true;
-            if (kind == Kind::text || kind == Kind::point) return false;
-            double size = placed.entity->radius;
-            for (const DxfVertex& vertex : placed.entity->vertex) {
-              size = std::max(size, glm::distance(vertex.at, placed.entity->vertex[0].at));
-            }
-            for (const DxfCurvedSide& side : placed.entity->side) {
-              size = std::max(size, curve_size(side.curve));
-            }
-            for (const glm::dvec3& point : placed.corners(kFine * size)) {
-              extent.low = extent.is_any ? glm::min(extent.low, point) : point;
-              extent.high = extent.is_any ? glm::max(extent.high, point) : point;
-              extent.is_any = true;
-            }
-            return false;
-          },
-          skipped)
-          .run(block->second);
-  if (!problem.empty()) extent.is_any = false;
+  Visitor* visitor = nullptr;
+  const auto take = [&](std::size_t amount) {
+    work -= std::min(work, amount);
+    if (work == 0) visitor->stop("to measure the blocks of this drawing takes too long");
+    return work > 0;
+  };
+  const std::function<bool(const DxfPlaced&)> visit = [&](const DxfPlaced& placed) {
+    using Kind = DxfEntity::Kind;
+    const DxfEntity& entity = *placed.entity;
+    if (entity.kind == Kind::insert) return take(1);
+    if (!take(corner_work(entity)) || entity.kind == Kind::text || entity.kind == Kind::point) {
+      return false;
+    }
+    double size = entity.radius;
+    for (const DxfVertex& vertex : entity.vertex) {
+      size = std::max(size, glm::distance(vertex.at, entity.vertex[0].at));
+    }
+    for (const DxfCurvedSide& side : entity.side) size = std::max(size, curve_size(side.curve));
+    size *= largest_stretch(placed.to_world);
+    double reached = 0.0;
+    const std::vector<glm::dvec3> corners = placed.corners(kFine * size, &reached);
+    if (reached > kFine * size) visitor->stop("an arc or curve in it is far larger than its ends");
+    take(corners.size());
+    for (const glm::dvec3& point : corners) {
+      extent.low = extent.is_any ? glm::min(extent.low, point) : point;
+      extent.high = extent.is_any ? glm::max(extent.high, point) : point;
+      extent.is_any = true;
+    }
+    if (entity.kind == Kind::face) ++extent.faces;
+    if (entity.kind == Kind::mesh) ++extent.meshes;
+    return false;
+  };
+  Visitor of_block(drawing, visit, skipped);
+  visitor = &of_block;
+  extent.problem = of_block.run(block->second);
+  if (!extent.problem.empty()) extent.is_any = false;
   return extent;
 }
 

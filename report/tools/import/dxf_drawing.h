@@ -24,6 +24,9 @@ namespace cli {
 inline constexpr std::size_t kMostDxfEntities = 2'000'000;  // as the file has them
 inline constexpr std::size_t kMostDxfPlaced = 1'000'000;    // with those of blocks, each time
 inline constexpr std::size_t kDeepestDxfBlock = 32;
+inline constexpr std::size_t kLongestDxfHandle = 16;     // digits; longer ones are none
+inline constexpr std::size_t kLongestDxfName = 1020;     // bytes, of layers and blocks: 255 letters
+inline constexpr std::size_t kMostDxfWork = 20'000'000;  // in points, to measure blocks
 
 struct DxfVertex {
   glm::dvec3 at{0.0};
@@ -117,12 +120,19 @@ struct DxfPlaced {
 std::string visit_dxf(const DxfDrawing& drawing, const std::function<bool(const DxfPlaced&)>& visit,
                       DxfSkipped& skipped);
 
+// How long its corners take to find, as a number of points that take as long.
+std::size_t corner_work(const DxfEntity& entity);
+
 // What a block takes, in its own coordinates: of lines, outlines, arcs and faces, with those of
 // blocks in it; texts do not count.
 struct DxfExtent {
   glm::dvec3 low{0.0}, high{0.0};
   bool is_any = false;
+  std::size_t faces = 0, meshes = 0;  // among what it is of
+  std::string problem;                // why it cannot be measured; is_any is false then
 };
-DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in_file);
+// work: what may still be done (see kMostDxfWork); becomes less.
+DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in_file,
+                          std::size_t& work);
 
 }  // namespace cli

@@ -54,6 +54,7 @@ void take_ring(std::vector<glm::dvec3> ring, const PlanPiece& first, double same
   PlanOutline outline;
   outline.key = first.key;
   outline.place = first.place;
+  outline.shape = first.shape;
   outline.z = ring.empty() ? 0.0 : ring.front().z;
   for (const glm::dvec3& point : ring) {
     outline.corner.emplace_back(point);

@@ -14,6 +14,7 @@ struct PlanPiece {
   std::vector<glm::dvec3> point;
   bool is_closed = false;
   std::string key, place;  // see DesignSource
+  std::size_t shape = 0;   // what it is a part of, such as the loops of a hatch; 0: of nothing
 };
 
 struct PlanOutline {
@@ -22,6 +23,7 @@ struct PlanOutline {
   bool is_level = true;
   std::string key, place;  // of its first piece
   std::string mended;      // what was mended, "" = nothing
+  std::size_t shape = 0;   // of its first piece
 };
 struct PlanOutlines {
   std::vector<PlanOutline> outline;

@@ -1,6 +1,7 @@
 // The map to start from: see suggest_map() in dxf_design.h.
 #include "calc/base/utf8.h"
 #include "report/tools/import/dxf_design.h"
+#include "report/tools/import/map_words.h"
 
 #include <fmt/format.h>
 
@@ -14,15 +15,6 @@ namespace cli {
 namespace {
 
 constexpr std::size_t kMostExamples = 3;
-
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : calc::printable(name)) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
 
 struct LayerFacts {
   std::map<std::string, std::size_t> kinds;
@@ -125,22 +117,22 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
     for (const auto& [kind, count] : facts.kinds) {
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     }
-    text += fmt::format("#   {}: {}{}; {}\n", quoted(name), kinds,
+    text += fmt::format("#   {}: {}{}; {}\n", quoted_for_map(name), kinds,
                         facts.closed == 0 ? "" : fmt::format(" ({} closed)", facts.closed),
                         size_words(facts.low, facts.high));
   }
   for (const auto& [what, count] : skipped) {
-    text += fmt::format("#   {}: {} passed over, {}\n", quoted(what[1]), count, what[2]);
+    text += fmt::format("#   {}: {} passed over, {}\n", quoted_for_map(what[1]), count, what[2]);
   }
   for (const auto& [what, count] : drawing.skipped) {
-    text += fmt::format("#   {}: {} x {} not read, {}\n", quoted(what[1]), count,
+    text += fmt::format("#   {}: {} x {} not read, {}\n", quoted_for_map(what[1]), count,
                         calc::printable(what[0]), what[2]);
   }
   text += "\n# Rooms: closed outlines, or lines that meet.\n";
   std::string names;
   for (const auto& [name, facts] : layers) {
     if (facts.kinds.count("texts") == 0) continue;
-    names += fmt::format("# {}names = {}\n", names.empty() ? "" : "# or ", quoted(name));
+    names += fmt::format("# {}names = {}\n", names.empty() ? "" : "# or ", quoted_for_map(name));
   }
   for (const auto& [name, facts] : layers) {
     const bool has_lines = facts.kinds.count("polylines") + facts.kinds.count("lines") > 0;
@@ -148,14 +140,16 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
     text += fmt::format(
         "# [[room]]\n# layer = {}\n{}# height = 2.8  # metres\n# reflectances = [0.7, 0.5, 0.2]  "
         "# ceiling, walls, floor\n\n",
-        quoted(name), names);
+        quoted_for_map(name), names);
   }
   text += "# Blocks: luminaires or furniture.\n";
+  std::size_t work = kMostDxfWork;
   for (const auto& [name, facts] : blocks) {
-    const DxfExtent extent = extent_of_block(drawing, facts.in_file);
-    text += fmt::format("# {}: {} times, on", quoted(name), facts.count);
-    for (const std::string& layer : facts.layers) text += " " + quoted(layer);
+    const DxfExtent extent = extent_of_block(drawing, facts.in_file, work);
+    text += fmt::format("# {}: {} times, on", quoted_for_map(name), facts.count);
+    for (const std::string& layer : facts.layers) text += " " + quoted_for_map(layer);
     if (extent.is_any) text += "; " + size_words(extent.low, extent.high) + " before scaling";
+    if (!extent.problem.empty()) text += "; of unknown size: " + extent.problem;
     text += "; z";
     std::size_t shown = 0;
     for (const double z : facts.heights) {
@@ -166,7 +160,7 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
       text += fmt::format("#   attribute {}:", calc::printable(tag));
       shown = 0;
       for (const std::string& value : values) {
-        text += shown++ == kMostExamples ? " ..." : " " + quoted(value);
+        text += shown++ == kMostExamples ? " ..." : " " + quoted_for_map(value);
       }
       text += "\n";
     }
@@ -174,7 +168,7 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
         "# [[luminaire]]\n# type = {0}\n# photometry = \"photometry/FILE.ldt\"\n# height = "
         "[\"z\", 2.8]  # or \"attribute:NAME\"\n#\n# [[furniture]]\n# type = {0}\n# height = 0.75\n"
         "# reflectance = 0.5\n\n",
-        quoted(name));
+        quoted_for_map(name));
   }
   return text;
 }

@@ -104,6 +104,23 @@ std::vector<std::string> plan_photometry(const ImportMap& map, const std::string
   return names;
 }
 
+// Meshes that the project names: their names say what is in them, so that one that is there with
+// other contents was changed by hand.
+void plan_meshes(const ProjectText& project, const std::string& folder, std::vector<NewFile>& files,
+                 DesignNotes& notes) {
+  const calc::DiskFileReader reader;
+  for (const ProjectText::File& file : project.file) {
+    const std::string target = (fs::path(folder) / file.name).string();
+    const calc::FileContent there = reader.read(target);
+    if (!there.ok()) {
+      files.push_back({target, file.bytes});
+    } else if (there.bytes != file.bytes) {
+      notes.doubt(fmt::format("mesh '{}'", file.name),
+                  "it was changed by hand: it is kept, and used");
+    }
+  }
+}
+
 // "" or why not all could be written.
 std::string write_all(const std::vector<NewFile>& files, std::vector<std::string>& written) {
   report::FileSet set;
@@ -199,6 +216,7 @@ ExitCode run_import(const ImportOptions& options) {
   DesignNotes notes(*design);
   const std::vector<std::string> photometry = plan_photometry(*map, options.folder, files, notes);
   const ProjectText project = project_text(*design, *map, photometry);
+  plan_meshes(project, options.folder, files, notes);
   ImportReport report{&*design, &project, {}, {}, {}};
   if (!options.folder.empty()) {
     if (!plan_project(options.folder, project.xml, files, report, diagnostics)) return failed();

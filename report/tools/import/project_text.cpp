@@ -1,6 +1,7 @@
 #include "report/tools/import/project_text.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/file_hash.h"
 #include "calc/base/text.h"
 #include "calc/base/text_lengths.h"
 #include "calc/base/units.h"
@@ -28,6 +29,8 @@ namespace {
 // Of luminaires in a ceiling: in the very plane of it their light would not reach the room.
 constexpr double kBelowCeiling_m = 0.01;
 constexpr std::size_t kLongestName = 200;
+constexpr const char* kHoleFolder = "holes";
+constexpr std::size_t kHashDigits = 16;
 // Of an id: before it stands what the thing is, and the room when an assembly copies it.
 constexpr std::size_t kLongestPart = calc::kLongestId - 50;
 
@@ -101,6 +104,19 @@ class Writer {
     notes_.left_out(what, why, source.place);
   }
 
+  // Becomes counter-clockwise.
+  static void round_hole(std::vector<glm::dvec2>& hole) {
+    for (glm::dvec2& corner : hole) corner = {rounded(corner.x, 1.0e4), rounded(corner.y, 1.0e4)};
+    hole.erase(std::unique(hole.begin(), hole.end()), hole.end());
+    while (hole.size() > 1 && hole.front() == hole.back()) hole.pop_back();
+    if (calc::signed_area(hole) < 0.0) std::reverse(hole.begin(), hole.end());
+    if (!is_rectangle(hole)) return;
+    // So that boxes along the axes are not turned.
+    while (!(hole[1].x > hole[0].x && hole[1].y >= hole[0].y)) {
+      std::rotate(hole.begin(), hole.begin() + 1, hole.end());
+    }
+  }
+
   // Those that can be written; corners are rounded.
   std::vector<std::size_t> fine_rooms() {
     std::vector<std::size_t> fine;
@@ -112,6 +128,7 @@ class Writer {
       }
       room.outline_m.erase(std::unique(room.outline_m.begin(), room.outline_m.end()),
                            room.outline_m.end());
+      for (std::vector<glm::dvec2>& hole : room.hole_m) round_hole(hole);
       room.floor_z_m = rounded(room.floor_z_m, 1.0e4);
       if (!room.height_m && room.rule < map_.room.size()) {
         room.height_m = map_.room[room.rule].height_m;
@@ -123,10 +140,6 @@ class Writer {
       } else if (!calc::is_simple_polygon(room.outline_m)) {
         left_out("room", "rounded to 0.1 mm its outline is no longer one", room.source);
       } else {
-        if (!room.hole_m.empty()) {
-          notes_.doubt("room", "a hole in its outline is filled: the project has none",
-                       room.source.place, room.hole_m.size());
-        }
         is_fine_[i] = true;
         fine.push_back(i);
         ++result_.rooms;
@@ -327,6 +340,76 @@ class Writer {
     }
   }
 
+  // Of the holes of a room, with the material of its walls.
+  std::string holes_text(const DesignRoom& room, const std::string& walls) {
+    std::string text;
+    for (const std::vector<glm::dvec2>& hole : room.hole_m) {
+      if (hole.size() < 3 || !calc::is_simple_polygon(hole)) {
+        notes_.doubt("room", "a hole in its outline is filled: rounded to 0.1 mm it is none",
+                     room.source.place);
+        continue;
+      }
+      notes_.doubt("room",
+                   "a hole in its outline is written as a solid as high as the room, with the "
+                   "reflectance of the walls; areas of the floor (W/m2, LENI) still count it",
+                   room.source.place);
+      Attributes element(is_rectangle(hole) ? "box" : "mesh");
+      element.add("id", own_id("H-" + id_part(room.source.key)));
+      if (is_rectangle(hole)) {
+        const glm::dvec2 side = hole[1] - hole[0];
+        element
+            .add("size", fmt::format("{} {} {}", length_text(glm::length(side)),
+                                     length_text(glm::distance(hole[0], hole[3])),
+                                     length_text(*room.height_m)))
+            .add("position",
+                 fmt::format("{} {} 0", length_text(hole[0].x), length_text(hole[0].y)));
+        const double turn = calc::degrees_from_radians(calc::atan2(side.y, side.x));
+        const std::string rotation = short_number(std::fmod(turn + 360.0, 360.0), 3);
+        if (rotation != "0" && rotation != "360") element.add("rotation", rotation);
+      } else {
+        const std::string bytes = prism_obj(hole, length_text(*room.height_m));
+        const std::string name =
+            fmt::format("{}/{}.obj", kHoleFolder, calc::sha256_hex(bytes).substr(0, kHashDigits));
+        if (std::none_of(result_.file.begin(), result_.file.end(),
+                         [&](const ProjectText::File& file) { return file.name == name; })) {
+          result_.file.push_back({name, bytes});
+        }
+        element.add("file", name).add("units", "m").add("up", "z");
+      }
+      text += "    " + element.add("material", walls).closed();
+    }
+    return text;
+  }
+
+  static bool is_rectangle(const std::vector<glm::dvec2>& corner) {
+    if (corner.size() != 4) return false;
+    constexpr double kSame_m = 1.5e-4;  // corners are rounded to 0.1 mm
+    const glm::dvec2 u = corner[1] - corner[0], v = corner[3] - corner[0];
+    return glm::distance(corner[2] - corner[1], v) <= kSame_m &&
+           std::fabs(glm::dot(u, v)) <= kSame_m * std::min(glm::length(u), glm::length(v));
+  }
+
+  // Closed, its faces looking outwards.
+  static std::string prism_obj(const std::vector<glm::dvec2>& base, const std::string& height) {
+    std::string text;
+    const std::size_t count = base.size();
+    for (const std::string& z : {std::string("0"), height}) {
+      for (const glm::dvec2& corner : base) {
+        text += fmt::format("v {} {} {}\n", length_text(corner.x), length_text(corner.y), z);
+      }
+    }
+    for (const glm::uvec3& t :
+         calc::triangulate_polygon(base).value_or(std::vector<glm::uvec3>())) {
+      text += fmt::format("f {} {} {}\n", t.z + 1, t.y + 1, t.x + 1);
+      text += fmt::format("f {} {} {}\n", count + t.x + 1, count + t.y + 1, count + t.z + 1);
+    }
+    for (std::size_t i = 1; i <= count; ++i) {
+      const std::size_t next = i % count + 1;
+      text += fmt::format("f {} {} {} {}\n", i, next, count + next, count + i);
+    }
+    return text;
+  }
+
   std::string room_text(std::size_t index) {
     const DesignRoom& room = design_.room[index];
     const MapRoom& rule = map_.room[room.rule];
@@ -345,11 +428,12 @@ class Writer {
     }
     element.add("footprint", corners).add("height", length_text(*room.height_m));
     const std::string& of = rule.layer;
-    element.add("ceiling", material(of + "-ceiling", rule.ceiling))
-        .add("walls", material(of + "-walls", rule.walls))
-        .add("floor", material(of + "-floor", rule.floor));
-    if (inside_[index].empty()) return "  " + element.closed();
-    return "  " + element.open() + inside_[index] + "  </room>\n";
+    element.add("ceiling", material(of + "-ceiling", rule.ceiling));
+    const std::string walls = material(of + "-walls", rule.walls);
+    element.add("walls", walls).add("floor", material(of + "-floor", rule.floor));
+    const std::string inside = inside_[index] + holes_text(room, walls);
+    if (inside.empty()) return "  " + element.closed();
+    return "  " + element.open() + inside + "  </room>\n";
   }
 
   std::string head() const {

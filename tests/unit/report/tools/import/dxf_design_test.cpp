@@ -81,6 +81,33 @@ TEST(DxfDesign, OpenOutlinesAreClosedOnlyOnRequest) {
   EXPECT_EQ(design(text.whole(), map).room.size(), 1u);
 }
 
+DxfText& loop(DxfText& text, double x, double y, double width, double depth) {
+  text.add(92, 3).add(72, 0).add(73, 1).add(93, 4);
+  text.add(10, x).add(20, y).add(10, x + width).add(20, y);
+  text.add(10, x + width).add(20, y + depth).add(10, x).add(20, y + depth);
+  return text.add(97, 0);
+}
+
+// A room with a courtyard in which a house stands.
+TEST(DxfDesign, LoopsOfAHatchWithinItAreHoles) {
+  DxfText text;
+  text.section("ENTITIES").entity("HATCH", "ROOM", "5").at(0, 0).add(91, 3);
+  loop(text, 4000, 4000, 2000, 2000);
+  loop(text, 0, 0, 10000, 10000);
+  loop(text, 3000, 3000, 4000, 4000);
+  text.entity("HATCH", "ROOM", "6").at(0, 0).add(91, 1);
+  loop(text, 1000, 1000, 1500, 1500).end();
+  const cli::Design made = design(text.whole(), a_map());
+  ASSERT_EQ(made.room.size(), 3u);
+  EXPECT_EQ(calc::signed_area(made.room[0].outline_m), 4.0);
+  EXPECT_TRUE(made.room[0].hole_m.empty());
+  EXPECT_EQ(calc::signed_area(made.room[1].outline_m), 100.0);
+  ASSERT_EQ(made.room[1].hole_m.size(), 1u);
+  EXPECT_EQ(calc::signed_area(made.room[1].hole_m[0]), -16.0);
+  // Of another hatch: both are rooms.
+  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its outline lies in that of another room", 1));
+}
+
 TEST(DxfDesign, CrossingOutlinesAreLeftOut) {
   DxfText text;
   text.section("ENTITIES").entity("LWPOLYLINE", "ROOM").add(70, 1);

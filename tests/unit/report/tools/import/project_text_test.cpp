@@ -114,6 +114,36 @@ TEST(ProjectText, RoomsWithTheSameLayerAndOtherReflectancesHaveMaterialsOfTheirO
   EXPECT_THAT(xml, HasSubstr("id=\"ROOM-walls-2\" reflectance=\"0.3\""));
 }
 
+// A prism has no holes: what is not in the room is a solid in it.
+TEST(ProjectText, HolesAreSolidsAsHighAsTheRoom) {
+  cli::Design design = a_design();
+  design.room[0].hole_m = {{{2, 1}, {2, 2}, {3.5, 2}, {3.5, 1}}, {{5, 1}, {4, 1}, {5, 2}}};
+  const cli::ProjectText text = cli::project_text(design, a_map(), {""});
+  EXPECT_THAT(text.xml, HasSubstr("<box id=\"H-1F\" size=\"1.5 1 2.8\" position=\"2 1 0\" "
+                                  "material=\"ROOM-walls\"/>"));
+  ASSERT_EQ(text.file.size(), 1u);
+  EXPECT_THAT(text.xml, HasSubstr("<mesh id=\"H-1F-2\" file=\"" + text.file[0].name +
+                                  "\" units=\"m\" up=\"z\" material=\"ROOM-walls\"/>"));
+  EXPECT_EQ(text.file[0].bytes.substr(0, 8), "v 5 2 0\n");
+  EXPECT_THAT(text.file[0].bytes, HasSubstr("v 4 1 2.8\n"));
+  EXPECT_THAT(text.file[0].bytes, HasSubstr("f 1 2 5 4\n"));
+  EXPECT_EQ(count(design, Kind::doubt, "as a solid as high as the room"), 2u);
+}
+
+TEST(ProjectText, HolesThatAreTooSmallAreSaid) {
+  cli::Design design = a_design();
+  design.room[0].hole_m = {{{2, 1}, {2, 1.00001}, {2.00001, 1}}};
+  EXPECT_THAT(cli::project_text(design, a_map(), {""}).xml, Not(HasSubstr("H-1F")));
+  EXPECT_EQ(count(design, Kind::doubt, "is filled"), 1u);
+}
+
+TEST(ProjectText, TurnedHolesAreTurnedBoxes) {
+  cli::Design design = a_design();
+  design.room[0].hole_m = {{{3, 1}, {2, 2}, {3, 3}, {4, 2}}};
+  EXPECT_THAT(cli::project_text(design, a_map(), {""}).xml,
+              HasSubstr("size=\"1.4142 1.4142 2.8\" position=\"3 1 0\" rotation=\"45\""));
+}
+
 TEST(ProjectText, BoxesTurnAboutTheirCorner) {
   cli::Design design = a_design();
   cli::DesignBox box;
