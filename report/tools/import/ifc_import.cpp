@@ -103,19 +103,24 @@ class RuleFinder {
 
 }  // namespace
 
-std::optional<Design> design_of_ifc(std::string_view bytes, const std::string& file,
-                                    const ImportMap& map, const std::string& unit,
-                                    std::string& problem) {
-  const std::string& stated = unit.empty() ? map.unit : unit;
+std::optional<Design> ifc_without_map(std::string_view bytes, const std::string& file,
+                                      const std::string& unit, std::string& problem) {
   IfcOptions options;
-  if (!stated.empty()) options.metres_per_unit = metres_per_import_unit(stated);
+  if (!unit.empty()) options.metres_per_unit = metres_per_import_unit(unit);
   StepProblem step;
   std::optional<Design> design = read_ifc(bytes, file, options, step);
   if (!design) {
     problem = step.line == 0 ? step.what : fmt::format("line {}: {}", step.line, step.what);
-    return std::nullopt;
   }
-  RuleFinder(*design, map, design->metres_per_unit).find();
+  return design;
+}
+
+std::optional<Design> design_of_ifc(std::string_view bytes, const std::string& file,
+                                    const ImportMap& map, const std::string& unit,
+                                    std::string& problem) {
+  std::optional<Design> design =
+      ifc_without_map(bytes, file, unit.empty() ? map.unit : unit, problem);
+  if (design) RuleFinder(*design, map, design->metres_per_unit).find();
   return design;
 }
 

@@ -19,4 +19,13 @@ std::optional<Design> design_of_ifc(std::string_view bytes, const std::string& f
                                     const ImportMap& map, const std::string& unit,
                                     std::string& problem);
 
+// All of the file, taken by no rule; unit and problem as above.
+std::optional<Design> ifc_without_map(std::string_view bytes, const std::string& file,
+                                      const std::string& unit, std::string& problem);
+
+// A map to start from: storeys, names of rooms, types of luminaires and furniture with counts, as
+// comments. It is read as it is, but the blanks that it leaves are the user's to fill in.
+std::optional<std::string> suggest_ifc_map(std::string_view bytes, const std::string& file,
+                                           const std::string& unit, std::string& problem);
+
 }  // namespace cli

@@ -173,12 +173,16 @@ bool plan_project(const std::string& folder, const std::string& imported,
 }
 
 ExitCode run_suggest(const ImportOptions& options, const std::string& bytes) {
-  std::string problem = "a map is suggested for drawings only; of a model name types of luminaires";
-  std::optional<DxfDrawing> drawing;
-  if (!begins_like_step(bytes)) drawing = read_dxf(bytes, problem);
+  std::string problem;
+  std::optional<std::string> map;
+  if (begins_like_step(bytes)) {
+    map = suggest_ifc_map(bytes, options.file, options.unit, problem);
+  } else if (const std::optional<DxfDrawing> drawing = read_dxf(bytes, problem)) {
+    map = suggest_map(*drawing, options.file);
+  }
   CommandOutcome outcome;
-  if (drawing) {
-    outcome.text = suggest_map(*drawing, options.file);
+  if (map) {
+    outcome.text = std::move(*map);
     return print_outcome(outcome);
   }
   calc::Diagnostics diagnostics;
@@ -253,7 +257,7 @@ Command import_command() {
       {"-o,--output", "FOLDER",
        "Where the project goes; made if needed. Without it nothing is written",
        some_text(options->folder)},
-      {"--suggest-map", "", "Print a map to start from: all layers and blocks of the drawing",
+      {"--suggest-map", "", "Print a map to start from: all layers and blocks, or rooms and types",
        &options->suggests_map},
       {"--unit", "UNIT", "Of the drawing: m, cm, mm, in or ft; beats the map and the file",
        ValueParser(

@@ -26,6 +26,36 @@ std::string office() {
                   "#44=IFCLIGHTFIXTURE('l2',$,'B',$,'Switch',#40,$,'2',$);");
 }
 
+TEST(IfcImport, SuggestsAMapThatIsReadBack) {
+  std::string problem;
+  auto suggested = cli::suggest_ifc_map(office(), "house.ifc", "", problem);
+  ASSERT_TRUE(suggested) << problem;
+  std::string& map = *suggested;
+  EXPECT_THAT(map,
+              HasSubstr("# \"Office\": 1 time; heights 3 m; numbers \"101\"; use \"office\"\n"));
+  EXPECT_THAT(map, HasSubstr("# \"Panel 600\": 1 time; z 2.9\n"));
+  EXPECT_THAT(map, HasSubstr("but the file calls it a light fixture"));
+  calc::Diagnostics diagnostics;
+  EXPECT_TRUE(cli::read_import_map(map, "map.toml", diagnostics));
+  for (const char* table : {"# [[room]]\n# layer", "# [[luminaire]]\n# type = \"Panel"}) {
+    const std::size_t at = map.find(table);
+    ASSERT_NE(at, map.npos);
+    for (std::size_t line = at; map[line] == '#'; line = map.find('\n', line) + 1) {
+      map.erase(line, 2);
+    }
+  }
+  const auto read = cli::read_import_map(map, "map.toml", diagnostics);
+  ASSERT_TRUE(read);
+  const auto design = cli::design_of_ifc(office(), "house.ifc", *read, "", problem);
+  ASSERT_TRUE(design) << problem;
+  EXPECT_EQ(design->room[0].rule, 0u);
+  ASSERT_EQ(design->luminaire.size(), 2u);
+  EXPECT_EQ(design->luminaire[0].rule, 0u);
+  EXPECT_EQ(design->luminaire[1].rule, std::nullopt);
+  EXPECT_FALSE(cli::suggest_ifc_map("ISO-10303-21;", "house.ifc", "", problem));
+  EXPECT_NE(problem, "");
+}
+
 ImportMap map_with(std::vector<cli::HeightSource> height) {
   ImportMap map;
   map.room.resize(2);
