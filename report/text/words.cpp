@@ -259,8 +259,12 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
 
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
-  const std::string title =
-      (row.workplace.empty() ? "" : printable(row.workplace) + ", ") + clause_words(t, row.clause);
+  const std::size_t scene = std::min(row.clause.rfind(rules::kClauseScene), row.clause.size());
+  std::string title = (row.workplace.empty() ? "" : printable(row.workplace) + ", ") +
+                      clause_words(t, row.clause.substr(0, scene));
+  if (scene < row.clause.size()) {
+    title += ", " + t.say<Text::scene>(row.clause.substr(scene + rules::kClauseScene.size()));
+  }
   const auto end = [&](const std::string& words) { return words.empty() ? "" : "; " + words; };
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);

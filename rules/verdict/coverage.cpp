@@ -325,7 +325,7 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
     const std::string level = level_words(asked.level);
     row.clause = fmt::format("{}:{} {}{}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
                              level.empty() ? "" : fmt::format(" ({})", level),
-                             asked.scene.empty() ? "" : ", scene " + asked.scene);
+                             asked.scene.empty() ? "" : std::string(kClauseScene) + asked.scene);
     for (const std::string& role : asked.pack->roles()) {
       if (std::optional<RoleCoverage> covered = cover(space, asked, role, today)) {
         row.roles.push_back(std::move(*covered));

@@ -50,9 +50,12 @@ struct RoleCoverage {
 };
 
 // One row in a room, by a workplace or by the <require> elements of the room's planes together.
+// Between a row and the scene that it is asked in, in RowCoverage::clause.
+inline constexpr std::string_view kClauseScene = ", scene ";
+
 struct RowCoverage {
   std::string workplace;            // its id; "" of <require> elements
-  std::string clause;               // "EN 12464-1:2021 34.2"
+  std::string clause;               // "EN 12464-1:2021 34.2", "EN 1838:2024 1, scene night"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
   std::string was = {};             // the workplace's id in earlier revisions; "" = the same
 
