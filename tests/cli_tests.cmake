@@ -35,6 +35,7 @@ luxgate_test(cli_tests
     unit/report/shell/project_folders_test.cpp
     unit/report/shell/project_options_test.cpp
     unit/report/shell/sandbox_test.cpp
+    unit/report/shell/sheet_files_test.cpp
     unit/report/shell/warning_tally_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
     unit/report/tools/sweep/sweep_test.cpp

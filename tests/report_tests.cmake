@@ -16,6 +16,7 @@ luxgate_test(report_tests
     unit/report/images/heatmap_test.cpp
     unit/report/html/html_difference_test.cpp
     unit/report/html/html_levels_test.cpp
+    unit/report/html/data_sheets_test.cpp
     unit/report/html/html_chapters_test.cpp
     unit/report/html/html_layout_test.cpp
     unit/report/html/html_room_data_test.cpp

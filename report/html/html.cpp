@@ -1,6 +1,7 @@
 #include "report/html/html.h"
 
 #include "calc/base/file_hash.h"
+#include "report/html/data_sheets.h"
 #include "report/html/html_about.h"
 #include "report/html/html_aggregates.h"
 #include "report/html/html_deviations.h"
@@ -247,8 +248,10 @@ class HtmlWriter : public FormatWriter {
     std::string html;     // "" = the project has none
     const char* address;  // of its heading, without the number of the project; "" = none
     Text title;
-    bool is_on_paper = false;  // alone
+    bool is_on_paper = false;         // alone
+    std::vector<Section> parts = {};  // of it, in the contents
   };
+  void add_data_sheets(const ProjectPart& project, std::vector<Chapter>& chapters);
   std::vector<Chapter> chapters_of(const ProjectPart& project) const;
   std::string project_html(const ProjectPart& project, const std::vector<Chapter>& chapters,
                            const std::string& section, bool folds_passed) const;
@@ -266,6 +269,7 @@ class HtmlWriter : public FormatWriter {
   const PageNumbers* numbers_;
   RegionNames regions_;
   std::size_t project_ = 0;            // the next one
+  std::size_t sheets_ = 0;             // data sheets so far
   std::map<std::string, int> titles_;  // how many projects have each
   std::string only_title_;             // of the first one
   std::string about_, on_cover_;       // of the only one
@@ -304,7 +308,8 @@ HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, cons
 }
 
 void HtmlWriter::add(const ProjectPart& project) {
-  const std::vector<Chapter> chapters = chapters_of(project);
+  std::vector<Chapter> chapters = chapters_of(project);
+  if (style_.sheets) add_data_sheets(project, chapters);
   add_to_masthead(project, chapters);
   attention_.add(project, project_);
   summary_rows_.write(html_summary_rows(t_, project, project_, is_only(), folder_));
@@ -398,7 +403,18 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
     if (chapter.html.empty() || *chapter.address == '\0') continue;
     sections_.push_back({fmt::format("#{}{}", chapter.address, project_ + 1), t_[chapter.title],
                          chapter.is_on_paper});
+    sections_.insert(sections_.end(), chapter.parts.begin(), chapter.parts.end());
   }
+}
+
+// Behind all else.
+void HtmlWriter::add_data_sheets(const ProjectPart& project, std::vector<Chapter>& chapters) {
+  DataSheets sheets = data_sheets(t_, project, project_, *style_.sheets, sheets_);
+  sheets_ += sheets.entries.size();
+  Chapter chapter{std::move(sheets.html), "datasheets", Text::sheets_title};
+  for (const DataSheets::Entry& entry : sheets.entries)
+    chapter.parts.push_back({"#" + entry.anchor, escape_html(entry.name), true});
+  chapters.push_back(std::move(chapter));
 }
 
 // What stands behind the rooms, with the addresses of those that the contents name.
@@ -459,8 +475,10 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   const std::string symbol = outcome_symbol(end.totals.outcome);
   const std::string foot = is_only() ? foot_ : page_title();
-  sink.write(page_start(t_, symbol + " " + page_title(),
-                        page_rules(t_, style_.paper, {running_head(t_), "", foot}, has_cover())));
+  sink.write(
+      page_start(t_, symbol + " " + page_title(),
+                 (style_.sheets ? sheet_style() : "") +
+                     page_rules(t_, style_.paper, {running_head(t_), "", foot}, has_cover())));
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);

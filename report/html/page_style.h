@@ -6,9 +6,12 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace report {
+
+class SheetSource;  // data_sheets.h
 
 // Tables of all values at the end of what is printed. automatic: where there are at most so many.
 enum class Annex { automatic, always, never };
@@ -26,6 +29,7 @@ struct PageStyle {
   ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
   Annex annex = Annex::automatic;
   Cover cover = Cover::automatic;
+  std::shared_ptr<SheetSource> sheets = nullptr;  // of luminaires; null: no data sheets
 };
 
 }  // namespace report

@@ -2,6 +2,7 @@
 
 #include "report/shell/language_option.h"
 #include "report/shell/option_values.h"
+#include "report/shell/sheet_files.h"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,14 @@ std::vector<Option> output_options(OutputOptions& options) {
        choice<report::Cover>(options.page.cover, {{"auto", report::Cover::automatic},
                                                   {"always", report::Cover::always},
                                                   {"never", report::Cover::never}})},
+      {"--datasheets", "",
+       fmt::format("A photometric data sheet of each luminaire type at the end of html and pdf, at "
+                   "most {} of\nthem; the photometry files are read again for it",
+                   report::kMostSheets),
+       [&options](const std::string&) {
+         options.page.sheets = std::make_shared<SheetFiles>();
+         return std::string();
+       }},
       {"--scale", "OF",
        "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
        "room, or each plane for itself; default project",

@@ -1,5 +1,6 @@
 #include "report/tools/check/checked_results.h"
 
+#include "report/html/data_sheets.h"
 #include "report/revision/gate.h"
 #include "report/tools/check/checked_document.h"
 
@@ -22,6 +23,7 @@ CheckedResults::CheckedResults(const CheckOptions& options, const Environment& e
 }
 
 void CheckedResults::add(report::ProjectPart project, const std::set<std::string>& inputs) {
+  if (options_.output.page.sheets) options_.output.page.sheets->see(project, "");
   if (revise_) {
     document_.projects.push_back(std::move(project));
     return;

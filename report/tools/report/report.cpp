@@ -1,6 +1,7 @@
 #include "report/tools/report/report.h"
 
 #include "calc/base/file_reader.h"
+#include "report/html/data_sheets.h"
 #include "report/result_file/redact.h"
 #include "report/revision/gate.h"
 #include "report/revision/revise.h"
@@ -11,6 +12,7 @@
 #include "report/shell/print.h"
 #include "report/shell/result_input.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -26,7 +28,13 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
   if (!options.baseline.empty()) inputs.push_back(options.baseline);
   if (!open_printer_or_print(options.output, environment)) return kNotJudged;
   if (options.sandbox != SandboxMode::off) open_spill_files(options.output);
-  if (!enter_sandbox_or_print(options.sandbox, {inputs, written_places(options.output)},
+  std::vector<std::string> read = inputs;
+  if (options.output.page.sheets) {  // photometry files, which the result names
+    const std::filesystem::path beside = std::filesystem::path(options.result_file).parent_path();
+    read.push_back(beside.empty() ? "." : beside.string());
+    read.emplace_back(".");
+  }
+  if (!enter_sandbox_or_print(options.sandbox, {read, written_places(options.output)},
                               environment)) {
     return kNotJudged;
   }
@@ -45,6 +53,10 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
     const auto baseline = read_whole_result_or_print(options.baseline, files);
     if (!baseline) return kNotJudged;
     document->revision = report::revise(*baseline, *document, options.baseline, options.gate);
+  }
+  if (options.output.page.sheets) {
+    for (const report::ProjectPart& project : document->projects)
+      options.output.page.sheets->see(project, options.result_file);
   }
   if (options.output.redact) report::redact(*document);
   for (const report::ProjectPart& project : document->projects) {

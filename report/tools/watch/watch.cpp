@@ -5,6 +5,7 @@
 #include "report/check/in_order.h"
 #include "report/check/plan.h"
 #include "report/formats/console.h"
+#include "report/html/data_sheets.h"
 #include "report/html/html.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
@@ -199,6 +200,7 @@ class Watch {
             const FileStamps& changed) {
     for (const report::ProjectPart& project : document.projects) {
       print_diagnostics(project.diagnostics, false);
+      if (options_.output.page.sheets) options_.output.page.sheets->see(project, "");
     }
     std::optional<report::Document> shown;
     if (last_) {
