@@ -38,8 +38,8 @@ constexpr std::size_t kMostThings = 100'000;        // luminaires, furniture, te
 constexpr std::size_t kMostCurveWork = 50'000'000;  // as corner_work() counts
 constexpr std::size_t kMostText = 100'000'000;      // bytes that copies of texts take
 constexpr double kMostLooks = 2.0e10;               // at corners of rooms, for what stands in them
-constexpr std::size_t kMostComparisons = 300'000'000;  // of corners of rooms with other rooms
-constexpr double kFarthest = 1.0e12;                   // in the file's unit
+constexpr std::size_t kMostComparisons = 50'000'000;  // of corners of rooms with other rooms
+constexpr double kFarthest = 1.0e12;                  // in the file's unit
 
 using Kind = DxfEntity::Kind;
 
@@ -264,9 +264,20 @@ class Builder {
       }
     }
     if (is_taken) return true;
+    if (entity.kind == Kind::face && is_furniture_layer(placed.layer)) {
+      ++skipped_[{"3DFACE, SOLID or TRACE", placed.layer,
+                  "loose faces are no piece of furniture; make a block of them"}];
+      return true;
+    }
     if (entity.kind == Kind::polyline && matches_name("DLX_*LUM*", placed.layer)) ++loose_;
     ++not_asked_[{"lines, texts and surfaces", placed.layer}];
     return true;
+  }
+
+  bool is_furniture_layer(const std::string& layer) const {
+    return std::any_of(map_.furniture.begin(), map_.furniture.end(), [&](const MapFurniture& rule) {
+      return rule.type.empty() && matches_bound_name(rule.layer, layer);
+    });
   }
 
   bool sort_block(const DxfPlaced& placed) {
@@ -299,8 +310,9 @@ class Builder {
       glm::dvec2 low(kFarthest), high(-kFarthest);
       for (const DxfPlaced& placed : has_outlines ? room_[i].outline : room_[i].surface) {
         for (std::size_t k = 0; k < placed.entity->vertex.size(); ++k) {
-          low = glm::min(low, glm::dvec2(placed.at(k)));
-          high = glm::max(high, glm::dvec2(placed.at(k)));
+          const double around = placed.entity->radius * glm::length(glm::dvec3(placed.to_world[0]));
+          low = glm::min(low, glm::dvec2(placed.at(k)) - around);
+          high = glm::max(high, glm::dvec2(placed.at(k)) + around);
         }
       }
       const double size = glm::length(high - low);
@@ -767,7 +779,11 @@ class Builder {
                                           size.y * glm::length(glm::dvec3(placed.to_world[1])), 0);
         box.rotation_deg = rotation_of(placed.to_world);
       } else if (!take_rectangle(placed, centre, box)) {
-        notes_.left_out(what, "its outline is no rectangle; draw it as a block", place_of(placed));
+        notes_.left_out(what,
+                        entity.kind == Kind::mesh
+                            ? "a mesh that is in no block is not taken; make a block of it"
+                            : "its outline is no rectangle; draw it as a block",
+                        place_of(placed));
         continue;
       }
       box.size_m.z = rule.height_m;
@@ -783,6 +799,9 @@ class Builder {
         continue;
       }
       box.centre_m.z = design_.room[*room].floor_z_m;
+      if (is_block) {
+        say_faces(extents.at(dxf_key(entity.block_in_file)), what, box, placed);
+      }
       box.source = {key_of(placed, box.centre_m, false), place_of(placed)};
       design_.box.push_back(std::move(box));
     }
@@ -794,6 +813,20 @@ class Builder {
                                   rule.type.empty() ? "layer " + rule.layer : rule.type),
                       fmt::format("map line {}", rule.line));
     }
+  }
+
+  // What becomes simpler of a block that has a shape in space.
+  void say_faces(const DxfExtent& extent, const std::string& what, const DesignBox& box,
+                 const DxfPlaced& placed) {
+    if (extent.faces + extent.meshes == 0) return;
+    const double drawn_m =
+        metres_ * (extent.high.z - extent.low.z) * glm::length(glm::dvec3(placed.to_world[2]));
+    notes_.add(DesignNote::Kind::taken, what,
+               fmt::format("of {} 3DFACE, SOLID and TRACE and {} meshes in its block only the "
+                           "upright box around them is written, {:.4g} m high as the map says; "
+                           "drawn it is {:.4g} m high",
+                           extent.faces, extent.meshes, box.size_m.z, drawn_m),
+               place_of(placed));
   }
 
   bool take_rectangle(const DxfPlaced& placed, glm::dvec3& centre, DesignBox& box) const {

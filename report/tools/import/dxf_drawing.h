@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostDxfPlaced = 1'000'000;    // with those of blo
 inline constexpr std::size_t kDeepestDxfBlock = 32;
 inline constexpr std::size_t kLongestDxfHandle = 16;     // digits; longer ones are none
 inline constexpr std::size_t kLongestDxfName = 1020;     // bytes, of layers and blocks: 255 letters
-inline constexpr std::size_t kMostDxfWork = 20'000'000;  // in points, to measure blocks
+inline constexpr std::size_t kMostDxfWork = 10'000'000;  // in points, to measure blocks
 
 struct DxfVertex {
   glm::dvec3 at{0.0};

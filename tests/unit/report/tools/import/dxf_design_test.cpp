@@ -177,6 +177,81 @@ TEST(DxfDesign, TurnsAndMirrorsAreKept) {
   EXPECT_TRUE(has_note(made, NoteKind::left_out, "it stands tilted"));
 }
 
+// Of faces and meshes only the box is written, and how high they are drawn is said.
+TEST(DxfDesign, FacesOfFurnitureAreSaid) {
+  DxfText text;
+  text.section("BLOCKS").block("CHAIR");
+  text.entity("3DFACE", "0").at(0, 0, 450).add(11, 500).add(21, 0).add(31, 450);
+  text.add(12, 500).add(22, 500).add(32, 450).add(13, 0).add(23, 500).add(33, 450);
+  text.entity("POLYLINE", "0").at(0, 0).add(66, 1).add(70, 64);
+  text.entity("VERTEX", "0").at(0, 0, 0).add(70, 192);
+  text.entity("VERTEX", "0").at(500, 500, 900).add(70, 192);
+  text.entity("VERTEX", "0").at(0, 0, 0).add(70, 128).add(71, 1).entity("SEQEND", "0");
+  text.add(0, "ENDBLK").end().section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000);
+  text.insert("CHAIR", "F", 2000, 1000).add(43, 2.0);
+  text.entity("3DFACE", "F").at(0, 0).add(11, 1).add(21, 0).add(12, 1).add(22, 1).end();
+  cli::ImportMap map = a_map();
+  map.furniture.push_back({"", "F", 0.75, 0.4, 1});
+  const cli::Design made = design(text.whole(), map);
+  ASSERT_EQ(made.box.size(), 1u);
+  EXPECT_DOUBLE_EQ(made.box[0].size_m.z, 0.75);
+  EXPECT_TRUE(has_note(made, NoteKind::taken,
+                       "of 1 3DFACE, SOLID and TRACE and 1 meshes in its block only the upright "
+                       "box around them is written, 0.75 m high as the map says; drawn it is 1.8"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "loose faces are no piece of furniture"));
+}
+
+// So that a small file cannot ask for days of work, or for all memory.
+TEST(DxfDesign, BlocksThatMultiplyAreRefusedSoon) {
+  const auto problem_of = [](const std::string& text, const cli::ImportMap& map) {
+    std::string problem;
+    const auto drawing = cli::read_dxf(text, problem);
+    EXPECT_TRUE(drawing) << problem;
+    EXPECT_FALSE(cli::design_of_dxf(*drawing, "plan.dxf", map, "mm", problem));
+    return problem;
+  };
+  DxfText lamps = with_luminaires();
+  lamps.insert("LUM_A", "L", 1, 1, 2500).add(70, 400).add(71, 400).end();
+  EXPECT_EQ(problem_of(lamps.whole(), a_map()), "more than 100000 luminaires are in this drawing");
+  DxfText names = with_luminaires();
+  names.insert("LUM_A", "L", 1, 1, 2500).add(70, 300).add(71, 300).add(44, 1.0).add(45, 1.0);
+  names.add(66, 1).entity("ATTRIB", "0").add(1, std::string(5000, 'x')).add(2, "N");
+  names.entity("SEQEND", "0").end();
+  EXPECT_THAT(problem_of(names.whole(), a_map()), HasSubstr("more than 100000000 bytes long"));
+  DxfText circles;  // a room of 1000 corners, 4000 times at one place
+  circles.section("BLOCKS").block("B").entity("CIRCLE", "0").at(0, 0).add(40, 200000.0);
+  circles.add(0, "ENDBLK").end().section("ENTITIES");
+  circles.insert("B", "ROOM", 0, 0).add(70, 4000).end();
+  std::string problem;
+  const auto drawing = cli::read_dxf(circles.whole(), problem);
+  ASSERT_TRUE(drawing);
+  const auto made = cli::design_of_dxf(*drawing, "plan.dxf", a_map(), "mm", problem);
+  ASSERT_TRUE(made) << problem;
+  EXPECT_EQ(made->room.size(), 4000u);
+  EXPECT_TRUE(has_note(*made, NoteKind::doubt, "not all of them were compared"));
+}
+
+TEST(DxfDesign, BlocksThatAreTooMuchToMeasureAreLeftOut) {
+  DxfText text;
+  text.section("BLOCKS").block("A").line("0", 0, 0, 1, 1).add(0, "ENDBLK");
+  text.block("B").insert("A", "0", 0, 0).add(70, 700).add(71, 700).add(0, "ENDBLK");
+  text.block("C").line("0", 0, 0, 500, 500).add(0, "ENDBLK");
+  text.end().section("ENTITIES").rectangle("ROOM", 0, 0, 6000, 4000);
+  text.insert("C", "F", 1000, 1000).insert("B", "F", 2000, 1000).end();
+  cli::ImportMap map = a_map();
+  map.furniture.push_back({"", "F", 0.75, 0.4, 1});
+  std::string problem;
+  const auto drawing = cli::read_dxf(text.whole(), problem);
+  ASSERT_TRUE(drawing);
+  std::size_t work = 1000;
+  EXPECT_EQ(cli::extent_of_block(*drawing, "C", work).problem, "");
+  EXPECT_LT(work, 1000u);
+  const cli::DxfExtent large = cli::extent_of_block(*drawing, "B", work);
+  EXPECT_FALSE(large.is_any);
+  EXPECT_EQ(large.problem, "to measure the blocks of this drawing takes too long");
+  EXPECT_EQ(design(text.whole(), map).box.size(), 2u);
+}
+
 TEST(DxfDesign, FurnitureIsABoxAsTheBlockStands) {
   DxfText text;
   text.section("BLOCKS").block("DESK", 100, 0).rectangle("0", 100, 0, 1600, 800);
