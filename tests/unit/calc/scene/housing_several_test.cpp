@@ -119,7 +119,9 @@ TEST(HousingOfSeveral, EachOpeningHasItsFaceAndAllHaveOneBox) {
   expect_box(box, {1.45, 0.9, 2.0}, {2.55, 2.1, 2.1});
   EXPECT_TRUE(box.is_closed);
   EXPECT_TRUE(is_watertight(box));
-  // No emitter is a stranger in it.
+  for (const Luminaire& emitter : loaded.project->spaces[0].luminaires) {
+    EXPECT_TRUE(is_housing_of(box, emitter)) << emitter.id;
+  }
   EXPECT_THAT(loaded.messages, Not(HasSubstr("in-solid")));
 }
 
@@ -177,6 +179,10 @@ TEST(HousingOfSeveral, TheHousingOfAnotherLuminaireIsASolid) {
                 kHanging + R"(<luminaire id="M" type="t" position="2.5 1.5 1.85"/>)");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages, HasSubstr("inside the solid 'M.housing'"));
+  for (const Luminaire& emitter : loaded.project->spaces[0].luminaires) {
+    EXPECT_EQ(is_housing_of(body(loaded, "M.housing"), emitter), emitter.id[0] == 'M')
+        << emitter.id;
+  }
 }
 
 const std::string kMesh = R"(file="body.obj" units="m" up="z")";
