@@ -33,7 +33,7 @@ constexpr std::array kResultColumns{
     TableColumn{"clause", "Clause", 24},
     TableColumn{"comparison", "Comparison", 12},
     TableColumn{"limit", "Limit (in the unit)", 12},
-    TableColumn{"value", "Measured (in the unit)", 12},
+    TableColumn{"value", "Calculated (in the unit)", 12},
     TableColumn{"low", "Low (in the unit)", 12},
     TableColumn{"high", "High (in the unit)", 12},
     TableColumn{"margin", "Margin (% of the limit)", 12},

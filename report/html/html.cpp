@@ -162,7 +162,8 @@ std::string page_number(const Section& section, const PageNumbers* numbers) {
 std::string contents(const Texts& t, const std::vector<Section>& sections,
                      const PageNumbers* numbers) {
   std::string html =
-      std::string("<nav aria-label=\"") + t[Text::contents] + "\"><ul class=\"contents\">";
+      fmt::format("<nav aria-label=\"{0}\"><h2 class=\"on-paper\">{0}</h2><ul class=\"contents\">",
+                  t[Text::contents]);
   for (const Section& section : sections)
     html += fmt::format("<li{}><a href=\"{}\">{}</a>{}</li>",
                         section.is_on_paper ? " class=\"on-paper\"" : "", section.address,

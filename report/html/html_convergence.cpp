@@ -18,7 +18,7 @@
 namespace report {
 namespace {
 
-constexpr PlotFrame kConvergenceFrame{640, 300, 58, 16, 14, 44};
+constexpr PlotFrame kConvergenceFrame{640, 300, 58, 30, 14, 44};
 constexpr std::size_t kMostCurves = 600;
 
 struct PlotPlace {

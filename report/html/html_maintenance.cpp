@@ -34,7 +34,7 @@ std::string plan_table(const Texts& t, const calc::MaintenancePlan& plan) {
                      fact(t[Text::hours_of_use], hours(plan.use_h));
   if (!plan.instructions.empty())
     rows += fact(t[Text::maintenance_instructions], escape_html(plan.instructions));
-  return std::string("<table class=\"facts narrow\"><caption>") + t[Text::maintenance_stated] +
+  return std::string("<table class=\"facts\"><caption>") + t[Text::maintenance_stated] +
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }
 

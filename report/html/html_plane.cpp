@@ -286,7 +286,10 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
         "</p>\n";
     return html + html_plane_findings(t, plane) + "</div></details></article>\n";
   }
-  html += html_plane_findings(t, plane) + "<div class=\"split\">\n";
+  html += html_plane_findings(t, plane);
+  if (const std::string words = other_light_words(t, plane); !words.empty())
+    html += "<p class=\"message\">" + escape_html(words) + "</p>\n";
+  html += "<div class=\"split\">\n";
   if (has_cells(plane) && has_all_values(plane))
     html += html_plan(t, space, plane, scales.of(space, plane), anchor);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +

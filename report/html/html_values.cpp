@@ -110,6 +110,8 @@ std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePa
   std::string html =
       fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
                   escape_html(plane_title(t, plane)), escape_html(title_of(space.name, space.id)));
+  if (const std::string words = other_light_words(t, plane); !words.empty())
+    html += "<p class=\"message\">" + escape_html(words) + "</p>\n";
   const int columns = plane.grid.columns;
   const int parts = (columns + kColumnsOnPaper - 1) / kColumnsOnPaper;
   for (int part = 0; part < parts; ++part) {
@@ -149,7 +151,9 @@ std::string html_annex(const Texts& t, const std::vector<AnnexPlane>& planes, An
     html += "<p>" + t.say<Text::annex_left_out>(format_count(values), "--annex always") + "</p>\n";
   } else {
     for (const AnnexPlane& one : planes)
-      html += one.has_table() ? annex_of_plane(t, *one.space, *one.plane) : "";
+      html += one.has_table() ? "<div class=\"values\">" +
+                                    annex_of_plane(t, *one.space, *one.plane) + "</div>\n"
+                              : "";
   }
   return html + "</section>\n";
 }

@@ -240,6 +240,22 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
   return text;
 }
 
+std::string other_light_words(const Texts& t, const PlanePart& plane) {
+  std::vector<std::string> lights;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& asked = finding.requirement;
+    if (asked.scene.empty() && !asked.direct_only) continue;
+    if (rules::is_of_space(asked.metric)) continue;
+    std::string words = asked.scene.empty() ? "" : t.say<Text::scene>(printable(asked.scene));
+    if (asked.direct_only)
+      words += (words.empty() ? "" : ", ") + std::string(t[Text::note_direct_only]);
+    if (std::find(lights.begin(), lights.end(), words) == lights.end()) lights.push_back(words);
+  }
+  std::string all;
+  for (const std::string& light : lights) all += (all.empty() ? "" : "; ") + light;
+  return all.empty() ? "" : t.say<Text::other_light>(all);
+}
+
 namespace {
 
 // "surround, wall (window wall)"; "" if no role is in one of the states.

@@ -94,7 +94,7 @@ def same(of_csv, of_sheet):
 HEADS = {
     "Requirements": {"project": "Project", "space": "Space", "plane": "Plane", "requirement": "Requirement", "quantity": "Quantity",
                      "percent": "Percentile (%)", "unit": "Unit", "scene": "Scene", "state": "State", "clause": "Clause", "comparison": "Comparison",
-                     "limit": "Limit (in the unit)", "value": "Measured (in the unit)", "low": "Low (in the unit)", "high": "High (in the unit)",
+                     "limit": "Limit (in the unit)", "value": "Calculated (in the unit)", "low": "Low (in the unit)", "high": "High (in the unit)",
                      "margin": "Margin (% of the limit)", "verdict": "Verdict", "reason": "Reason", "place_x_m": "Place x (m)", "place_y_m": "Place y (m)",
                      "place_z_m": "Place z (m)", "pack": "Rule pack", "row": "Row", "check": "Check", "severity": "Severity", "waiver": "Waived by",
                      "note": "Notes (also trust in the requirement)"},

@@ -216,7 +216,7 @@ TEST(Markdown, NamesTheProjectWhereThereAreSeveral) {
   const std::string text = render_markdown(two);
   EXPECT_THAT(text, HasSubstr("\n- ✗ fail: office.xml, Small office\n"
                               "- ✓ pass: variants/b&#124;c.xml\n"));
-  EXPECT_THAT(text, HasSubstr("\n| project | verdict | where | quantity | required | measured | "
+  EXPECT_THAT(text, HasSubstr("\n| project | verdict | where | quantity | required | calculated | "
                               "margin |\n| --- | --- | --- | --- | ---: | ---: | ---: |\n"
                               "| office.xml | ✗ fail | Office / Work plane | minimum |"));
   EXPECT_THAT(text,

@@ -19,7 +19,7 @@ using testing::Not;
 TEST(Console, SmallDocument) {
   EXPECT_EQ(render_text(small_document()),
             R"(office.xml: Small office
-  verdict  room / plane         quantity  required        measured  margin  at (m)
+  verdict  room / plane         quantity  required      calculated  margin  at (m)
   ✓ pass   Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
   ✗ FAIL   Office / Work plane  minimum   ≥ 450 lx  424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)
 
@@ -86,7 +86,7 @@ TEST(Console, PassesOfAWorkplaceShareALine) {
   Document document = workplace_document();
   EXPECT_EQ(render_text(document),
             R"(office.xml: Small office
-  verdict  room / plane               quantity        required        measured  margin
+  verdict  room / plane               quantity        required      calculated  margin
   ✓ pass   Office / Desk              2 requirements                            +1.0 %
            └ task, surround; nearest to its limit: surround, average 512.5 ± 4.0 lx, required ≥ 500 lx
   ✗ FAIL   Office / Desk: observer 1  average         ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %

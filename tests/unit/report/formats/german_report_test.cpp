@@ -284,7 +284,7 @@ TEST(GermanReport, MarkdownIsGerman) {
             "");
   EXPECT_THAT(text, HasSubstr("### luxgate: – nicht bewertet\n\n"));
   EXPECT_THAT(text,
-              HasSubstr("| Urteil | Ort | Größe | gefordert | ermittelt | Reserve |\n| --- "));
+              HasSubstr("| Urteil | Ort | Größe | gefordert | berechnet | Reserve |\n| --- "));
   EXPECT_THAT(text, HasSubstr("nichts wird bewertet: "));
   EXPECT_THAT(text, HasSubstr("nicht erfüllt, ausgenommen"));
 }
@@ -294,7 +294,7 @@ TEST(GermanReport, TheTerminalsTableIsGerman) {
   EXPECT_EQ(
       text,
       "office.xml: Small office\n"
-      "  Urteil           Raum / Fläche        Größe       gefordert       ermittelt  Reserve  "
+      "  Urteil           Raum / Fläche        Größe       gefordert       berechnet  Reserve  "
       "Ort (m)\n"
       "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512,5 ± 4,0 lx   +2,5 %\n"
       "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424,5 ± 4,2 lx   -5,7 %  "

@@ -167,7 +167,7 @@ TEST(Xlsx, NoNumberLooksAsIfItMetItsLimit) {
     finding.verdict = rules::Verdict::fail;
     const Book book(render_xlsx(document));
     return book.format_of(
-        book.cell("Requirements", column_with(book, "Measured (in the unit)") + "2"));
+        book.cell("Requirements", column_with(book, "Calculated (in the unit)") + "2"));
   };
   EXPECT_EQ(shown(412.5, 8.0), "0.0");
   EXPECT_EQ(shown(499.97, 0.0), "0.00");
@@ -193,7 +193,7 @@ TEST(Xlsx, WhatIsNotJudgedHasNoNumbersAndOnlyAPassIsGreen) {
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
   finding.verdict = rules::Verdict::not_judged;
   const Book book(render_xlsx(document));
-  for (const char* head : {"Measured (in the unit)", "Low (in the unit)", "High (in the unit)",
+  for (const char* head : {"Calculated (in the unit)", "Low (in the unit)", "High (in the unit)",
                            "Margin (% of the limit)"}) {
     EXPECT_FALSE(book.cell("Requirements", column_with(book, head) + "2")) << head;
     EXPECT_TRUE(book.cell("Requirements", column_with(book, head) + "3")) << head;
