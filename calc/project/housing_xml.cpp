@@ -288,6 +288,9 @@ std::optional<Housing> read_one_housing(ProjectContext& context, ElementReader& 
     check_mesh(reader, openings.front(), housing, *mesh);
   } else {
     check_housing(reader, openings.front(), housing);
+    // For reports: a body is no face.
+    const LuminousOpening& opening = openings.front().opening;
+    if (opening.is_body()) housing.depth_m = opening.height_m;
   }
   return reader.ok() ? std::optional(housing) : std::nullopt;
 }

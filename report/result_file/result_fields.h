@@ -171,7 +171,7 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
                     "through the luminaire.",
            .presence = kSinceLater});
   v.field("housing_depth_m", row.housing_depth_m,
-          {.words = "Behind the opening; 0: the face alone, or a luminous body.",
+          {.words = "Behind the opening, or how high a luminous body is; 0: the face alone.",
            .presence = kSinceLater,
            .least = 0.0});
   const auto polar = [&](auto& o) {

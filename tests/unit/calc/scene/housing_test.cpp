@@ -148,6 +148,7 @@ TEST(Housing, OfALuminousBodyLiesWithinIt) {
     const LuminaireType& used =
         loaded.project->luminaire_types[loaded.project->spaces[0].luminaires[0].type];
     const glm::dvec3 half_m = 0.5 * loaded.project->webs[used.web].opening().size_m();
+    EXPECT_EQ(used.housing.value().depth_m, 2.0 * half_m.z);  // so that reports call it no face
     glm::dvec3 farthest_m(0.0);
     for (const glm::dvec3& p : solid.vertex_m) {
       farthest_m = glm::max(farthest_m, glm::abs(p - glm::dvec3(2, 1.5, 2)));
