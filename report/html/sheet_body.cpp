@@ -44,9 +44,13 @@ h5.sheet-heading { font-size: 1.02rem; margin: 1.6rem 0 .8rem; line-height: 1.2;
 .ugr { width: auto; } .ugr td, .ugr th { text-align: right; white-space: nowrap; min-width: 0 !important; padding: .18rem .6rem; }
 .ugr .size { color: var(--quiet); font-weight: 400; } .ugr .first { padding-left: 1.6rem; }
 .ugr .reference td { font-weight: 650; background: var(--soft); }
-.data-sheet { margin-bottom: 1.2rem; border-bottom: 1px solid var(--line); padding-bottom: 1.2rem; }
+@media (max-width: 40rem) { .sheet .facts tbody th { white-space: normal; width: 45%; } }
+.data-sheet { margin: 1.2rem 0; border-bottom: 1px solid var(--line); padding-bottom: 1.2rem; }
 @media print {
   .data-sheets, .data-sheet + .data-sheet { break-before: page; }
+  .data-sheets { break-after: page; }
+  .data-sheets > p { margin-bottom: 2mm; }
+  .data-sheet .scroll { break-inside: avoid; }
   .data-sheets > h3 { margin-top: 0; } .data-sheet { margin: 0; border: 0; padding: 0; }
   .sheet { gap: 2mm 6mm; margin: 3mm 0; grid-template-columns: 1fr 1fr; }
   .sheet.drawings { grid-template-columns: 1.4fr 1fr 1fr; } .cone text { font-size: 21px; }
