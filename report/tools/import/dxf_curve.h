@@ -15,7 +15,7 @@ inline constexpr int kMostChords = 4096;  // of an arc or ellipse
 inline constexpr int kHighestSplineDegree = 25;
 inline constexpr std::size_t kMostSplinePoints = 4096;  // control points of one
 // Of an entity: a spline that begins beyond it, or goes beyond it, gets one chord for each span.
-inline constexpr std::size_t kMostCurvePoints = 1'000'000;
+inline constexpr std::size_t kMostCurvePoints = 100'000;
 // Of a spline's control polygon: chords need not be closer to it than that.
 inline constexpr double kFinestOfSpline = 1.0e-6;
 

@@ -218,16 +218,16 @@ TEST(DxfDesign, BlocksThatMultiplyAreRefusedSoon) {
   names.add(66, 1).entity("ATTRIB", "0").add(1, std::string(5000, 'x')).add(2, "N");
   names.entity("SEQEND", "0").end();
   EXPECT_THAT(problem_of(names.whole(), a_map()), HasSubstr("more than 100000000 bytes long"));
-  DxfText circles;  // a room of 1000 corners, 4000 times at one place
+  DxfText circles;  // a room of 1000 corners, 100 times at one place
   circles.section("BLOCKS").block("B").entity("CIRCLE", "0").at(0, 0).add(40, 200000.0);
   circles.add(0, "ENDBLK").end().section("ENTITIES");
-  circles.insert("B", "ROOM", 0, 0).add(70, 4000).end();
+  circles.insert("B", "ROOM", 0, 0).add(70, 100).end();
   std::string problem;
   const auto drawing = cli::read_dxf(circles.whole(), problem);
   ASSERT_TRUE(drawing);
   const auto made = cli::design_of_dxf(*drawing, "plan.dxf", a_map(), "mm", problem);
   ASSERT_TRUE(made) << problem;
-  EXPECT_EQ(made->room.size(), 4000u);
+  EXPECT_EQ(made->room.size(), 100u);
   EXPECT_TRUE(has_note(*made, NoteKind::doubt, "not all of them were compared"));
 }
 
