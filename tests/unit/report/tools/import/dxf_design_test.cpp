@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -229,6 +230,21 @@ TEST(DxfDesign, BlocksThatMultiplyAreRefusedSoon) {
   ASSERT_TRUE(made) << problem;
   EXPECT_EQ(made->room.size(), 100u);
   EXPECT_TRUE(has_note(*made, NoteKind::doubt, "not all of them were compared"));
+}
+
+TEST(DxfDesign, SoManyCrossingOutlinesAreNotMended) {
+  cli::PlanPiece star;
+  star.is_closed = true;
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = 2.4 * i;
+    star.point.emplace_back(5000.0 * std::cos(angle), 5000.0 * std::sin(angle), 0.0);
+  }
+  const cli::PlanOutlines found =
+      cli::find_outlines(std::vector<cli::PlanPiece>(2000, star), 1.0, false);
+  EXPECT_TRUE(found.outline.empty());
+  ASSERT_EQ(found.failure.size(), 2000u);
+  EXPECT_EQ(found.failure.front().why, "its sides cross or touch each other");
+  EXPECT_THAT(found.failure.back().why, HasSubstr("was not looked at"));
 }
 
 TEST(DxfDesign, BlocksThatAreTooMuchToMeasureAreLeftOut) {
