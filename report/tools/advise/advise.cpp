@@ -324,6 +324,7 @@ Command advise_command() {
       {kNotMet, "for a scene there are none, or something that they cannot mend is not met"},
       {kNotJudged, "usage, input or file error, or the project could not be judged"},
       {kInterrupted, "interrupted"}};
+  command.most_used = {"--scene", "--steps", "--write", "--tolerance", "--rules", "--json"};
   command.complete = [options](const Environment&) { return complete_advise(*options); };
   command.run = [options](const RunContext& context) { return run_advise(*options, context); };
   return command;

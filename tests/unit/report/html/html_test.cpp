@@ -718,6 +718,22 @@ TEST(SameBits, ARunThatTimeCutShortIsTheSameNowhere) {
   EXPECT_EQ(same_bits_of(totals_of(document), true), SameBits::nowhere);
 }
 
+// A client must not read the light of all luminaires as that of an emergency.
+TEST(Html, SaysOfWhichLightPicturesAre) {
+  constexpr const char* kWords = "are of all luminaires at full output";
+  Document document = small_document();
+  EXPECT_THAT(render_html(document), Not(HasSubstr(kWords)));
+  rules::Requirement& asked = document.projects[0].spaces[0].planes[0].findings[0].requirement;
+  asked.scene = "battery";
+  asked.direct_only = true;
+  const std::string html = render_html(document);
+  EXPECT_THAT(html, HasSubstr("here: scene battery, direct light only."));
+  const std::size_t annex = html.find("class=\"annex\"");
+  ASSERT_NE(annex, html.npos);
+  EXPECT_LT(html.find(kWords), annex);
+  EXPECT_NE(html.find(kWords, annex), html.npos);  // and beside the tables of values
+}
+
 TEST(Html, SameDocumentSameBytes) {
   EXPECT_EQ(render_html(sample_document()), render_html(sample_document()));
 }
