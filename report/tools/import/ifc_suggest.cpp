@@ -27,7 +27,7 @@ struct NameFacts {
   std::set<double> heights;
   std::vector<std::pair<std::string, std::set<std::string>>> attributes;
 };
-using Names = std::map<std::string, NameFacts>;
+using FactsByName = std::map<std::string, NameFacts>;
 
 std::string several(std::size_t count, const char* one, const char* more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
@@ -60,7 +60,7 @@ std::string examples(const std::set<double>& values) {
 
 // Calls with each name and its facts, in their order; says how many are not listed.
 template <class Call>
-void list_names(const Names& names, std::string& text, Call call) {
+void list_names(const FactsByName& names, std::string& text, Call call) {
   std::size_t shown = 0;
   for (const auto& [name, facts] : names) {
     if (shown++ == kMostListed) {
@@ -81,7 +81,7 @@ std::string on_storeys(const NameFacts& facts) {
 }
 
 std::string rooms_text(const Design& design) {
-  Names names;
+  FactsByName names;
   std::map<std::string, std::size_t> storeys;
   for (const DesignRoom& room : design.room) {
     ++storeys[room.storey];
@@ -117,7 +117,7 @@ std::string rooms_text(const Design& design) {
 }
 
 std::string luminaires_text(const Design& design) {
-  Names names;
+  FactsByName names;
   for (const DesignLuminaire& one : design.luminaire) {
     NameFacts& facts = names[one.type];
     add_place(one.storey, facts);
@@ -151,7 +151,7 @@ std::string luminaires_text(const Design& design) {
 }
 
 std::string furniture_text(const Design& design) {
-  Names names;
+  FactsByName names;
   for (const DesignBox& box : design.box) {
     NameFacts& facts = names[pattern_of(box.name)];
     ++facts.count;
