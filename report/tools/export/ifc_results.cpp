@@ -46,6 +46,8 @@ constexpr std::size_t kMostNamed = 10;             // things of a kind that a no
 // Of areas and heights of the model against those of the result: coordinates of projects are
 // rounded to 0.1 mm, and arcs are chords.
 constexpr double kSameSize = 0.005;
+// Of an outline: places along it fall on one side or the other.
+constexpr double kSameShape = 0.02;
 
 // Offset at which the block of an earlier export begins, up to `end`; empty: there is none, or
 // somebody has changed it.
@@ -73,6 +75,39 @@ void each_reference(const StepValue& value, const Call& call) {
 // "what 'a', 'b' and 3 more"
 std::string named(const std::vector<std::string>& names) {
   return printable(calc::list_names(names, kMostNamed));
+}
+
+struct Extent2 {
+  glm::dvec2 low_m{std::numeric_limits<double>::infinity()};
+  glm::dvec2 high_m{-std::numeric_limits<double>::infinity()};
+};
+
+Extent2 extent_of(const std::vector<glm::dvec2>& outline_m) {
+  Extent2 extent;
+  for (const glm::dvec2& corner : outline_m) {
+    extent.low_m = glm::min(extent.low_m, corner);
+    extent.high_m = glm::max(extent.high_m, corner);
+  }
+  return extent;
+}
+
+// What is in one of the outlines alone, as a share of what is in either. The origin of an import is
+// its own: the outlines are laid with their lower left ends on each other. By a grid of places.
+double share_apart(const std::vector<glm::dvec2>& a_m, const std::vector<glm::dvec2>& b_m) {
+  constexpr int kPlaces = 200;  // along each axis
+  const Extent2 a = extent_of(a_m), b = extent_of(b_m);
+  const glm::dvec2 size_m = glm::max(a.high_m - a.low_m, b.high_m - b.low_m);
+  int either = 0, apart = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    for (int k = 0; k < kPlaces; ++k) {
+      const glm::dvec2 place_m = size_m * glm::dvec2(i + 0.5, k + 0.5) / double{kPlaces};
+      const bool in_a = calc::contains_point(a_m, a.low_m + place_m);
+      const bool in_b = calc::contains_point(b_m, b.low_m + place_m);
+      either += in_a || in_b ? 1 : 0;
+      apart += in_a != in_b ? 1 : 0;
+    }
+  }
+  return either == 0 ? 1.0 : static_cast<double>(apart) / either;
 }
 
 // One property of a set.
@@ -330,9 +365,9 @@ class ResultsWriter {
       if (!taken.contains(space)) without.push_back("'" + space_words(space) + "'");
     }
     if (!without.empty()) {
-      with_.notes.push_back(fmt::format("without results: {} of {} spaces of the model: {}",
-                                        without.size(), text_.of_name("IFCSPACE").size(),
-                                        named(without)));
+      without_ = fmt::format("{} of {} spaces of the model: {}", without.size(),
+                             text_.of_name("IFCSPACE").size(), named(without));
+      with_.notes.push_back("without results: " + without_);
     }
     return true;
   }
@@ -371,23 +406,39 @@ class ResultsWriter {
       const double was_m2 = std::fabs(calc::signed_area(placed.space->footprint_m));
       const double height_m = found->second->height_m.value_or(placed.space->height_m);
       const auto is_same = [](double a, double b) { return std::fabs(a - b) <= kSameSize * b; };
-      if (is_same(area_m2, was_m2) && is_same(height_m, placed.space->height_m)) continue;
-      placed.doubt = fmt::format(
-          "the room of the model has {} m² and is {} m high, that of the result {} m² and {} m",
-          report::format_fixed(area_m2, 2), report::format_metres(height_m),
-          report::format_fixed(was_m2, 2), report::format_metres(placed.space->height_m));
-      other.push_back(name);
+      if (!is_same(area_m2, was_m2) || !is_same(height_m, placed.space->height_m)) {
+        placed.doubt = fmt::format(
+            "the room of the model has {} m² and is {} m high, that of the result {} m² and {} m",
+            report::format_fixed(area_m2, 2), report::format_metres(height_m),
+            report::format_fixed(was_m2, 2), report::format_metres(placed.space->height_m));
+        other.push_back(name);
+      } else if (share_apart(found->second->outline_m, placed.space->footprint_m) > kSameShape) {
+        placed.doubt =
+            "the room of the model has another outline than that of the result, with the same area";
+        other.push_back(name);
+      } else if (!found->second->hole_m.empty()) {
+        // A result has what stands in them as solids, and nobody says which these were.
+        placed.doubt = fmt::format(
+            "the room of the model has {} holes in its floor, and whether they are those of the "
+            "result is not known",
+            found->second->hole_m.size());
+        unknown.push_back(name);
+      } else if (!found->second->doubt.empty()) {
+        placed.doubt = fmt::format("the shape of the model's room is not read for certain: {}",
+                                   fmt::join(found->second->doubt, "; "));
+        unknown.push_back(name);
+      }
     }
+    doubtful_ = other;
+    doubtful_.insert(doubtful_.end(), unknown.begin(), unknown.end());
     if (!other.empty()) {
-      with_.notes.push_back("the model's rooms are not as large as those that were calculated: " +
+      with_.notes.push_back("the model's rooms are not those that were calculated: " +
                             named(other) + "; their verdicts say so");
       with_.is_all = false;
     }
     if (!unknown.empty()) {
-      with_.notes.push_back(
-          "whether rooms are as large as those that were calculated is not "
-          "known: " +
-          named(unknown) + "; their verdicts say so");
+      with_.notes.push_back("whether rooms are those that were calculated is not known: " +
+                            named(unknown) + "; their verdicts say so");
       with_.is_all = false;
     }
   }
@@ -444,9 +495,9 @@ class ResultsWriter {
 
   // --- rooms -----------------------------------------------------------------------------------
   // Says, too, that only a part was judged: who reads nothing else reads that.
-  std::string verdict_of(Outcome outcome, const std::string& doubt = "") const {
+  std::string verdict_of(Outcome outcome, const std::string& doubt, bool is_part = false) const {
     std::string words = report::outcome_words(outcome);
-    if (!result_.provenance.selection.empty()) words += ", of a part only";
+    if (is_part || !result_.provenance.selection.empty()) words += ", of a part only";
     return doubt.empty() ? words : words + ", but see Doubt";
   }
 
@@ -557,7 +608,19 @@ class ResultsWriter {
     if (!owner) return;  // then no room was written, either
     const report::Totals totals = report::totals_of(result_);
     PropertyList all = properties();
-    all.words("Verdict", verdict_of(totals.outcome));
+    // Who reads this alone must not take it for more than it is.
+    std::string doubt;
+    if (!doubtful_.empty()) {
+      doubt = "rooms of the model may not be those that were calculated: " + named(doubtful_);
+    }
+    if (!missing_.empty()) {
+      doubt +=
+          (doubt.empty() ? "" : "; ") + std::string("not all results have a place in the model");
+    }
+    const bool is_part = !without_.empty();
+    all.words("Verdict", verdict_of(totals.outcome, doubt, is_part));
+    all.words("Doubt", doubt);
+    all.words("Spaces without results", without_);
     all.words("Requirements", report::summary_words(totals));
     all.words("Remarks", report::provenance_remarks(result_.provenance));
     all.words("Confidence of intervals", report::format_percent(result_.provenance.confidence));
@@ -565,7 +628,8 @@ class ResultsWriter {
     std::vector<std::string> warnings;
     std::size_t more = 0;
     for (const report::ProjectPart& one : result_.projects) {
-      all.words("Project " + project_title(one), verdict_of(report::outcome_of(one)));
+      all.words("Project " + project_title(one),
+                verdict_of(report::outcome_of(one), doubt, is_part));
       for (const report::CiFinding& entry : report::CiFindings({}, nullptr).of(one)) {
         if (entry.space != nullptr || entry.aggregate == nullptr) continue;
         const std::string title =
@@ -618,6 +682,8 @@ class ResultsWriter {
   std::string lux_, block_;
   std::vector<PlacedRoom> rooms_;
   std::vector<std::string> missing_;
+  std::vector<std::string> doubtful_;  // rooms that may not be those of the result
+  std::string without_;                // spaces without results; "" = none
   IfcWithResults with_;
 };
 

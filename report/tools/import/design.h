@@ -33,6 +33,7 @@ struct DesignRoom {
   double floor_z_m = 0.0;
   std::optional<double> height_m;  // > 0; a plan does not know it
   std::size_t rule = 0;  // which [[room]] of the map took it; the first where nothing else decides
+  std::vector<std::string> doubt = {};  // about its shape, in words, as the notes say them
 };
 
 struct DesignLuminaire {

@@ -331,6 +331,7 @@ class DesignReader {
     room.hole_m = std::move(shape.hole);
     room.floor_z_m = shape.floor_z_m;
     room.height_m = shape.height_m;
+    room.doubt = shape.doubt;
     doubts(space, std::move(shape.doubt));
     design_.room.push_back(std::move(room));
   }

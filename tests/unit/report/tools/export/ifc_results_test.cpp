@@ -5,6 +5,8 @@
 #include "tests/support/sample_document.h"
 #include "tests/unit/report/tools/import/ifc_text.h"
 
+#include <fmt/format.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -262,7 +264,63 @@ TEST(IfcResults, WhatHasNoPlaceIsSaid) {
               Contains(HasSubstr("not in this model: 'room-0BTBFw6f90Nfh9rP1dl000'")));
   EXPECT_THAT(w.with->notes, Contains(HasSubstr("'hall'")));
   EXPECT_THAT(w.words("Luxgate_Run", "Without a place in the model 1"), HasSubstr("broken.xml"));
-  EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "not judged");
+  EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "not judged, of a part only, but see Doubt");
+  EXPECT_THAT(w.words("Luxgate_Run", "Doubt"), HasSubstr("not all results have a place"));
+}
+
+// A verdict of all is no more than those of the rooms.
+TEST(IfcResults, TheRunSaysWhatItsRoomsDoubt) {
+  report::Document document = result();
+  document.projects[0].spaces[0].planes[0].findings.pop_back();
+  const Written good(model(), document);
+  EXPECT_EQ(good.words(kRoom, "Verdict"), "pass");
+  // The other space of the model has no result.
+  EXPECT_EQ(good.words("Luxgate_Run", "Verdict"), "pass, of a part only");
+  EXPECT_THAT(good.words("Luxgate_Run", "Spaces without results"), HasSubstr("1 of 2 spaces"));
+  document.projects[0].spaces[0].height_m = 2.5;
+  const Written w(model(), document);
+  EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "pass, of a part only, but see Doubt");
+  EXPECT_THAT(w.words("Luxgate_Run", "Doubt"), HasSubstr("may not be those"));
+}
+
+TEST(IfcResults, ARoomOfAnotherShapeIsDoubted) {
+  report::Document document = result();
+  document.projects[0].spaces[0].planes[0].findings.pop_back();
+  // Where it lies does not count: the import takes its own origin.
+  auto& outline_m = document.projects[0].spaces[0].footprint_m;
+  for (glm::dvec2& corner : outline_m) corner += glm::dvec2(100.0, -7.0);
+  EXPECT_EQ(Written(model(), document).words(kRoom, "Verdict"), "pass");
+  outline_m = {{0, 0}, {8, 0}, {8, 1}, {0, 1}};  // 8 m2 as before
+  const Written other(model(), document);
+  EXPECT_FALSE(other.with->is_all);
+  EXPECT_EQ(other.words(kRoom, "Verdict"), "pass, but see Doubt");
+  EXPECT_THAT(other.words(kRoom, "Doubt"), HasSubstr("another outline"));
+}
+
+TEST(IfcResults, HolesOfTheModelAreDoubted) {
+  report::Document document = result();
+  document.projects[0].spaces[0].planes[0].findings.pop_back();
+  std::string holed = model();
+  const std::string whole = "IFCRECTANGLEPROFILEDEF(.AREA.,$,$,4000.,2000.)";
+  const std::size_t at = holed.find(whole);
+  ASSERT_NE(at, holed.npos);
+  holed.replace(at, whole.size(), "IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$,#911,(#921))");
+  const auto loop = [](int first, const char* corners) {
+    return fmt::format("#{0}=IFCPOLYLINE({1});", first, corners);
+  };
+  std::string points;
+  const int corner[8][2] = {{-2000, -1000}, {2000, -1000}, {2000, 1000}, {-2000, 1000},
+                            {-500, -500},   {500, -500},   {500, 500},   {-500, 500}};
+  for (int i = 0; i < 8; ++i) {
+    points += fmt::format("#{}=IFCCARTESIANPOINT(({}.,{}.));", 930 + i, corner[i][0], corner[i][1]);
+  }
+  const std::string more =
+      points + loop(911, "(#930,#931,#932,#933,#930)") + loop(921, "(#934,#935,#936,#937,#934)");
+  holed.insert(holed.rfind("ENDSEC;"), more + "\n");
+  const Written w(holed, document);
+  ASSERT_TRUE(w.with) << w.problem;
+  EXPECT_EQ(w.words(kRoom, "Verdict"), "pass, but see Doubt");
+  EXPECT_THAT(w.words(kRoom, "Doubt"), HasSubstr("1 holes in its floor"));
 }
 
 TEST(IfcResults, ARoomIsFoundByTheIdThatItHad) {
