@@ -98,3 +98,11 @@ string(JSON planes LENGTH "${out}" planes)
 if(NOT judged EQUAL planes)
   message(SEND_ERROR "${judged} of ${planes} averages were judged")
 endif()
+
+# Two results of nothing are not alike.
+file(WRITE ${WORK}/broken.xml "<luxgate")
+execute_process(COMMAND ${LUXGATE} check broken.xml --quiet --pictures off --format json=broken.json
+  WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_QUIET)
+run_in_work(2 compare broken.json broken.json)
+expect_in("${err}" "could be judged: there is nothing to compare")
+run_in_work(1 compare a.json broken.json)

@@ -25,6 +25,11 @@ namespace {
 
 using calc::DiagnosticId;
 
+bool is_anything_judged(const report::Document& document) {
+  return std::any_of(document.projects.begin(), document.projects.end(),
+                     [](const report::ProjectPart& project) { return project.is_judged; });
+}
+
 // B's values are rows of a table, whether they came from one or from a result.
 class Comparer {
  public:
@@ -38,6 +43,11 @@ class Comparer {
     if (options_.b.size() > 5 && options_.b.ends_with(".json")) {
       b_ = read_result(options_.b);
       if (!b_) return std::nullopt;
+    }
+    // Two results of nothing are not alike: nobody knows.
+    if (b_ && !is_anything_judged(*a) && !is_anything_judged(*b_)) {
+      fail("neither result holds a project that could be judged: there is nothing to compare");
+      return std::nullopt;
     }
     comparison_.name_a = options_.a;
     comparison_.name_b = options_.b;
