@@ -154,7 +154,7 @@ TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
   // The dot is where the verdict came: at the second of three looks, so in the middle of a picture
   // whose work doubles from look to look.
   const double x = chart.select_node(".//circle/@cx").attribute().as_double();
-  EXPECT_NEAR(x, (58 + 640 - 16) / 2.0, 0.01);
+  EXPECT_NEAR(x, (58 + 640 - 30) / 2.0, 0.01);
   EXPECT_EQ(tree.select_nodes("//table[@class='looks']/tbody/tr").size(), 3U);
   EXPECT_THAT(html, HasSubstr("row &lt;2&gt;"));
   EXPECT_EQ(tree.select_nodes("//svg[@class='polar']").size(), 1U);

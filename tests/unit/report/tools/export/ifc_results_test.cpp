@@ -100,7 +100,7 @@ TEST(IfcResults, VerdictsAndValuesWithIntervals) {
   const auto unit = w.text->find(value[4]);
   ASSERT_TRUE(unit);
   EXPECT_EQ(w.text->arguments(*unit).at(3).enumeration(), "LUX");
-  EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "fail");
+  EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "fail, of a part only");
   EXPECT_THAT(w.with->notes, Contains(HasSubstr("without results: 1 of 2 spaces of the model: "
                                                 "'102 Hall'")));
 }
