@@ -119,12 +119,14 @@ calc::PhotometricWeb sum_of(const calc::LuminaireLight& light) {
                                     std::move(source));
 }
 
-std::optional<report::SheetLight> find_light(const std::string& bytes, const std::string& path,
+std::optional<report::SheetLight> find_light(const std::string& bytes, const std::string& folder,
+                                             const std::string& path,
                                              const report::LuminaireRow& row) {
   const calc::DiskFileReader files;
   for (calc::PhotometryOptions& choice : choices_of(bytes)) {
     choice.read_companion = [&](const std::string& name) -> std::optional<std::string> {
-      calc::FileContent content = files.read((fs::path(path).parent_path() / name).string());
+      calc::FileContent content =
+          files.read_within(folder, (fs::path(path).parent_path() / name).string());
       if (!content.ok()) return std::nullopt;
       return std::move(content.bytes);
     };
@@ -160,9 +162,10 @@ void SheetFiles::see(const report::ProjectPart& project, const std::string& resu
   }
   for (const calc::InputFile& input : project.inputs) {
     if (input.sha256.empty() || !wanted.contains(input.sha256)) continue;
-    std::vector<std::string>& places = places_[input.sha256];
+    std::vector<SheetPlace>& places = places_[input.sha256];
     for (const fs::path& folder : folders) {
-      std::string place = (folder / input.path).lexically_normal().string();
+      SheetPlace place{folder.empty() ? "." : folder.string(),
+                       (folder / input.path).lexically_normal().string()};
       if (std::find(places.begin(), places.end(), place) == places.end())
         places.push_back(std::move(place));
     }
@@ -174,14 +177,14 @@ std::variant<report::SheetLight, report::Text> SheetFiles::light_of(
   const auto places = places_.find(row.sha256);
   if (row.sha256.empty() || places == places_.end()) return report::Text::sheet_no_file;
   bool is_other = false;
-  for (const std::string& place : places->second) {
-    const calc::FileContent content = calc::DiskFileReader().read(place);
+  for (const auto& [folder, file] : places->second) {
+    const calc::FileContent content = calc::DiskFileReader().read_within(folder, file);
     if (!content.ok()) continue;
     if (calc::sha256_hex(content.bytes) != row.sha256) {
       is_other = true;
       continue;
     }
-    std::optional<report::SheetLight> light = find_light(content.bytes, place, row);
+    std::optional<report::SheetLight> light = find_light(content.bytes, folder, file, row);
     if (!light) return report::Text::sheet_other_light;
     return std::move(*light);
   }

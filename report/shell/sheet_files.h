@@ -21,7 +21,12 @@ class SheetFiles : public report::SheetSource {
       const report::LuminaireRow& row) const override;
 
  private:
-  std::map<std::string, std::vector<std::string>> places_;  // where a file may be, by its hash
+  // A result may be anybody's: what it names must lie in the folder of the project or below it.
+  struct SheetPlace {
+    std::string folder, file;
+    bool operator==(const SheetPlace&) const = default;
+  };
+  std::map<std::string, std::vector<SheetPlace>> places_;  // where a file may be, by its hash
 };
 
 }  // namespace cli

@@ -124,6 +124,21 @@ TEST_F(SheetFilesTest, AResultThatWasMovedWithItsProjectFindsItsFiles) {
   EXPECT_EQ(why(files, row), report::Text::sheets_title);
 }
 
+// Whoever writes a result must not learn what other folders hold.
+TEST_F(SheetFilesTest, AFileOutsideOfTheFolderIsNotRead) {
+  put(bytes_);
+  const report::LuminaireRow row = row_of(bytes_, 777.0);
+  report::ProjectPart project = project_of(row);
+  fs::create_directories(folder_.path() / "sub");
+  project.path = (folder_.path() / "sub/p.xml").string();
+  project.inputs = {{"../lib/a.any", row.sha256}};
+  SheetFiles files;
+  files.see(project, "");
+  EXPECT_EQ(why(files, row), report::Text::sheet_not_found);
+  put(bytes_ + "\n");
+  EXPECT_EQ(why(files, row), report::Text::sheet_not_found);
+}
+
 TEST_F(SheetFilesTest, ALampSetIsFoundByItsLight) {
   test_support::LdtSample sample;
   for (const char* line : {"1", "LED", "2000", "3000 K", "90", "20"})
