@@ -288,7 +288,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   }
   html += html_plane_findings(t, plane);
   if (const std::string words = other_light_words(t, plane); !words.empty())
-    html += "<p class=\"message\">" + escape_html(words) + "</p>\n";
+    html += "<div class=\"calculated\"><p class=\"message\">" + escape_html(words) + "</p></div>\n";
   html += "<div class=\"split\">\n";
   if (has_cells(plane) && has_all_values(plane))
     html += html_plan(t, space, plane, scales.of(space, plane), anchor);
