@@ -81,6 +81,14 @@ def known_cases(luxgate, examples, work):
            "the corridor needs as much as its average lacks")
     expect(advice["scenes"][0]["contradicting"] == [measured.index(average)], "its average alone is the reason")
 
+    # The road's luminance takes no part in the search, and passes now.
+    code, advice, _ = advise(luxgate, os.path.join(examples, "16-road", "project.xml"))
+    scene = advice["scenes"][0]
+    expect(code == 0 and scene["is_all_met"] and scene["least"] < scene["advised"] < scene["now"],
+           f"what the search does not know is kept: {code} {scene['advised']}")
+    expect(any(scene["requirements"][i]["quantity"] == "road-luminance" for i in scene["raised_for"]),
+           "it is said what levels were raised for")
+
     def case(name, *parts, **more):
         return write(os.path.join(work, name + ".xml"), room(*parts, **more))
 

@@ -47,6 +47,9 @@ struct SceneAdvice {
   // by the same light. Without levels `after` is `before`.
   std::vector<AdvisedRequirement> requirements;
   std::vector<std::size_t> contradicting;  // of them: without any one of these there are levels
+  // Of them: what takes no part in the search and would not be met with the least power, so that
+  // the levels are higher.
+  std::vector<std::size_t> raised_for;
   // Aggregates, classes and sums of rule packs that count and do not pass in the changed project:
   // "LEED v4.1 ... (fail)".
   std::vector<std::string> aggregates_not_met;

@@ -69,6 +69,8 @@ AdviceJson scene_json(const SceneAdvice& advice) {
   for (const AdvisedRequirement& one : advice.requirements) {
     json["requirements"].push_back(requirement_json(one));
   }
+  json["raised_for"] = AdviceJson::array();
+  for (const std::size_t i : advice.raised_for) json["raised_for"].push_back(i);
   json["aggregates_not_met"] = advice.aggregates_not_met;
   json["contradicting"] = AdviceJson::array();
   for (const std::size_t i : advice.contradicting) json["contradicting"].push_back(i);

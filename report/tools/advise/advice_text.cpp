@@ -101,6 +101,15 @@ std::string found_words(const SceneAdvice& advice) {
   if (advice.is_by_flux) {
     text += "  The power of a luminaire is not known: the least light was looked for instead.\n";
   }
+  if (!advice.raised_for.empty()) {
+    text +=
+        "  They are nearer to those of now than the least ones, which would not meet what the\n"
+        "  search does not know:\n";
+    for (const std::size_t i : advice.raised_for) {
+      text += fmt::format("    {}: {}\n", requirement_words(advice.requirements[i]),
+                          value_words(advice.requirements[i].after));
+    }
+  }
   return text + group_table(advice) + limits(advice) + not_met(advice);
 }
 

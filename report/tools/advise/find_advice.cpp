@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -25,6 +26,8 @@ constexpr double kMoreSafety = 1.5;
 constexpr int kMostTries = 10, kMostChecks = 4;
 // How many times the light of the luminaires is looked for at most.
 constexpr double kMostLight = 20.0;
+
+constexpr double kSameStep = 1e-9;
 
 using Levels01 = std::vector<double>;
 
@@ -76,7 +79,10 @@ class SceneSearch {
         advice_.reason = reason;
         return std::move(advice_);
       }
-      if (take_findings(*changed)) return std::move(advice_);
+      if (take_findings(*changed)) {
+        if (!broken_by_levels().empty()) raise(*found, check);
+        return std::move(advice_);
+      }
       advice_.outcome = AdviceOutcome::none_found;
       advice_.reason =
           "the levels that were found did not pass the check with other random numbers";
@@ -261,6 +267,68 @@ class SceneSearch {
       is_good = false;
     }
     return is_good;
+  }
+
+  // What passes now, takes no part in the search and does not pass with the levels taken.
+  std::vector<std::size_t> broken_by_levels() const {
+    std::vector<std::size_t> broken;
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const AdvisedRequirement& one = advice_.requirements[i];
+      if (!asked_[i].is_searched() && one.before.verdict == rules::Verdict::pass &&
+          one.after.verdict != rules::Verdict::pass) {
+        broken.push_back(i);
+      }
+    }
+    return broken;
+  }
+
+  // Levels between those found and those of now, which break nothing: what the search knows is met
+  // on all of the way, if it is met at both ends, since conditions that are linear leave no gap.
+  void raise(const Levels& found, const CheckLevels& check) {
+    constexpr int kHalvings = 6;
+    const std::vector<std::size_t> broken = broken_by_levels();
+    const bool is_good_now = std::all_of(advice_.requirements.begin(), advice_.requirements.end(),
+                                         [](const AdvisedRequirement& one) {
+                                           return !one.not_searched.empty() ||
+                                                  one.before.verdict == rules::Verdict::pass;
+                                         });
+    std::optional<SceneAdvice> best;
+    double low = 0.0, high = 1.0;
+    for (int halving = 0; is_good_now && halving < kHalvings; ++halving) {
+      const double part = 0.5 * (low + high);
+      Levels levels{{}, 0.0, found.least_cost};
+      for (std::size_t g = 0; g < advice_.groups.size(); ++g) {
+        const double from = found.level[g], to = advice_.groups[g].now;
+        // Whole steps, towards the levels of now.
+        const double steps = (from + part * (to - from)) * settings_.steps;
+        const double whole =
+            (to > from ? std::ceil(steps - kSameStep) : std::floor(steps + kSameStep)) /
+            settings_.steps;
+        levels.level.push_back(to > from ? std::min(whole, to) : std::max(whole, to));
+        levels.cost += problem_.cost[g] * levels.level.back();
+      }
+      take(levels);
+      std::string reason;
+      const std::optional<report::ProjectPart> changed = check(advice_, reason);
+      if (!changed) break;
+      if (take_findings(*changed) && broken_by_levels().empty()) {
+        best = advice_;
+        high = part;
+      } else {
+        low = part;
+      }
+    }
+    if (best) {
+      advice_ = *std::move(best);
+      advice_.raised_for = broken;
+      return;
+    }
+    advice_.outcome = AdviceOutcome::none_found;
+    advice_.reason = fmt::format(
+        "levels that meet the conditions of the search break what it does not know: {}, {}",
+        advice_.requirements[broken.front()].plane,
+        advice_.requirements[broken.front()].before.requirement.id);
+    for (AdvisedRequirement& one : advice_.requirements) one.after = one.before;
   }
 
   bool can_be_met(double safety_share, double most, const std::set<std::size_t>& without) const {
