@@ -12,18 +12,26 @@
 namespace report {
 namespace {
 
+// A file may hold several lights, of which each type names one: what is drawn of them differs, too.
+bool is_same_curve(const LuminaireRow& a, const LuminaireRow& b, const std::vector<double>& of_a,
+                   const std::vector<double>& of_b) {
+  constexpr double kRounding = 1e-9;
+  // Types of one light may be scaled to different fluxes.
+  const double most = kRounding * a.max_intensity_cd * b.flux_lm;
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                    [&](double one, double other) {
+                      return std::abs(one * b.flux_lm - other * a.flux_lm) <= most;
+                    });
+}
+
 // Whether one sheet is enough for both.
 bool is_same_light(const LuminaireRow& a, const LuminaireRow& b) {
-  const auto scaled = [](const LuminaireRow& row) {
-    return row.flux_lm > 0.0 ? row.max_intensity_cd / row.flux_lm : 0.0;
-  };
-  constexpr double kRounding = 1e-9;
   return !a.sha256.empty() && a.sha256 == b.sha256 && a.name == b.name && a.lamp == b.lamp &&
          a.article_number == b.article_number && a.colour_temperature == b.colour_temperature &&
          a.colour_rendering == b.colour_rendering && a.file_flux_lm == b.file_flux_lm &&
          a.file_power_w == b.file_power_w &&
-         std::abs(scaled(a) - scaled(b)) <= kRounding * scaled(a) &&
-         a.c0_cd.size() == b.c0_cd.size();
+         is_same_curve(a, b, {a.max_intensity_cd}, {b.max_intensity_cd}) &&
+         is_same_curve(a, b, a.c0_cd, b.c0_cd) && is_same_curve(a, b, a.c90_cd, b.c90_cd);
 }
 
 // What the project makes of it, for each type.

@@ -105,6 +105,13 @@ std::string value_list(const Texts& t, const PlanePart& plane) {
   return html + "</tbody></table>";
 }
 
+// Whether its tables may stand beside those of other planes: what stands so is never cut between
+// pages, and longer than a page it would lose its end.
+bool is_small_on_paper(const PlanePart& plane) {
+  constexpr int kMostRows = 25;
+  return plane.grid.columns <= kColumnsOnPaper && plane.grid.rows <= kMostRows;
+}
+
 // Of values as tables that paper holds.
 std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   std::string html =
@@ -151,8 +158,9 @@ std::string html_annex(const Texts& t, const std::vector<AnnexPlane>& planes, An
     html += "<p>" + t.say<Text::annex_left_out>(format_count(values), "--annex always") + "</p>\n";
   } else {
     for (const AnnexPlane& one : planes)
-      html += one.has_table() ? "<div class=\"values\">" +
-                                    annex_of_plane(t, *one.space, *one.plane) + "</div>\n"
+      html += one.has_table() ? fmt::format("<div class=\"values{}\">{}</div>\n",
+                                            is_small_on_paper(*one.plane) ? " beside" : "",
+                                            annex_of_plane(t, *one.space, *one.plane))
                               : "";
   }
   return html + "</section>\n";

@@ -233,14 +233,4 @@ std::vector<LevelCondition> LevelConditions::broken(const std::vector<double>& l
   return worst;
 }
 
-std::optional<LevelCondition> LevelConditions::nearest(const std::vector<double>& level,
-                                                       double safety) const {
-  std::vector<LevelCondition> conditions = all(level, safety);
-  if (conditions.empty()) return std::nullopt;
-  return *std::max_element(conditions.begin(), conditions.end(),
-                           [&](const LevelCondition& a, const LevelCondition& b) {
-                             return a.lack(level) < b.lack(level);
-                           });
-}
-
 }  // namespace rules

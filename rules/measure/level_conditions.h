@@ -41,8 +41,6 @@ class LevelConditions {
   // groups they are added up, which is never less than the half width of the sum.
   std::vector<LevelCondition> broken(const std::vector<double>& level, double safety,
                                      std::size_t most) const;
-  // What fulfils the requirement with the least room, whether broken or not. Empty: no condition.
-  std::optional<LevelCondition> nearest(const std::vector<double>& level, double safety) const;
 
  private:
   enum class Kind { each_point, average, of_average, of_maximum };

@@ -100,6 +100,46 @@ def known_cases(luxgate, examples, work):
     expect({scene["requirements"][i]["id"] for i in scene["contradicting"]} == {"mean", "top"},
            "it is said what excludes each other")
 
+    expect(all("after" not in one for one in scene["requirements"]), "without levels nothing is said of after")
+    done = run(luxgate, "advise", os.path.join(work, "both.xml"))
+    expect("none up to 20 times the light" in done.stdout, f"how far it was looked: {done.stdout}")
+    written = os.path.join(work, "both-dimmed.xml")
+    done = run(luxgate, "advise", os.path.join(work, "both.xml"), "--write", written)
+    expect(done.returncode == 2 and "no scene has levels" in done.stderr and "cannot be met together" in done.stdout
+           and not os.path.exists(written), f"nothing to write: {done.returncode} {done.stderr}")
+
+    # More light, and what nobody has calculated for it.
+    dark = '<require id="mean" quantity="average" at-least="900"/><require id="g" quantity="gradient" at-most="9"/>'
+    code, advice, _ = advise(luxgate, case("dark", dark))
+    scene = advice["scenes"][0]
+    by_id = {one["id"]: one for one in scene["requirements"]}
+    expect(code == 1 and scene["outcome"] == "more-light", f"more light: {scene['outcome']}")
+    expect(by_id["mean"]["after"]["verdict"] == "pass", "with more light the average is met")
+    expect(all(abs(row["level"] * 100 - round(row["level"] * 100)) < 1e-9 for row in scene["groups"]),
+           "more light in whole steps")
+
+    # No requirement that can be searched.
+    code, advice, _ = advise(luxgate, case("none", '<require id="g" quantity="gradient" at-most="9"/>'))
+    reason = advice["scenes"][0].get("reason", "")
+    expect(code == 1 and "p, g:" in reason, f"it is said why: {reason}")
+
+    # The levels of all scenes are checked together before they are written.
+    scenes = '<scene id="s"><dim group="a" level="0.9"/></scene>'
+    two = ('<require id="mean" quantity="average" at-least="100"/>'
+           '<require id="dim" quantity="average" at-least="50" scene="s"/>')
+    path = case("two", two, scenes=scenes)
+    written = os.path.join(work, "two-dimmed.xml")
+    code, advice, told = advise(luxgate, path, "--write", written)
+    expect(code == 0 and len(advice["scenes"]) == 2, f"two scenes: {code} {told}")
+    done = run(luxgate, "check", written, "--seed", "99", "--quiet")
+    expect(done.returncode == 0, f"both scenes pass in one project: {done.returncode} {done.stderr}")
+    light = os.path.join(work, "batwing_1200.ies")
+    with open(light, "rb") as file:
+        bytes_before = file.read()
+    code, _, told = advise(luxgate, path, "--write", light)
+    with open(light, "rb") as file:
+        expect(code == 2 and "it was read" in told and file.read() == bytes_before, f"no input is written over: {told}")
+
     # One group, exact but for the average's noise: the level is limit / value, a step up.
     single = '<require quantity="average" at-least="100"/>'
     code, advice, _ = advise(luxgate, case("single", single, groups=(("", "3 2 2.79"),)))

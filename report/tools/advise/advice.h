@@ -11,9 +11,12 @@
 
 namespace cli {
 
+// How many times the light of the luminaires is looked for at most.
+constexpr double kMostAdvisedLight = 20.0;
+
 enum class AdviceOutcome {
   levels,         // these levels meet everything that hangs on them
-  contradiction,  // no levels do, not even with more light: these requirements exclude each other
+  contradiction,  // surely none up to full output do; these requirements exclude each other
   more_light,     // only with more light than the luminaires have
   too_uncertain,  // some may, but the intervals are too wide to tell
   none_found,     // the search ended, or its levels did not pass the check
@@ -27,7 +30,13 @@ struct AdvisedGroup {
   double level = 1.0;                   // advised; above 1: so many times the light
 };
 
+// Of a report::ProjectPart: of its spaces, of the planes of that one, of the findings of that one.
+struct FindingPlace {
+  std::size_t space = 0, plane = 0, finding = 0;
+};
+
 struct AdvisedRequirement {
+  FindingPlace where;
   std::string space, plane;  // as reports title them
   rules::Finding before, after;
   // Why it is no condition on the sum of groups: it took no part in the search, and was checked
@@ -44,7 +53,7 @@ struct SceneAdvice {
   double now = 0.0, advised = 0.0, least = 0.0;
   std::vector<AdvisedGroup> groups;
   // All that count in this scene; `after` is of the check of the changed project, of more_light
-  // by the same light. Without levels `after` is `before`.
+  // by the same light. Without levels `after` says nothing.
   std::vector<AdvisedRequirement> requirements;
   std::vector<std::size_t> contradicting;  // of them: without any one of these there are levels
   // Of them: what takes no part in the search and would not be met with the least power, so that

@@ -27,7 +27,7 @@ AdviceJson finding_json(const rules::Finding& finding) {
   return json;
 }
 
-AdviceJson requirement_json(const AdvisedRequirement& one) {
+AdviceJson requirement_json(const AdvisedRequirement& one, bool has_levels) {
   const rules::Requirement& requirement = one.before.requirement;
   AdviceJson json{{"space", one.space},
                   {"plane", requirement.plane_id},
@@ -40,7 +40,7 @@ AdviceJson requirement_json(const AdvisedRequirement& one) {
                   {"is_searched", one.not_searched.empty()}};
   if (!one.not_searched.empty()) json["not_searched"] = one.not_searched;
   json["before"] = finding_json(one.before);
-  json["after"] = finding_json(one.after);
+  if (has_levels) json["after"] = finding_json(one.after);
   return json;
 }
 
@@ -67,7 +67,7 @@ AdviceJson scene_json(const SceneAdvice& advice) {
   }
   json["requirements"] = AdviceJson::array();
   for (const AdvisedRequirement& one : advice.requirements) {
-    json["requirements"].push_back(requirement_json(one));
+    json["requirements"].push_back(requirement_json(one, advice.has_levels()));
   }
   json["raised_for"] = AdviceJson::array();
   for (const std::size_t i : advice.raised_for) json["raised_for"].push_back(i);
@@ -83,7 +83,7 @@ std::string render_advice_json(const Advice& advice) {
   AdviceJson json{{"format", "luxgate-advice"}, {"format_version", 1}, {"project", advice.project}};
   json["scenes"] = AdviceJson::array();
   for (const SceneAdvice& scene : advice.scenes) json["scenes"].push_back(scene_json(scene));
-  return json.dump(2, ' ', false, AdviceJson::error_handler_t::replace) + "\n";
+  return report::json_layout(json);
 }
 
 }  // namespace cli

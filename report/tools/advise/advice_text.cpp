@@ -134,7 +134,9 @@ std::string scene_text(const SceneAdvice& advice) {
       text += found_words(advice);
       break;
     case AdviceOutcome::contradiction:
-      text += " no levels meet all conditions, and no more light of these groups does\n";
+      text += fmt::format(
+          " no levels meet all conditions; none up to {:g} times the light were found either\n",
+          kMostAdvisedLight);
       break;
     case AdviceOutcome::too_uncertain:
       return text + " the intervals are too wide to find levels; a smaller --tolerance helps\n";

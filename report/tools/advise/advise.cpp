@@ -17,12 +17,14 @@
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/watched_project.h"
+#include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -75,6 +77,29 @@ class LightKeeper : public WatchedProject {
  private:
   std::mutex mutex_;  // spaces are solved at the same time
   LightOfPlanes light_;
+};
+
+// Remembers what was read, as path_identity() has it.
+class RememberingReader : public calc::FileReader {
+ public:
+  explicit RememberingReader(const calc::FileReader& files) : files_(files) {}
+
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
+    {
+      const std::scoped_lock lock(mutex_);
+      read_.insert(path_identity(path));
+    }
+    return files_.read_within(folder, path);
+  }
+  bool has_read(const std::string& path) const {
+    const std::scoped_lock lock(mutex_);
+    return read_.contains(path_identity(path));
+  }
+
+ private:
+  const calc::FileReader& files_;
+  mutable std::mutex mutex_;  // several files are read at the same time
+  mutable std::set<std::string> read_;
 };
 
 // The project has another text, and every other file is as it is.
@@ -166,6 +191,77 @@ std::optional<std::string> changed_project(const std::string& bytes, const Advis
   return text;
 }
 
+// What passes now, or was said to pass, and does not in the written project as a whole; "" = all
+// does. Each scene was checked alone.
+std::string lost_by_writing(const Advice& advice, const report::ProjectPart& before,
+                            const report::ProjectPart& after) {
+  for (const SceneAdvice& scene : advice.scenes) {
+    for (const AdvisedRequirement& one : scene.requirements) {
+      if (scene.outcome != AdviceOutcome::levels || one.after.verdict != rules::Verdict::pass ||
+          finding_at(after, one.where).verdict == rules::Verdict::pass) {
+        continue;
+      }
+      return fmt::format("{}, {}, {}", one.space, one.plane, one.before.requirement.id);
+    }
+  }
+  for (std::size_t s = 0; s < before.spaces.size(); ++s) {
+    for (std::size_t p = 0; p < before.spaces[s].planes.size(); ++p) {
+      const report::PlanePart& plane = before.spaces[s].planes[p];
+      for (std::size_t f = 0; f < plane.findings.size(); ++f) {
+        const rules::Finding& finding = plane.findings[f];
+        if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass ||
+            finding_at(after, {s, p, f}).verdict == rules::Verdict::pass) {
+          continue;
+        }
+        return fmt::format("{}, {}, {}",
+                           report::title_of(before.spaces[s].name, before.spaces[s].id),
+                           report::title_of(plane.name, plane.id), finding.requirement.id);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < before.aggregates.size(); ++i) {
+    const rules::AggregateFinding& finding = before.aggregates[i];
+    if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass ||
+        (i < after.aggregates.size() && after.aggregates[i].verdict == rules::Verdict::pass)) {
+      continue;
+    }
+    return finding.clause.empty() ? finding.id : finding.clause;
+  }
+  return "";
+}
+
+using CheckText =
+    std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
+
+// False after an error, which has been printed: then nothing is written. The advice holds all the
+// same.
+bool write_changed(const AdviseOptions& options, const Advice& advice,
+                   const report::ProjectPart& part, const std::string& bytes,
+                   const RememberingReader& files, const CheckText& check) {
+  const auto has_levels = [](const SceneAdvice& scene) {
+    return scene.outcome == AdviceOutcome::levels;
+  };
+  const auto scenes = std::count_if(advice.scenes.begin(), advice.scenes.end(), has_levels);
+  const auto refused = [&](const std::string& why) {
+    print_error(fmt::format("--write: '{}' is not written: {}", options.write_file, why));
+    return false;
+  };
+  if (scenes == 0) return refused("no scene has levels");
+  // Nor anything that the project names.
+  if (files.has_read(options.write_file)) return refused("it was read");
+  const auto text = changed_project(bytes, options, advice, part);
+  if (!text) return false;
+  std::string reason;
+  const auto after = check(*text, reason);
+  if (!after) return refused(reason);
+  if (const std::string lost = lost_by_writing(advice, part, *after); !lost.empty()) {
+    return refused(fmt::format("as a whole it would not pass: {}", lost));
+  }
+  const std::string why = report::write_file_atomically(options.write_file, *text);
+  if (!why.empty()) print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
+  return why.empty();
+}
+
 bool is_readable_or_print(const calc::FileContent& content, const std::string& project) {
   if (content.ok()) return true;
   calc::Diagnostics diagnostics;
@@ -179,7 +275,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   watch_for_interrupt();
   AdviseOptions options = asked;
   CheckOptions& check = options.check;
-  const ProjectReader files(check.input);
+  const ProjectReader disk(check.input);
+  const RememberingReader files(disk);
   check.settings.today = day_of(check.settings);
   const std::set<std::string> inputs{options.project};
   calc::Diagnostics outputs;
@@ -210,16 +307,9 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   print_diagnostics(part.diagnostics, check.output.quiet);
   if (!part.is_judged) return kNotJudged;
 
-  const auto check_levels = [&](const SceneAdvice& advice,
-                                std::string& reason) -> std::optional<report::ProjectPart> {
-    calc::Diagnostics diagnostics;
-    auto text = check::with_scene_levels(project.bytes, options.project, levels_of(advice, part),
-                                         diagnostics);
-    if (!text) {
-      reason = diagnostics.all().front().message;
-      return std::nullopt;
-    }
-    const ChangedProject changed(files, options.project, *std::move(text));
+  const auto checked = [&](const std::string& text,
+                           std::string& reason) -> std::optional<report::ProjectPart> {
+    const ChangedProject changed(files, options.project, text);
     // Other random numbers: levels that were chosen by the same ones may owe something to them.
     check::Settings settings = check.settings;
     settings.goal = rules::Goal::verdict;
@@ -234,10 +324,20 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
                                         : result.diagnostics.back().message;
     return std::nullopt;
   };
+  const auto check_levels = [&](const SceneAdvice& advice,
+                                std::string& reason) -> std::optional<report::ProjectPart> {
+    calc::Diagnostics diagnostics;
+    const auto text = check::with_scene_levels(project.bytes, options.project,
+                                               levels_of(advice, part), diagnostics);
+    if (text) return checked(*text, reason);
+    reason = diagnostics.all().front().message;
+    return std::nullopt;
+  };
   Advice advice{options.project, {}, {}};
   advice.scenes = find_advice(
       part, keeper.light(),
-      {options.steps, check.settings.confidence, options.scene, options.has_scene}, check_levels);
+      {options.steps, check.settings.confidence, options.scene, options.has_scene, interrupted},
+      check_levels);
   if (interrupted()) return kInterrupted;
   if (advice.scenes.empty()) {
     print_error(
@@ -246,15 +346,9 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
             : "the project has no requirement that hangs on the levels of luminaires");
     return kNotJudged;
   }
-  if (!options.write_file.empty()) {
-    const auto text = changed_project(project.bytes, options, advice, part);
-    if (!text) return kNotJudged;
-    if (const std::string why = report::write_file_atomically(options.write_file, *text);
-        !why.empty()) {
-      print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
-      return kNotJudged;
-    }
-  }
+  const bool is_written = options.write_file.empty() ||
+                          write_changed(options, advice, part, project.bytes, files, checked);
+  if (interrupted()) return kInterrupted;
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
       options.outputs,
@@ -264,7 +358,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
       check.output.quiet, written);
   print_diagnostics(written.all(), true);
   const bool is_printed = print_result(text);
-  return is_printed && !written.has_errors() ? exit_code_of_advice(advice) : kNotJudged;
+  return is_printed && is_written && !written.has_errors() ? exit_code_of_advice(advice)
+                                                           : kNotJudged;
 }
 
 std::string complete_advise(AdviseOptions& options) {

@@ -24,22 +24,22 @@ constexpr std::size_t kWorstConditions = 4;
 // groups is not known before; where judging wants more, so much more.
 constexpr double kMoreSafety = 1.5;
 constexpr int kMostTries = 10, kMostChecks = 4;
-// How many times the light of the luminaires is looked for at most.
-constexpr double kMostLight = 20.0;
-
 constexpr double kSameStep = 1e-9;
 
 using Levels01 = std::vector<double>;
 
 // A requirement that counts, with where it is in the part, and its conditions.
 struct Asked {
-  std::size_t space = 0, plane = 0, finding = 0;
+  FindingPlace where;
   const PlaneLight* light = nullptr;
   std::optional<rules::LevelConditions> conditions;
   double safety = 1.0;
 
   bool is_searched() const { return conditions && conditions->problem().empty(); }
 };
+
+// Whether some levels meet conditions.
+enum class Can { yes, no, unknown };
 
 // Values of points are judged anew from their light; what is of the space needs the project.
 bool is_of_points(const rules::Requirement& requirement) {
@@ -133,18 +133,23 @@ class SceneSearch {
                !rules::is_of_space_in_scene(requirement.metric))) {
             continue;
           }
-          Asked asked{s, p, f, nullptr, std::nullopt};
+          Asked asked{{s, p, f}, nullptr, std::nullopt};
           AdvisedRequirement told{
+              asked.where,
               std::string(report::title_of(part_.spaces[s].name, part_.spaces[s].id)),
-              std::string(report::title_of(plane.name, plane.id)), finding, finding, ""};
-          if (known != light.end() && known->second.field.problem.empty() &&
-              is_of_points(requirement)) {
+              std::string(report::title_of(plane.name, plane.id)),
+              finding,
+              finding,
+              ""};
+          if (!is_of_points(requirement)) {
+            told.not_searched = "not of the light of the plane's points alone";
+          } else if (known == light.end() || !known->second.field.problem.empty()) {
+            told.not_searched = "its plane was not calculated";
+          } else {
             asked.light = &known->second;
             asked.conditions.emplace(requirement, asked.light->grid, asked.light->field, names,
                                      settings_.confidence);
             told.not_searched = asked.conditions->problem();
-          } else {
-            told.not_searched = "not of the light of the plane's points alone";
           }
           asked_.push_back(std::move(asked));
           advice_.requirements.push_back(std::move(told));
@@ -155,6 +160,7 @@ class SceneSearch {
 
   void settle_costs() {
     problem_.steps = settings_.steps;
+    problem_.is_stopped = settings_.is_stopped;
     for (const AdvisedGroup& group : advice_.groups) {
       problem_.cost.push_back(advice_.is_by_flux ? group.flux_lm : group.power_w);
       problem_.range.push_back({0.0, 1.0});
@@ -176,7 +182,11 @@ class SceneSearch {
     }
     const bool is_any = std::any_of(asked_.begin(), asked_.end(),
                                     [](const Asked& asked) { return asked.is_searched(); });
-    return is_any ? "" : "none of its requirements is one on the sum of the light of groups";
+    if (is_any) return "";
+    const AdvisedRequirement& first = advice_.requirements.front();
+    return fmt::format(
+        "none of its requirements is a condition on the sum of the light of groups; {}, {}: {}",
+        first.plane, first.before.requirement.id, first.not_searched);
   }
 
   // without: indices of requirements that are left out.
@@ -204,8 +214,7 @@ class SceneSearch {
 
   // As a check with these levels would, of the same light.
   rules::Finding judged(const Asked& asked, const Levels01& level) const {
-    const report::PlanePart& plane = part_.spaces[asked.space].planes[asked.plane];
-    rules::Requirement requirement = plane.findings[asked.finding].requirement;
+    rules::Requirement requirement = finding_at(part_, asked.where).requirement;
     requirement.scene = "advised";
     rules::Finding finding =
         rules::judge_plane({requirement}, asked.light->grid, asked.light->field, scenes_with(level),
@@ -215,13 +224,13 @@ class SceneSearch {
     return finding;
   }
 
-  // Levels by which everything that was searched passes, of the light that is known. Empty: none;
-  // then `infeasible_` says whether none can.
+  // Levels by which everything that was searched passes, of the light that is known. Empty: none
+  // were found.
   std::optional<Levels> levels_that_judge() {
     for (int tries = 0; tries < kMostTries; ++tries) {
       const LevelAnswer answer = least_levels(problem_, broken(1.0));
       if (!answer.levels) {
-        is_proven_ = answer.is_proven;
+        are_no_steps_ = answer.is_proven_none;
         return std::nullopt;
       }
       bool is_good = true;
@@ -259,8 +268,7 @@ class SceneSearch {
     }
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       Asked& asked = asked_[i];
-      advice_.requirements[i].after =
-          changed.spaces[asked.space].planes[asked.plane].findings[asked.finding];
+      advice_.requirements[i].after = finding_at(changed, asked.where);
       if (!asked.is_searched()) continue;
       if (advice_.requirements[i].after.verdict == rules::Verdict::pass) continue;
       asked.safety *= kMoreSafety;
@@ -282,19 +290,23 @@ class SceneSearch {
     return broken;
   }
 
+  bool is_all_searched_met_now() const {
+    return std::all_of(advice_.requirements.begin(), advice_.requirements.end(),
+                       [](const AdvisedRequirement& one) {
+                         return !one.not_searched.empty() ||
+                                one.before.verdict == rules::Verdict::pass;
+                       });
+  }
+
   // Levels between those found and those of now, which break nothing: what the search knows is met
   // on all of the way, if it is met at both ends, since conditions that are linear leave no gap.
   void raise(const Levels& found, const CheckLevels& check) {
     constexpr int kHalvings = 6;
     const std::vector<std::size_t> broken = broken_by_levels();
-    const bool is_good_now = std::all_of(advice_.requirements.begin(), advice_.requirements.end(),
-                                         [](const AdvisedRequirement& one) {
-                                           return !one.not_searched.empty() ||
-                                                  one.before.verdict == rules::Verdict::pass;
-                                         });
     std::optional<SceneAdvice> best;
     double low = 0.0, high = 1.0;
-    for (int halving = 0; is_good_now && halving < kHalvings; ++halving) {
+    const int halvings = is_all_searched_met_now() ? kHalvings : 0;
+    for (int halving = 0; halving < halvings; ++halving) {
       const double part = 0.5 * (low + high);
       Levels levels{{}, 0.0, found.least_cost};
       for (std::size_t g = 0; g < advice_.groups.size(); ++g) {
@@ -331,37 +343,50 @@ class SceneSearch {
     for (AdvisedRequirement& one : advice_.requirements) one.after = one.before;
   }
 
-  bool can_be_met(double safety_share, double most, const std::set<std::size_t>& without) const {
+  // Levels up to full output, of any size.
+  Can can_be_met(double safety_share, const std::set<std::size_t>& without) const {
     LevelProblem any = problem_;
     any.steps = 0;
-    for (LevelRange& range : any.range) range.high = most;
-    return least_levels(any, broken(safety_share, without)).levels.has_value();
+    const LevelAnswer answer = least_levels(any, broken(safety_share, without));
+    if (answer.levels) return Can::yes;
+    return answer.is_proven_none ? Can::no : Can::unknown;
   }
 
   // Why there are no levels.
   void explain() {
     for (Asked& asked : asked_) asked.safety = 1.0;
-    if (can_be_met(1.0, 1.0, {})) {
-      advice_.reason = is_proven_ ? "there are levels, but none in these steps"
-                                  : "there may be levels in these steps, but the search ended";
+    if (can_be_met(1.0, {}) == Can::yes) {
+      advice_.reason = are_no_steps_ ? "there are levels, but none in these steps"
+                                     : "there may be levels in these steps, but the search ended";
       return;
     }
-    if (can_be_met(0.0, 1.0, {})) {
-      advice_.outcome = AdviceOutcome::too_uncertain;
+    if (is_all_searched_met_now()) {
+      advice_.reason =
+          "the levels of now pass, and none were found whose conditions are met with room";
       return;
+    }
+    switch (can_be_met(0.0, {})) {
+      case Can::yes:
+        advice_.outcome = AdviceOutcome::too_uncertain;
+        return;
+      case Can::unknown:
+        advice_.reason = "the search ended before it knew whether there are levels";
+        return;
+      case Can::no:
+        break;
     }
     find_contradiction();
     find_more_light();
   }
 
-  // What cannot be met together: one after the other is left out, and comes back if there are
-  // levels without it.
+  // What cannot be met together: one after the other is left out, and comes back unless there are
+  // still surely no levels without it.
   void find_contradiction() {
     std::set<std::size_t> without;
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       if (!asked_[i].is_searched()) continue;
       without.insert(i);
-      if (can_be_met(0.0, 1.0, without)) {
+      if (can_be_met(0.0, without) != Can::no) {
         without.erase(i);
         advice_.contradicting.push_back(i);
       }
@@ -371,14 +396,19 @@ class SceneSearch {
 
   void find_more_light() {
     LevelProblem more = problem_;
-    more.steps = 0;
-    for (LevelRange& range : more.range) range.high = kMostLight;
+    for (LevelRange& range : more.range) range.high = kMostAdvisedLight;
     for (int tries = 0; tries < kMostTries; ++tries) {
       const LevelAnswer answer = least_levels(more, broken(1.0));
-      if (!answer.levels) return;
+      if (!answer.levels) break;
       bool is_good = true;
       for (std::size_t i = 0; i < asked_.size(); ++i) {
-        if (asked_[i].light == nullptr) continue;
+        if (asked_[i].light == nullptr) {
+          rules::Finding& after = advice_.requirements[i].after;
+          after = advice_.requirements[i].before;
+          after.verdict = rules::Verdict::not_judged;
+          after.reason = "nobody has calculated it for more light than there is";
+          continue;
+        }
         rules::Finding finding = judged(asked_[i], answer.levels->level);
         if (asked_[i].is_searched() && finding.verdict != rules::Verdict::pass) {
           asked_[i].safety *= kMoreSafety;
@@ -399,10 +429,14 @@ class SceneSearch {
   SceneAdvice advice_;
   std::vector<Asked> asked_;
   LevelProblem problem_;
-  bool is_proven_ = true;
+  bool are_no_steps_ = false;  // proven: no levels in whole steps
 };
 
 }  // namespace
+
+const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where) {
+  return part.spaces[where.space].planes[where.plane].findings[where.finding];
+}
 
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
                                      const AdviceSettings& settings, const CheckLevels& check) {

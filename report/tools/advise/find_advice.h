@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,15 @@ struct AdviceSettings {
   double confidence = 0.95;  // of the check
   std::string scene;         // only this one; "" = all
   bool is_one_scene = false;
+  std::function<bool()> is_stopped = [] { return false; };  // then what is returned says little
 };
 
 // The changed project, checked with other random numbers. Empty: it could not be; `reason` says
 // why.
 using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
                                                                      std::string& reason)>;
+
+const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where);
 
 // part: judged. A scene's requirements that are waived, or only advice, are left out.
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,

@@ -77,58 +77,66 @@ Unknowns unknowns_of(const LevelProblem& problem) {
   return result;
 }
 
-// Empty: there are none.
-std::optional<std::vector<double>> solve_any(const Unknowns& unknowns, const Rows& rows) {
+// Both solvers take a program in the same way.
+template <class Model, class LoadProblem>
+void load(Model* model, LoadProblem load_problem, const Unknowns& unknowns, const Rows& rows) {
+  const Rows::Columns columns = rows.columns();
+  const std::vector<double> open(rows.at_least().size(), std::numeric_limits<double>::max());
+  load_problem(model, static_cast<int>(unknowns.cost.size()), rows.count(), columns.start.data(),
+               columns.row.data(), columns.value.data(), unknowns.low.data(), unknowns.high.data(),
+               unknowns.cost.data(), rows.at_least().data(), open.data());
+}
+
+// What a solver says of a program.
+struct Solution {
+  std::optional<std::vector<double>> unknown;
+  bool is_proven = false;  // the best; or, without any, that there are none
+  double bound = 0.0;      // no solution costs less
+};
+
+Solution solve_any(const Unknowns& unknowns, const Rows& rows) {
+  constexpr int kOptimal = 0, kInfeasible = 1;  // Clp_status()
   const CoinLibrary& coin = coin_library();
   const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(coin.Clp_newModel(),
                                                                        coin.Clp_deleteModel);
   coin.Clp_setLogLevel(model.get(), 0);
-  const Rows::Columns columns = rows.columns();
-  const std::vector<double> open(rows.at_least().size(), std::numeric_limits<double>::max());
-  const int count = static_cast<int>(unknowns.cost.size());
-  coin.Clp_loadProblem(model.get(), count, rows.count(), columns.start.data(), columns.row.data(),
-                       columns.value.data(), unknowns.low.data(), unknowns.high.data(),
-                       unknowns.cost.data(), rows.at_least().data(), open.data());
+  load(model.get(), coin.Clp_loadProblem, unknowns, rows);
   coin.Clp_dual(model.get(), 0);
-  if (coin.Clp_status(model.get()) != 0) coin.Clp_primal(model.get(), 0);
-  if (coin.Clp_status(model.get()) != 0) return std::nullopt;
+  if (coin.Clp_status(model.get()) != kOptimal) coin.Clp_primal(model.get(), 0);
+  Solution answer;
+  const int status = coin.Clp_status(model.get());
+  answer.is_proven = status == kOptimal || status == kInfeasible;
+  if (status != kOptimal) return answer;
   const double* solution = coin.Clp_getColSolution(model.get());
-  return std::vector<double>(solution, solution + count);
+  answer.unknown.emplace(solution, solution + unknowns.cost.size());
+  return answer;
 }
 
-struct StepAnswer {
-  std::optional<std::vector<double>> steps;
-  bool is_proven = true;
-  double bound = 0.0;
-};
-
-StepAnswer solve_steps(const Unknowns& unknowns, const Rows& rows) {
+Solution solve_steps(const Unknowns& unknowns, const Rows& rows) {
   const CoinLibrary& coin = coin_library();
   const std::unique_ptr<Cbc_Model, decltype(&Cbc_deleteModel)> model(coin.Cbc_newModel(),
                                                                      coin.Cbc_deleteModel);
   coin.Cbc_setLogLevel(model.get(), 0);
-  const Rows::Columns columns = rows.columns();
-  const std::vector<double> open(rows.at_least().size(), std::numeric_limits<double>::max());
-  const int count = static_cast<int>(unknowns.cost.size());
-  coin.Cbc_loadProblem(model.get(), count, rows.count(), columns.start.data(), columns.row.data(),
-                       columns.value.data(), unknowns.low.data(), unknowns.high.data(),
-                       unknowns.cost.data(), rows.at_least().data(), open.data());
-  for (int i = 0; i < count; ++i) coin.Cbc_setInteger(model.get(), i);
+  load(model.get(), coin.Cbc_loadProblem, unknowns, rows);
+  for (int i = 0; i < static_cast<int>(unknowns.cost.size()); ++i) {
+    coin.Cbc_setInteger(model.get(), i);
+  }
   coin.Cbc_setMaximumNodes(model.get(), kMostNodes);
   coin.Cbc_setParameter(model.get(), "randomSeed", "1");
   coin.Cbc_setParameter(model.get(), "threads", "0");
   coin.Cbc_solve(model.get());
-  StepAnswer answer;
-  answer.is_proven =
-      coin.Cbc_isProvenOptimal(model.get()) != 0 || coin.Cbc_isProvenInfeasible(model.get()) != 0;
-  if (coin.Cbc_isProvenInfeasible(model.get()) != 0 ||
-      coin.Cbc_numberSavedSolutions(model.get()) == 0) {
+  Solution answer;
+  const bool is_infeasible = coin.Cbc_isProvenInfeasible(model.get()) != 0;
+  answer.is_proven = is_infeasible || coin.Cbc_isProvenOptimal(model.get()) != 0;
+  if (is_infeasible) return answer;
+  if (coin.Cbc_numberSavedSolutions(model.get()) == 0) {
+    answer.is_proven = false;
     return answer;
   }
   answer.bound = coin.Cbc_getBestPossibleObjValue(model.get());
   const double* solution = coin.Cbc_getColSolution(model.get());
-  answer.steps.emplace(solution, solution + count);
-  for (double& one : *answer.steps) one = std::round(one);
+  answer.unknown.emplace(solution, solution + unknowns.cost.size());
+  for (double& one : *answer.unknown) one = std::round(one);
   return answer;
 }
 
@@ -169,29 +177,27 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
   for (int round = 0;; ++round) {
     std::vector<rules::LevelCondition> more = broken(level);
     if (more.empty()) break;
-    if (round == kMostRounds) return {std::nullopt, false};
+    if (round == kMostRounds || problem.is_stopped()) return {};
     for (rules::LevelCondition& one : more) known.push_back(std::move(one));
-    const auto found = solve_any(of_any, rows_with(1.0));
-    if (!found) return {};
-    level = levels_of_steps(*found, any);
+    const Solution found = solve_any(of_any, rows_with(1.0));
+    if (!found.unknown) return {std::nullopt, found.is_proven};
+    level = levels_of_steps(*found.unknown, any);
     least_cost = cost_of(problem, level);
   }
-  if (problem.steps == 0) return {Levels{level, least_cost, least_cost}, true};
-  bool is_proven = true;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const StepAnswer answer = solve_steps(of_steps, rows_with(of_steps.step));
-    is_proven = is_proven && answer.is_proven;
-    if (!answer.steps) return {std::nullopt, is_proven};
-    level = levels_of_steps(*answer.steps, problem);
+  if (problem.steps == 0) return {Levels{level, least_cost, least_cost}, false};
+  for (int round = 0; round < kMostRounds && !problem.is_stopped(); ++round) {
+    const Solution answer = solve_steps(of_steps, rows_with(of_steps.step));
+    if (!answer.unknown) return {std::nullopt, answer.is_proven};
+    level = levels_of_steps(*answer.unknown, problem);
     std::vector<rules::LevelCondition> more = broken(level);
     if (more.empty()) {
       const double cost = cost_of(problem, level);
       return {Levels{level, cost, answer.is_proven ? cost : std::max(least_cost, answer.bound)},
-              is_proven};
+              false};
     }
     for (rules::LevelCondition& one : more) known.push_back(std::move(one));
   }
-  return {std::nullopt, false};
+  return {};
 }
 
 }  // namespace cli

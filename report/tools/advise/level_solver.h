@@ -18,6 +18,7 @@ struct LevelProblem {
   std::vector<double> cost;       // [group], of a level of 1, > 0
   std::vector<LevelRange> range;  // [group], whole steps
   int steps = 100;                // levels are multiples of 1 / steps; 0: any number
+  std::function<bool()> is_stopped = [] { return false; };  // asked between the solver's runs
 };
 
 struct Levels {
@@ -31,12 +32,12 @@ struct Levels {
 using BrokenConditions =
     std::function<std::vector<rules::LevelCondition>(const std::vector<double>& level)>;
 
-// Empty: no levels meet all conditions (or, in steps, none were found: then `is_proven` is false).
 // The same input gives the same levels: nothing hangs on time.
 // solver_problem() is "".
 struct LevelAnswer {
   std::optional<Levels> levels;
-  bool is_proven = true;
+  // Without levels: there are none. False: the search ended before it knew.
+  bool is_proven_none = false;
 };
 LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& broken);
 

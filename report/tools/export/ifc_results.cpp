@@ -419,7 +419,7 @@ class ResultsWriter {
       } else if (!found->second->hole_m.empty()) {
         // A result has what stands in them as solids, and nobody says which these were.
         placed.doubt = fmt::format(
-            "the room of the model has {} holes in its floor, and whether they are those of the "
+            "the room of the model has holes in its floor ({}), and whether they are those of the "
             "result is not known",
             found->second->hole_m.size());
         unknown.push_back(name);

@@ -64,6 +64,26 @@ TEST(DataSheets, TypesOfOneLightShareASheet) {
   EXPECT_TRUE(is_xml(sheets.html));
 }
 
+// The same file, and what is drawn of the types is different light.
+TEST(DataSheets, LightsOfOneFileMayDiffer) {
+  ProjectPart project;
+  project.luminaires = {row("a", "abc"), row("b", "abc"), row("c", "abc"), row("d", "abc")};
+  for (LuminaireRow& one : project.luminaires) {
+    one.max_intensity_cd = 500;
+    one.c0_cd = {100, 500, 100};
+    one.c90_cd = {80, 500, 80};
+  }
+  LuminaireRow& twice = project.luminaires[1];  // as much light, and the same curves
+  twice.flux_lm *= 2;
+  twice.max_intensity_cd *= 2;
+  for (std::vector<double>* curve : {&twice.c0_cd, &twice.c90_cd}) {
+    for (double& cd : *curve) cd *= 2;
+  }
+  project.luminaires[2].c90_cd = {90, 500, 90};
+  project.luminaires[3].max_intensity_cd = 600;
+  EXPECT_EQ(data_sheets({}, project, 1, OneLight(batwing(15)), 0).entries.size(), 3U);
+}
+
 TEST(DataSheets, SayWhyThereIsNone) {
   ProjectPart project;
   EXPECT_EQ(data_sheets({}, project, 0, OneLight(Text::sheet_not_found), 0).html, "");

@@ -268,6 +268,22 @@ TEST(HtmlAnnex, HasEveryValueOnceInTablesThatPaperHolds) {
   }
 }
 
+// What stands beside others is not cut between pages.
+TEST(HtmlAnnex, OnlySmallTablesStandBesideOthers) {
+  const std::string beside = "class=\"values beside\"", alone = "class=\"values\"";
+  const auto rows = [](int count) {
+    Document document = wide(10);
+    document.projects[0].spaces[0].planes[0].grid.rows = count;
+    return annex_of(document, Annex::automatic);
+  };
+  EXPECT_THAT(rows(2), HasSubstr(beside));
+  EXPECT_THAT(rows(25), HasSubstr(beside));
+  EXPECT_THAT(rows(26), AllOf(HasSubstr(alone), Not(HasSubstr(beside))));
+  EXPECT_THAT(annex_of(wide(18), Annex::automatic), HasSubstr(beside));
+  EXPECT_THAT(annex_of(wide(19), Annex::automatic),
+              AllOf(HasSubstr(alone), Not(HasSubstr(beside))));
+}
+
 TEST(HtmlAnnex, IsLeftOutWhereItIsLongAndSaysSo) {
   const std::string words = annex_of(wide(1300), Annex::automatic);
   EXPECT_THAT(words, HasSubstr("600 values"));

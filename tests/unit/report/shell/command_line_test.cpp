@@ -218,7 +218,8 @@ TEST(Options, GeometryTakesFilesUnitsAndAxis) {
 }
 
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
-  expect_usage_error({}, "no command: check, watch, sweep, advise, report, plan, submit, validate,");
+  expect_usage_error({},
+                     "no command: check, watch, sweep, advise, report, plan, submit, validate,");
   expect_usage_error({"check"}, "no project: PROJECT.xml or --files-from is needed");
   expect_usage_error({"chek", "a.xml"}, "did you mean 'check'?");
   expect_usage_error({"check", "a.xml", "--frmat", "csv"}, "--frmat");

@@ -49,7 +49,6 @@ TEST(LevelSolver, TakesTheCheaperGroup) {
 TEST(LevelSolver, KeepsToItsSteps) {
   const LevelAnswer answer = least_levels(two_groups(8), broken_of(kTwoPoints));
   ASSERT_TRUE(answer.levels);
-  EXPECT_TRUE(answer.is_proven);
   // One step less in any group lacks light at one of the points.
   EXPECT_EQ(answer.levels->level, (std::vector<double>{5.0 / 8.0, 5.0 / 8.0}));
   EXPECT_LE(answer.levels->least_cost, answer.levels->cost);
@@ -60,7 +59,7 @@ TEST(LevelSolver, KnowsWhatCannotBe) {
   dark.push_back({{-400, -400}, -300, 2});  // at most 300 lx where both add up
   const LevelAnswer answer = least_levels(two_groups(100), broken_of(dark));
   EXPECT_FALSE(answer.levels);
-  EXPECT_TRUE(answer.is_proven);
+  EXPECT_TRUE(answer.is_proven_none);
 }
 
 TEST(LevelSolver, KnowsThatNoStepIsBetween) {
@@ -71,8 +70,18 @@ TEST(LevelSolver, KnowsThatNoStepIsBetween) {
   EXPECT_TRUE(least_levels(two_groups(10), broken_of(between(0.399, 0.45))).levels);
   const LevelAnswer none = least_levels(two_groups(10), broken_of(between(0.41, 0.45)));
   EXPECT_FALSE(none.levels);
-  EXPECT_TRUE(none.is_proven);
+  EXPECT_TRUE(none.is_proven_none);
   EXPECT_TRUE(least_levels(two_groups(0), broken_of(between(0.41, 0.45))).levels);
+}
+
+TEST(LevelSolver, SaysNothingWhenItIsStopped) {
+  for (const int steps : {0, 10}) {
+    LevelProblem problem = two_groups(steps);
+    problem.is_stopped = [] { return true; };
+    const LevelAnswer answer = least_levels(problem, broken_of(kTwoPoints));
+    EXPECT_FALSE(answer.levels);
+    EXPECT_FALSE(answer.is_proven_none);
+  }
 }
 
 TEST(LevelSolver, NeedsNothingForNothing) {
@@ -108,7 +117,7 @@ TEST(LevelSolver, IsNeverDearerThanAllCombinations) {
                                 problem.cost[2] * level[2]);
     }
     const LevelAnswer answer = least_levels(problem, broken_of(all));
-    ASSERT_TRUE(answer.is_proven);
+    ASSERT_NE(answer.levels.has_value(), answer.is_proven_none);
     ASSERT_EQ(answer.levels.has_value(), best < std::numeric_limits<double>::infinity());
     if (!answer.levels) continue;
     ++feasible;

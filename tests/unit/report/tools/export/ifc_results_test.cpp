@@ -320,7 +320,7 @@ TEST(IfcResults, HolesOfTheModelAreDoubted) {
   const Written w(holed, document);
   ASSERT_TRUE(w.with) << w.problem;
   EXPECT_EQ(w.words(kRoom, "Verdict"), "pass, but see Doubt");
-  EXPECT_THAT(w.words(kRoom, "Doubt"), HasSubstr("1 holes in its floor"));
+  EXPECT_THAT(w.words(kRoom, "Doubt"), HasSubstr("holes in its floor (1)"));
 }
 
 TEST(IfcResults, ARoomIsFoundByTheIdThatItHad) {
