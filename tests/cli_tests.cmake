@@ -12,6 +12,7 @@ luxgate_test(cli_tests
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/shell/help_text_test.cpp
+    unit/report/tools/advise/advice_json_test.cpp
     unit/report/tools/advise/level_solver_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
@@ -41,6 +42,7 @@ luxgate_test(cli_tests
     unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json"
+  LUXGATE_ADVICE_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/advise/advice.schema.json"
   LUXGATE_MANUAL="${PROJECT_SOURCE_DIR}/report/cli/MANUAL.md")
 
 add_executable(compare_csv tools/compare_csv.cpp)

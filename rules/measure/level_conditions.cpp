@@ -135,12 +135,19 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
   }
   light_.resize(kind_ == Kind::average ? 1 : points.size());
   if (kind_ != Kind::average) point_ = points;
+  if (kind_ == Kind::of_average) average_lx_.resize(groups_ + 1);
   for (std::size_t g = 0; g < of_group.size(); ++g) {
     PointValues& values = of_group[g];
     const double t = one_sided_t(values.replicates, 0.5 * (1.0 - level));
     if (kind_ == Kind::of_average) {
       // Point less its share of the average, replicate by replicate: what both have in common
       // does not count twice.
+      const ReplicateSample own = summarize(values, 0, values.replicates);
+      average_lx_[g] = plane_limits(own, t).value;
+      for (std::size_t i = 0; i < values.points; ++i) {
+        light_[i].own_lx.resize(groups_ + 1);
+        light_[i].own_lx[g] = point_limits(own, i, t).value;
+      }
       const std::vector<double> means = plane_means(values);
       for (std::size_t r = 0; r < values.replicates; ++r) {
         for (std::size_t i = 0; i < values.points; ++i) {
@@ -160,6 +167,38 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
     }
   }
   if (kind_ == Kind::of_average) limit_ = 0.0;
+}
+
+std::vector<double> LevelConditions::light_lx(const LevelCondition& condition,
+                                              const std::vector<double>& level) const {
+  std::size_t index = 0;
+  if (kind_ != Kind::average) {
+    index = static_cast<std::size_t>(std::find(point_.begin(), point_.end(), condition.point) -
+                                     point_.begin());
+  }
+  const Light& light = light_.at(index);
+  std::vector<double> lx = light.own_lx.empty() ? light.lx : light.own_lx;
+  for (std::size_t g = 0; g < groups_; ++g) lx[g] *= level[g];
+  return lx;
+}
+
+double LevelConditions::lx_per_limit(const std::vector<double>& level) const {
+  const auto sum_of = [&](const std::vector<double>& lx) {
+    double sum = lx[groups_];
+    for (std::size_t g = 0; g < groups_; ++g) sum += level[g] * lx[g];
+    return sum;
+  };
+  switch (kind_) {
+    case Kind::of_average:
+      return sum_of(average_lx_);
+    case Kind::of_maximum: {
+      double greatest = 0.0;
+      for (const Light& light : light_) greatest = std::max(greatest, sum_of(light.lx));
+      return greatest;
+    }
+    default:
+      return is_upper_ ? -1.0 : 1.0;
+  }
 }
 
 LevelCondition LevelConditions::condition(const Light& light, double safety) const {

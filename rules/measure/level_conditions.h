@@ -18,6 +18,7 @@ struct LevelCondition {
   std::vector<double> coefficient;  // [group]
   double at_least = 0.0;
   std::optional<std::size_t> point;  // of the grid, which it is about
+  std::size_t asked_by = 0;          // for whoever collects them: of which requirement
 
   // How much the levels have too little, lx; <= 0: met. level: [group].
   double lack(const std::vector<double>& level) const;
@@ -42,12 +43,21 @@ class LevelConditions {
   std::vector<LevelCondition> broken(const std::vector<double>& level, double safety,
                                      std::size_t most) const;
 
+  // What gives the light that one of these conditions is about, at its point or on average: each
+  // group with its level, and last what no level changes; lx, [group + 1].
+  std::vector<double> light_lx(const LevelCondition& condition,
+                               const std::vector<double>& level) const;
+  // How many lx more its conditions ask for if the limit is greater by one, with these levels; < 0
+  // of a limit from above. Of a limit in lx 1 or -1; of a share what it is a share of.
+  double lx_per_limit(const std::vector<double>& level) const;
+
  private:
   enum class Kind { each_point, average, of_average, of_maximum };
   // What each unit of level adds to a value, and half the width of its interval. [group], then the
   // light that no level changes.
   struct Light {
     std::vector<double> lx, below_lx, above_lx;
+    std::vector<double> own_lx;  // of uniformities: of the point itself; else empty, and lx is
   };
 
   LevelCondition condition(const Light& light, double safety) const;
@@ -60,6 +70,7 @@ class LevelConditions {
   std::size_t groups_ = 0;
   std::vector<Light> light_;        // one for each condition, or for each point
   std::vector<std::size_t> point_;  // of the grid; as many, but of averages none
+  std::vector<double> average_lx_;  // of a share of the average; [group + 1]
   std::string problem_;
 };
 

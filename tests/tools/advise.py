@@ -16,7 +16,13 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
 failures = []
+schema = None
 
 
 def expect(condition, words):
@@ -25,13 +31,31 @@ def expect(condition, words):
         print("FAILED: " + words)
 
 
+def is_by_schema(advice):
+    return not list(jsonschema.Draft7Validator(schema).iter_errors(advice))
+
+
+def schema_finds(advice):
+    """The schema is not one that everything fulfils."""
+    for change in (lambda scene: scene.update(outcome="good"), lambda scene: scene.pop("groups"),
+                   lambda scene: scene["requirements"][0]["before"].update(value="x"),
+                   lambda scene: scene["limits"][0].update(requirement=-1),
+                   lambda scene: scene["limits"][0].update(place_m=[1, 2]), lambda scene: scene.update(unit="kW")):
+        changed = json.loads(json.dumps(advice))
+        change(changed["scenes"][0])
+        expect(not is_by_schema(changed), "the schema finds what is changed")
+
+
 def run(*command):
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def advise(luxgate, project, *options):
     done = run(luxgate, "advise", project, "--quiet", "--json", *options)
-    return done.returncode, json.loads(done.stdout) if done.stdout.startswith("{") else None, done.stderr
+    advice = json.loads(done.stdout) if done.stdout.startswith("{") else None
+    if advice and schema:
+        expect(is_by_schema(advice), f"{project}: the advice is not what its schema says")
+    return done.returncode, advice, done.stderr
 
 
 def room(requirements, groups=(("a", "1.5 2 2.79"), ("b", "4.5 2 2.79")), scenes=""):
@@ -61,6 +85,9 @@ def known_cases(luxgate, examples, work):
     full = advice["scenes"][0]
     expect(code == 0 and full["outcome"] == "levels" and full["is_all_met"], "the office has levels")
     expect(full["least"] <= full["advised"] < full["now"] == 540, "the office saves power")
+    if schema:
+        schema_finds(advice)
+    expect(full["limits"] and all(one["saved_per_percent"] > 0 for one in full["limits"]), "it is said what limits")
     expect(all(one["after"]["verdict"] == "pass" for one in full["requirements"]), "every requirement is said to pass")
     done = run(luxgate, "check", dimmed, "--seed", "77", "--quiet")
     expect(done.returncode == 0, f"the office with these levels passes: {done.returncode} {done.stderr}")
@@ -69,6 +96,13 @@ def known_cases(luxgate, examples, work):
     expect(levels == {row["group"]: row["level"] for row in full["groups"]}, "the levels are those that were said")
     again, same, _ = advise(luxgate, os.path.join(copied, "project.xml"), "--jobs", "1")
     expect(again == code and same == advice, "the same advice with one thread")
+
+    done = run(luxgate, "advise", os.path.join(copied, "project.xml"), "--quiet", "--format", "markdown")
+    rows = [line for line in done.stdout.splitlines() if line.startswith("| ")]
+    expected = sum(2 + len(one["groups"]) + len(one["requirements"]) for one in advice["scenes"])
+    expect(done.returncode == 0 and len(rows) == expected,
+           f"Markdown has a row for each group and requirement: {done.stdout}")
+    expect("looser by 1 %" in done.stdout and "345.6 W" in done.stdout, f"Markdown says what limits: {done.stdout}")
 
     corridor = os.path.join(examples, "05-failing-corridor", "project.xml")
     code, advice, _ = advise(luxgate, corridor)
@@ -146,6 +180,11 @@ def known_cases(luxgate, examples, work):
     scene = advice["scenes"][0]
     value = scene["requirements"][0]["before"]
     level = scene["groups"][0]["level"]
+    limit = scene["limits"][0]
+    expect(len(scene["limits"]) == 1 and abs(limit["saved_per_percent"] / (0.01 * scene["least"]) - 1) < 0.02,
+           f"one group: all power hangs on the limit: {limit}")
+    expect(abs(limit["lx_of_group"][0] / 100 - 1) < 0.03 and limit["lx_of_others"] == 0 and "place_m" not in limit,
+           f"one group gives all light: {limit}")
     expect(code == 0 and level >= 100 / value["high"] and level <= 100 / value["low"] + 0.02, "one group: limit / value")
     code, advice, _ = advise(luxgate, case("tenths", single, groups=(("", "3 2 2.79"),)), "--steps", "10")
     level = advice["scenes"][0]["groups"][0]["level"]
@@ -157,7 +196,7 @@ def known_cases(luxgate, examples, work):
             ("folder", [case("x", single), "--write", os.path.join(os.path.dirname(work), "elsewhere.xml")], "folder"),
             ("itself", [case("x", single), "--write", os.path.join(work, "x.xml")], "project itself"),
             ("steps", [case("x", single), "--steps", "0"], "--steps"),
-            ("html", [case("x", single), "--format", "html"], "text or json"),
+            ("html", [case("x", single), "--format", "html"], "text, json or markdown"),
             ("broken", [write(os.path.join(work, "broken.xml"), "<luxgate")], "broken.xml")):
         done = run(luxgate, "advise", *command)
         expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")
@@ -214,6 +253,11 @@ def main():
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     shutil.copy(os.path.join(examples, "04-office", "photometry", "batwing_1200.ies"), work)
+    if jsonschema:
+        global schema
+        schema = json.loads(run(luxgate, "schema", "--advice").stdout)
+    else:
+        print("python3-jsonschema is not installed: the schema is not looked at")
     known_cases(luxgate, examples, work)
     shares = [random_case(luxgate, work, number) for number in range(1, count + 1)]
     print(f"{count} random rooms: on average {100 * sum(shares) / max(1, count):.1f} % of the power of the levels drawn")

@@ -4,7 +4,10 @@
 #include "calc/base/names.h"
 #include "rules/catalogue/finding.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +47,15 @@ struct AdvisedRequirement {
   std::string not_searched;
 };
 
+// What holds the least cost up.
+struct AdvisedLimit {
+  std::size_t requirement = 0;    // of SceneAdvice::requirements
+  double cost_per_percent = 0.0;  // how much a limit would save that is looser by one percent
+  // Where, and what gives the light there: the worst point, or empty, the average of the plane.
+  std::optional<glm::dvec3> place_m;
+  std::vector<double> lx;  // each group with its level, last the light that no level changes
+};
+
 struct SceneAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
@@ -59,6 +71,8 @@ struct SceneAdvice {
   // Of them: what takes no part in the search and would not be met with the least power, so that
   // the levels are higher.
   std::vector<std::size_t> raised_for;
+  // Of the least levels of any size, dearest first; empty where the levels are not the least ones.
+  std::vector<AdvisedLimit> limits;
   // Aggregates, classes and sums of rule packs that count and do not pass in the changed project:
   // "LEED v4.1 ... (fail)".
   std::vector<std::string> aggregates_not_met;
@@ -79,11 +93,14 @@ struct SceneAdvice {
 struct Advice {
   std::string project;
   std::vector<SceneAdvice> scenes;
-  std::vector<std::string> notes;
 };
 
 std::string render_advice_text(const Advice& advice);
+std::string render_advice_markdown(const Advice& advice);
 std::string render_advice_json(const Advice& advice);
+// JSON Schema (draft 7) of render_advice_json(), made of the same keys. advice.schema.json is what
+// it gives.
+std::string advice_schema();
 
 }  // namespace cli
 

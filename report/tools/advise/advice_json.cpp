@@ -1,89 +1,180 @@
+#include "report/text/json_keys.h"
 #include "report/text/json_layout.h"
 #include "report/tools/advise/advice.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cli {
 namespace {
 
-using AdviceJson = nlohmann::ordered_json;
+using report::at_least_type;
+using report::described_key;
+using report::JsonKeys;
+using report::list_of_keys;
+using report::number_or_null_type;
+using report::object_of_keys;
+using report::one_of_names;
+using report::schema_of_keys;
+using report::type_of;
+
+using AdviceJson = report::KeyedJson;
 
 AdviceJson number_or_null(double value) {
   return std::isfinite(value) ? AdviceJson(value) : AdviceJson(nullptr);
 }
 
-AdviceJson finding_json(const rules::Finding& finding) {
-  AdviceJson json{{"verdict", calc::name_of(finding.verdict)}};
+AdviceJson place(const std::optional<glm::dvec3>& m) {
+  return m ? AdviceJson{m->x, m->y, m->z} : AdviceJson();
+}
+
+AdviceJson place_type() {
+  return {{"type", "array"}, {"items", type_of("number")}, {"minItems", 3}, {"maxItems", 3}};
+}
+
+AdviceJson index_type() {
+  return described_key(at_least_type("integer", 0), "Of requirements, from 0.");
+}
+
+AdviceJson indices(const std::vector<std::size_t>& list) {
+  AdviceJson json = AdviceJson::array();
+  for (const std::size_t i : list) json.push_back(i);
+  return json;
+}
+
+JsonKeys finding_keys(const rules::Finding& finding) {
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  json["value"] = is_judged ? number_or_null(finding.measured.value) : AdviceJson(nullptr);
-  json["low"] = is_judged ? number_or_null(finding.measured.low) : AdviceJson(nullptr);
-  json["high"] = is_judged ? number_or_null(finding.measured.high) : AdviceJson(nullptr);
-  if (finding.place_m) {
-    json["place_m"] = {finding.place_m->x, finding.place_m->y, finding.place_m->z};
-  }
-  if (!finding.reason.empty()) json["reason"] = finding.reason;
-  return json;
+  const auto end = [&](double value) { return is_judged ? number_or_null(value) : AdviceJson(); };
+  return {{"verdict", calc::name_of(finding.verdict), one_of_names<rules::Verdict>()},
+          {"value", end(finding.measured.value), number_or_null_type()},
+          {"low", end(finding.measured.low), number_or_null_type()},
+          {"high", end(finding.measured.high), number_or_null_type()},
+          {"place_m", place(finding.place_m), place_type(), false, finding.place_m.has_value()},
+          {"reason", finding.reason, type_of("string"), false, !finding.reason.empty()}};
 }
 
-AdviceJson requirement_json(const AdvisedRequirement& one, bool has_levels) {
+JsonKeys requirement_keys(const AdvisedRequirement& one, bool has_levels) {
   const rules::Requirement& requirement = one.before.requirement;
-  AdviceJson json{{"space", one.space},
-                  {"plane", requirement.plane_id},
-                  {"id", requirement.id},
-                  {"quantity", calc::name_of(requirement.metric)},
-                  {"comparison", calc::name_of(requirement.comparison)},
-                  {"limit", number_or_null(requirement.limit)},
-                  {"unit", rules::unit_of(requirement)},
-                  {"clause", requirement.clause},
-                  {"is_searched", one.not_searched.empty()}};
-  if (!one.not_searched.empty()) json["not_searched"] = one.not_searched;
-  json["before"] = finding_json(one.before);
-  if (has_levels) json["after"] = finding_json(one.after);
+  return {
+      {"space", one.space, type_of("string")},
+      {"plane", requirement.plane_id, type_of("string")},
+      {"id", requirement.id, type_of("string")},
+      {"quantity", calc::name_of(requirement.metric), type_of("string")},
+      {"comparison", calc::name_of(requirement.comparison), one_of_names<rules::Comparison>()},
+      {"limit", number_or_null(requirement.limit), number_or_null_type()},
+      {"unit", rules::unit_of(requirement), type_of("string")},
+      {"clause", requirement.clause, type_of("string")},
+      {"is_searched", one.not_searched.empty(),
+       described_key(type_of("boolean"), "Whether it is a condition of the search.")},
+      {"not_searched", one.not_searched, described_key(type_of("string"), "Why it is none."), false,
+       !one.not_searched.empty()},
+      {"before", object_of_keys(finding_keys(one.before)), schema_of_keys(finding_keys({}))},
+      {"after", object_of_keys(finding_keys(one.after)),
+       schema_of_keys(finding_keys({}),
+                      "With the levels, by other random numbers; of more-light by the same light. "
+                      "Only where there are levels."),
+       false, has_levels}};
+}
+
+JsonKeys group_keys(const AdvisedGroup& group, bool has_levels) {
+  return {{"group", group.group,
+           described_key(type_of("string"), "Empty: luminaires without a group.")},
+          {"luminaires", group.luminaires, at_least_type("integer", 0)},
+          {"power_w", group.power_w, at_least_type("number", 0)},
+          {"flux_lm", group.flux_lm, at_least_type("number", 0)},
+          {"level_now", group.now, at_least_type("number", 0)},
+          {"level", group.level,
+           described_key(at_least_type("number", 0),
+                         "Above 1: so many times the light. Only where there are levels."),
+           false, has_levels}};
+}
+
+JsonKeys limit_keys(const AdvisedLimit& one) {
+  AdviceJson lx = AdviceJson::array();
+  for (std::size_t g = 0; g + 1 < one.lx.size(); ++g) lx.push_back(number_or_null(one.lx[g]));
+  return {{"requirement", one.requirement, index_type()},
+          {"saved_per_percent", one.cost_per_percent,
+           described_key(at_least_type("number", 0),
+                         "How much a limit would save that is looser by one percent.")},
+          {"place_m", place(one.place_m),
+           described_key(place_type(), "Where the room is least; without: on average."), false,
+           one.place_m.has_value()},
+          {"lx_of_group", std::move(lx), list_of_keys(number_or_null_type())},
+          {"lx_of_others", number_or_null(one.lx.empty() ? 0.0 : one.lx.back()),
+           described_key(number_or_null_type(), "What no level changes.")}};
+}
+
+template <class Item, class Keys>
+AdviceJson list_of(const std::vector<Item>& items, const Keys& keys) {
+  AdviceJson json = AdviceJson::array();
+  for (const Item& item : items) json.push_back(object_of_keys(keys(item)));
   return json;
 }
 
-AdviceJson scene_json(const SceneAdvice& advice) {
-  AdviceJson json{{"scene", advice.scene},
-                  {"outcome", calc::name_of(advice.outcome)},
-                  {"is_all_met", advice.has_levels() && advice.is_all_met()}};
-  if (!advice.reason.empty()) json["reason"] = advice.reason;
-  json["unit"] = advice.is_by_flux ? "lm" : "W";
-  json["now"] = advice.now;
-  if (advice.has_levels()) {
-    json["advised"] = advice.advised;
-    json["least"] = advice.least;
-  }
-  json["groups"] = AdviceJson::array();
-  for (const AdvisedGroup& group : advice.groups) {
-    AdviceJson row{{"group", group.group},
-                   {"luminaires", group.luminaires},
-                   {"power_w", group.power_w},
-                   {"flux_lm", group.flux_lm},
-                   {"level_now", group.now}};
-    if (advice.has_levels()) row["level"] = group.level;
-    json["groups"].push_back(std::move(row));
-  }
-  json["requirements"] = AdviceJson::array();
-  for (const AdvisedRequirement& one : advice.requirements) {
-    json["requirements"].push_back(requirement_json(one, advice.has_levels()));
-  }
-  json["raised_for"] = AdviceJson::array();
-  for (const std::size_t i : advice.raised_for) json["raised_for"].push_back(i);
-  json["aggregates_not_met"] = advice.aggregates_not_met;
-  json["contradicting"] = AdviceJson::array();
-  for (const std::size_t i : advice.contradicting) json["contradicting"].push_back(i);
-  return json;
+JsonKeys scene_keys(const SceneAdvice& advice) {
+  const bool has_levels = advice.has_levels();
+  return {
+      {"scene", advice.scene, described_key(type_of("string"), "Empty: full output.")},
+      {"outcome", calc::name_of(advice.outcome), one_of_names<AdviceOutcome>()},
+      {"is_all_met", has_levels && advice.is_all_met(),
+       described_key(type_of("boolean"),
+                     "There are levels, and everything asked of the scene passes with them.")},
+      {"reason", advice.reason, described_key(type_of("string"), "Of none-found."), false,
+       !advice.reason.empty()},
+      {"unit", advice.is_by_flux ? "lm" : "W",
+       described_key({{"enum", {"lm", "W"}}},
+                     "Of all that is to be saved: lumens where the power of a luminaire is not "
+                     "known.")},
+      {"now", advice.now, described_key(at_least_type("number", 0), "With the levels of now.")},
+      {"advised", advice.advised, at_least_type("number", 0), false, has_levels},
+      {"least", advice.least,
+       described_key(at_least_type("number", 0), "No levels that meet the conditions need less."),
+       false, has_levels},
+      {"groups",
+       list_of(advice.groups,
+               [&](const AdvisedGroup& group) { return group_keys(group, has_levels); }),
+       list_of_keys(schema_of_keys(group_keys({}, true)))},
+      {"requirements",
+       list_of(advice.requirements,
+               [&](const AdvisedRequirement& one) { return requirement_keys(one, has_levels); }),
+       list_of_keys(schema_of_keys(requirement_keys({}, true)))},
+      {"limits", list_of(advice.limits, limit_keys),
+       described_key(list_of_keys(schema_of_keys(limit_keys({}))),
+                     "What holds the least cost up, dearest first; empty where the levels are not "
+                     "the least ones.")},
+      {"raised_for", indices(advice.raised_for),
+       described_key(list_of_keys(index_type()),
+                     "Requirements that take no part in the search and would not be met with the "
+                     "least cost, so that the levels are higher.")},
+      {"aggregates_not_met", advice.aggregates_not_met,
+       described_key(list_of_keys(type_of("string")),
+                     "Aggregates, classes and sums of rule packs that do not pass with the levels "
+                     "(verdict).")},
+      {"contradicting", indices(advice.contradicting),
+       described_key(list_of_keys(index_type()),
+                     "Requirements that surely cannot be met together by dimming.")}};
+}
+
+JsonKeys advice_keys(const Advice& advice) {
+  return {
+      {"format", "luxgate-advice", {{"const", "luxgate-advice"}}},
+      {"format_version", 1, {{"const", 1}}},
+      {"project", advice.project, type_of("string")},
+      {"scenes", list_of(advice.scenes, scene_keys), list_of_keys(schema_of_keys(scene_keys({})))}};
 }
 
 }  // namespace
 
 std::string render_advice_json(const Advice& advice) {
-  AdviceJson json{{"format", "luxgate-advice"}, {"format_version", 1}, {"project", advice.project}};
-  json["scenes"] = AdviceJson::array();
-  for (const SceneAdvice& scene : advice.scenes) json["scenes"].push_back(scene_json(scene));
-  return report::json_layout(json);
+  return report::json_layout(object_of_keys(advice_keys(advice)));
+}
+
+std::string advice_schema() {
+  return report::json_layout(report::schema_of_file("luxgate advise", advice_keys({})));
 }
 
 }  // namespace cli

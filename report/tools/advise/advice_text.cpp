@@ -2,11 +2,14 @@
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 #include "report/tools/advise/advice.h"
+#include "report/tools/advise/advice_words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -14,28 +17,6 @@ namespace {
 
 // Of what limits; all are in the JSON.
 constexpr std::size_t kMostNamedLimits = 5;
-
-std::string cost_words(const SceneAdvice& advice, double cost) {
-  return advice.is_by_flux ? report::format_lumens(cost) + " lm"
-                           : report::format_watts(cost) + " W";
-}
-
-std::string name_of_group(const std::string& group) {
-  return group.empty() ? "(without a group)" : report::printable(group);
-}
-
-std::string requirement_words(const AdvisedRequirement& one) {
-  const rules::Requirement& requirement = one.before.requirement;
-  const std::string limit = report::format_limit(requirement.limit, rules::unit_of(requirement));
-  return fmt::format("{}, {}: {} {} {}", report::printable(one.space), report::printable(one.plane),
-                     report::quantity_words(requirement),
-                     rules::comparison_name(requirement.comparison), limit);
-}
-
-std::string value_words(const rules::Finding& finding) {
-  if (finding.verdict == rules::Verdict::not_judged) return "not judged";
-  return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
-}
 
 std::string group_table(const SceneAdvice& advice) {
   std::size_t width = 5;
@@ -54,7 +35,7 @@ std::string group_table(const SceneAdvice& advice) {
   return text;
 }
 
-std::string limits(const SceneAdvice& advice) {
+std::string nearest_limits(const SceneAdvice& advice) {
   std::vector<const AdvisedRequirement*> near;
   for (const AdvisedRequirement& one : advice.requirements) {
     if (one.not_searched.empty() && one.after.verdict == rules::Verdict::pass) near.push_back(&one);
@@ -73,6 +54,22 @@ std::string limits(const SceneAdvice& advice) {
   return text.empty() ? "" : "  Nearest to their limits:\n" + text;
 }
 
+std::string what_limits(const SceneAdvice& advice) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostNamedLimits, advice.limits.size()); ++i) {
+    const AdvisedLimit& limit = advice.limits[i];
+    const AdvisedRequirement& one = advice.requirements[limit.requirement];
+    text += fmt::format(
+        "    {}: {}{}; {}\n", requirement_words(one), value_words(one.after),
+        limit.place_m ? ", least room at " + report::format_position(*limit.place_m) : "",
+        cost_words(advice, limit.cost_per_percent));
+    if (const std::string shares = share_words(advice, limit); !shares.empty()) {
+      text += "      " + shares + "\n";
+    }
+  }
+  return "  What limits, and what a limit looser by 1 % would save:\n" + text;
+}
+
 std::string not_met(const SceneAdvice& advice) {
   std::string text;
   for (const AdvisedRequirement& one : advice.requirements) {
@@ -85,12 +82,6 @@ std::string not_met(const SceneAdvice& advice) {
     text += "    " + report::printable(one) + "\n";
   }
   return text.empty() ? "" : "  Not met with these levels:\n" + text;
-}
-
-std::string saving_words(const SceneAdvice& advice) {
-  if (!(advice.now > 0.0)) return "";
-  const double share = advice.advised / advice.now - 1.0;
-  return fmt::format(" ({}{:.1f} %)", share > 0.0 ? "+" : "", 100.0 * share);
 }
 
 std::string found_words(const SceneAdvice& advice) {
@@ -110,39 +101,14 @@ std::string found_words(const SceneAdvice& advice) {
                           value_words(advice.requirements[i].after));
     }
   }
-  return text + group_table(advice) + limits(advice) + not_met(advice);
+  return text + group_table(advice) +
+         (advice.limits.empty() ? nearest_limits(advice) : what_limits(advice)) + not_met(advice);
 }
 
 std::string scene_text(const SceneAdvice& advice) {
-  std::string text = advice.scene.empty()
-                         ? "Full output:"
-                         : fmt::format("Scene '{}':", report::printable(advice.scene));
-  const std::string asked = fmt::format("{} requirements", advice.requirements.size());
-  switch (advice.outcome) {
-    case AdviceOutcome::levels: {
-      const auto met = std::count_if(
-          advice.requirements.begin(), advice.requirements.end(),
-          [](const AdvisedRequirement& one) { return one.after.verdict == rules::Verdict::pass; });
-      text += fmt::format(" levels found; checked with other random numbers, {} of {} pass\n", met,
-                          asked);
-      return text + found_words(advice);
-    }
-    case AdviceOutcome::more_light:
-      text +=
-          " no levels up to full output meet all conditions; with more light these would, by\n"
-          "  the same light as calculated (100 % is what the luminaires have)\n";
-      text += found_words(advice);
-      break;
-    case AdviceOutcome::contradiction:
-      text += fmt::format(
-          " no levels meet all conditions; none up to {:g} times the light were found either\n",
-          kMostAdvisedLight);
-      break;
-    case AdviceOutcome::too_uncertain:
-      return text + " the intervals are too wide to find levels; a smaller --tolerance helps\n";
-    case AdviceOutcome::none_found:
-      return text + fmt::format(" no levels: {}\n", report::printable(advice.reason));
-  }
+  std::string text = fmt::format("{}: {}\n", scene_words(advice), outcome_words(advice));
+  if (advice.has_levels()) text += found_words(advice);
+  if (advice.contradicting.empty()) return text;
   text += "  These cannot be met together by dimming; without any one of them all others can:\n";
   for (const std::size_t i : advice.contradicting) {
     text += fmt::format("    {}: {} now\n", requirement_words(advice.requirements[i]),

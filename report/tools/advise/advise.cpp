@@ -333,7 +333,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     reason = diagnostics.all().front().message;
     return std::nullopt;
   };
-  Advice advice{options.project, {}, {}};
+  Advice advice{options.project, {}};
   advice.scenes = find_advice(
       part, keeper.light(),
       {options.steps, check.settings.confidence, options.scene, options.has_scene, interrupted},
@@ -353,7 +353,9 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const std::string text = write_data_outputs(
       options.outputs,
       [&](DataFormat kind) {
-        return kind == DataFormat::json ? render_advice_json(advice) : render_advice_text(advice);
+        return kind == DataFormat::json       ? render_advice_json(advice)
+               : kind == DataFormat::markdown ? render_advice_markdown(advice)
+                                              : render_advice_text(advice);
       },
       check.output.quiet, written);
   print_diagnostics(written.all(), true);
@@ -367,7 +369,7 @@ std::string complete_advise(AdviseOptions& options) {
   check.input.projects = {options.project};
   for (const DataOutput& output : options.outputs) {
     if (output.kind == DataFormat::csv || output.kind == DataFormat::html) {
-      return "--format: text or json";
+      return "--format: text, json or markdown";
     }
   }
   if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
@@ -401,8 +403,9 @@ Command advise_command() {
        some_text(options->write_file)}};
   add(command.options,
       data_format_options(options->outputs,
-                          "text or json, into a file or to standard output; default text. Can be "
-                          "repeated"));
+                          "text, json or markdown, into a file or to standard output; default\n"
+                          "text. Can be repeated",
+                          true));
   for (Option& option : accuracy_options(check.settings)) {
     if (option.names != "--goal" && option.names != "--by-luminaire") {
       command.options.push_back(std::move(option));

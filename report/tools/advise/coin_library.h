@@ -20,6 +20,7 @@ struct CoinLibrary {
   FUNCTION(Clp_primal)                  \
   FUNCTION(Clp_status)                  \
   FUNCTION(Clp_getColSolution)          \
+  FUNCTION(Clp_getRowPrice)             \
   FUNCTION(Cbc_newModel)                \
   FUNCTION(Cbc_deleteModel)             \
   FUNCTION(Cbc_setLogLevel)             \

@@ -197,6 +197,7 @@ class SceneSearch {
         if (!asked_[i].is_searched() || without.contains(i)) continue;
         std::vector<rules::LevelCondition> some =
             asked_[i].conditions->broken(level, safety_share * asked_[i].safety, kWorstConditions);
+        for (rules::LevelCondition& one : some) one.asked_by = i;
         std::move(some.begin(), some.end(), std::back_inserter(all));
       }
       return all;
@@ -252,6 +253,34 @@ class SceneSearch {
     }
     advice_.advised = levels.cost;
     advice_.least = levels.least_cost;
+    take_limits(levels);
+  }
+
+  void take_limits(const Levels& levels) {
+    advice_.limits.clear();
+    std::map<std::size_t, double> dearest;
+    for (const ConditionPrice& price : levels.price) {
+      const std::size_t i = price.condition.asked_by;
+      const Asked& asked = asked_[i];
+      const double limit = advice_.requirements[i].before.requirement.limit;
+      const double cost =
+          0.01 * limit * price.cost_per_lx * std::abs(asked.conditions->lx_per_limit(levels.level));
+      auto one = std::find_if(advice_.limits.begin(), advice_.limits.end(),
+                              [&](const AdvisedLimit& known) { return known.requirement == i; });
+      if (one == advice_.limits.end()) one = advice_.limits.insert(one, {i, 0.0, {}, {}});
+      one->cost_per_percent += cost;
+      if (cost <= dearest[i]) continue;
+      dearest[i] = cost;
+      one->lx = asked.conditions->light_lx(price.condition, levels.level);
+      one->place_m.reset();
+      if (price.condition.point) {
+        one->place_m = asked.light->grid.position_m[*price.condition.point];
+      }
+    }
+    std::stable_sort(advice_.limits.begin(), advice_.limits.end(),
+                     [](const AdvisedLimit& a, const AdvisedLimit& b) {
+                       return a.cost_per_percent > b.cost_per_percent;
+                     });
   }
 
   // True: all that was searched passes.
@@ -308,7 +337,7 @@ class SceneSearch {
     const int halvings = is_all_searched_met_now() ? kHalvings : 0;
     for (int halving = 0; halving < halvings; ++halving) {
       const double part = 0.5 * (low + high);
-      Levels levels{{}, 0.0, found.least_cost};
+      Levels levels{{}, 0.0, found.least_cost, {}};
       for (std::size_t g = 0; g < advice_.groups.size(); ++g) {
         const double from = found.level[g], to = advice_.groups[g].now;
         // Whole steps, towards the levels of now.

@@ -16,16 +16,22 @@ namespace {
 constexpr int kMostNodes = 5'000;
 // Rounds of asking what is broken. Each brings at least one condition that was not there.
 constexpr int kMostRounds = 2'000;
+// Prices below this share of the whole cost are rounding.
+constexpr double kNoPrice = 1e-6;
+
+// By the largest number in it: the solver's tolerances are absolute.
+double scale_of(const rules::LevelCondition& condition) {
+  double most = 0.0;
+  for (const double c : condition.coefficient) most = std::max(most, std::abs(c));
+  return most > 0.0 ? 1.0 / most : 1.0;
+}
 
 // Conditions by rows, as the library wants them: all rows have all columns.
 struct Rows {
   explicit Rows(std::size_t columns) : columns_(columns) {}
 
   void add(const rules::LevelCondition& condition, double step) {
-    // By the largest number in it: the solver's tolerances are absolute.
-    double scale = 0.0;
-    for (const double c : condition.coefficient) scale = std::max(scale, std::abs(c));
-    scale = scale > 0.0 ? 1.0 / scale : 1.0;
+    const double scale = scale_of(condition);
     for (const double c : condition.coefficient) values_.push_back(c * step * scale);
     at_least_.push_back(condition.at_least * scale);
   }
@@ -90,8 +96,9 @@ void load(Model* model, LoadProblem load_problem, const Unknowns& unknowns, cons
 // What a solver says of a program.
 struct Solution {
   std::optional<std::vector<double>> unknown;
-  bool is_proven = false;  // the best; or, without any, that there are none
-  double bound = 0.0;      // no solution costs less
+  bool is_proven = false;         // the best; or, without any, that there are none
+  double bound = 0.0;             // no solution costs less
+  std::vector<double> row_price;  // of levels of any size; [row], as scaled
 };
 
 Solution solve_any(const Unknowns& unknowns, const Rows& rows) {
@@ -109,6 +116,8 @@ Solution solve_any(const Unknowns& unknowns, const Rows& rows) {
   if (status != kOptimal) return answer;
   const double* solution = coin.Clp_getColSolution(model.get());
   answer.unknown.emplace(solution, solution + unknowns.cost.size());
+  const double* price = coin.Clp_getRowPrice(model.get());
+  answer.row_price.assign(price, price + rows.count());
   return answer;
 }
 
@@ -174,6 +183,7 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
   std::vector<double> level;
   for (const LevelRange& range : problem.range) level.push_back(range.low);
   double least_cost = cost_of(problem, level);
+  std::vector<ConditionPrice> price;
   for (int round = 0;; ++round) {
     std::vector<rules::LevelCondition> more = broken(level);
     if (more.empty()) break;
@@ -183,8 +193,17 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
     if (!found.unknown) return {std::nullopt, found.is_proven};
     level = levels_of_steps(*found.unknown, any);
     least_cost = cost_of(problem, level);
+    price.clear();
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const double cost_per_lx = found.row_price[i] * scale_of(known[i]);
+      // Less than what decides between levels of the same cost is none.
+      if (cost_per_lx * std::abs(known[i].at_least) > kNoPrice * least_cost ||
+          cost_per_lx > kNoPrice * least_cost) {
+        price.push_back({known[i], cost_per_lx});
+      }
+    }
   }
-  if (problem.steps == 0) return {Levels{level, least_cost, least_cost}, false};
+  if (problem.steps == 0) return {Levels{level, least_cost, least_cost, price}, false};
   for (int round = 0; round < kMostRounds && !problem.is_stopped(); ++round) {
     const Solution answer = solve_steps(of_steps, rows_with(of_steps.step));
     if (!answer.unknown) return {std::nullopt, answer.is_proven};
@@ -192,8 +211,8 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
     std::vector<rules::LevelCondition> more = broken(level);
     if (more.empty()) {
       const double cost = cost_of(problem, level);
-      return {Levels{level, cost, answer.is_proven ? cost : std::max(least_cost, answer.bound)},
-              false};
+      const double least = answer.is_proven ? cost : std::max(least_cost, answer.bound);
+      return {Levels{level, cost, least, price}, false};
     }
     for (rules::LevelCondition& one : more) known.push_back(std::move(one));
   }

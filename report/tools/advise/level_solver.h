@@ -21,10 +21,18 @@ struct LevelProblem {
   std::function<bool()> is_stopped = [] { return false; };  // asked between the solver's runs
 };
 
+struct ConditionPrice {
+  rules::LevelCondition condition;
+  double cost_per_lx = 0.0;  // > 0: how much the least cost grows where it asks for more
+};
+
 struct Levels {
   std::vector<double> level;  // [group]
   double cost = 0.0;
   double least_cost = 0.0;  // no levels that meet the conditions cost less
+  // Of levels of any size, whatever the steps: what holds the least cost up. Dual values of the
+  // linear program; where several conditions say the same, of one of them.
+  std::vector<ConditionPrice> price;
 };
 
 // What levels break: asked again and again, as of all conditions only few matter. The worst of

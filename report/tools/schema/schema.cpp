@@ -2,39 +2,55 @@
 
 #include "report/result_file/result_schema.h"
 #include "report/shell/print.h"
+#include "report/tools/advise/advice.h"
 #include "report/tools/sweep/sweep_table.h"
 #include "rules/binding/project_schema.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
 
 namespace cli {
+namespace {
+
+struct OtherSchema {
+  const char *option, *help;
+  std::string (*text)();
+};
+
+constexpr std::array kOtherSchemas{
+    OtherSchema{"--markdown",
+                "Print the reference of project files for people instead, in Markdown",
+                rules::project_reference},
+    OtherSchema{"--result", "Print the JSON schema of 'check --format json' instead",
+                report::result_schema},
+    OtherSchema{"--sweep", "Print the JSON schema of 'sweep --format json' instead", sweep_schema},
+    OtherSchema{"--advice", "Print the JSON schema of 'advise --format json' instead",
+                advice_schema}};
+
+}  // namespace
 
 Command schema_command() {
-  struct Asked {
-    bool results = false, sweeps = false, reference = false;
-  };
-  const auto asked = std::make_shared<Asked>();
+  const auto asked = std::make_shared<std::array<bool, kOtherSchemas.size()>>();
   Command command{"schema", "Print the XML schema of project files"};
-  command.options = {
-      {"--markdown", "", "Print the reference of project files for people instead, in Markdown",
-       &asked->reference},
-      {"--result", "", "Print the JSON schema of 'check --format json' instead", &asked->results},
-      {"--sweep", "", "Print the JSON schema of 'sweep --format json' instead", &asked->sweeps}};
+  for (std::size_t i = 0; i < kOtherSchemas.size(); ++i) {
+    command.options.push_back({kOtherSchemas[i].option, "", kOtherSchemas[i].help, &(*asked)[i]});
+  }
   command.examples = {{"luxgate schema", "For an editor or a validator"},
                       {"luxgate schema --result", "For who reads results"}};
   command.exit_codes = {{0, "printed"}, {2, "an error"}};
   command.complete = [asked](const Environment&) -> std::string {
-    return int{asked->results} + int{asked->sweeps} + int{asked->reference} > 1
-               ? "--markdown, --result and --sweep exclude each other"
+    return std::count(asked->begin(), asked->end(), true) > 1
+               ? "--markdown, --result, --sweep and --advice exclude each other"
                : "";
   };
   command.run = [asked](const RunContext&) {
-    return print_outcome({kAllMet,
-                          asked->results     ? report::result_schema()
-                          : asked->sweeps    ? sweep_schema()
-                          : asked->reference ? rules::project_reference()
-                                             : rules::project_schema(),
-                          {}});
+    const auto one =
+        static_cast<std::size_t>(std::find(asked->begin(), asked->end(), true) - asked->begin());
+    const bool is_other = one < kOtherSchemas.size();
+    return print_outcome(
+        {kAllMet, is_other ? kOtherSchemas[one].text() : rules::project_schema(), {}});
   };
   return command;
 }

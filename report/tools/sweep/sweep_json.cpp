@@ -1,4 +1,5 @@
 #include "calc/base/names.h"
+#include "report/text/json_keys.h"
 #include "report/text/json_layout.h"
 #include "report/tools/sweep/sweep_table.h"
 
@@ -11,60 +12,18 @@
 namespace cli {
 namespace {
 
-using SweepJson = nlohmann::ordered_json;
+using SweepJson = report::KeyedJson;
 
-// A key of the file with its value and, beside it, what the schema says of it: one list serves
-// both. The schema is made of an empty sweep.
-struct JsonKey {
-  const char* name;
-  SweepJson value;
-  SweepJson schema;
-  bool is_needed = true;   // in every file
-  bool is_written = true;  // in this one
-};
-using JsonKeys = std::vector<JsonKey>;
-
-SweepJson object_of_keys(const JsonKeys& keys) {
-  SweepJson json = SweepJson::object();
-  for (const JsonKey& key : keys) {
-    if (key.is_written) json[key.name] = key.value;
-  }
-  return json;
-}
-
-SweepJson schema_of_keys(const JsonKeys& keys, const char* words = "") {
-  SweepJson json{{"type", "object"}};
-  if (*words != '\0') json["description"] = words;
-  SweepJson properties = SweepJson::object(), needed = SweepJson::array();
-  for (const JsonKey& key : keys) {
-    properties[key.name] = key.schema;
-    if (key.is_needed) needed.push_back(key.name);
-  }
-  json["properties"] = std::move(properties);
-  json["required"] = std::move(needed);
-  return json;
-}
-
-SweepJson described_key(SweepJson schema, const char* words) {
-  schema["description"] = words;
-  return schema;
-}
-
-SweepJson type_of(const char* name) { return {{"type", name}}; }
-SweepJson number_or_null_type() { return {{"type", {"number", "null"}}}; }
-// A count, a sum.
-SweepJson at_least_type(const char* name, int least) {
-  return {{"type", name}, {"minimum", least}};
-}
-SweepJson list_of_keys(SweepJson items) { return {{"type", "array"}, {"items", std::move(items)}}; }
-template <class Enum>
-SweepJson one_of_names() {
-  return {{"enum", calc::names_of<Enum>()}};
-}
-
-JsonKey object_key(const char* name, const JsonKeys& keys, const char* words = "") {
-  return {name, object_of_keys(keys), schema_of_keys(keys, words)};
-}
+using report::at_least_type;
+using report::described_key;
+using report::JsonKeys;
+using report::list_of_keys;
+using report::number_or_null_type;
+using report::object_key;
+using report::object_of_keys;
+using report::one_of_names;
+using report::schema_of_keys;
+using report::type_of;
 
 JsonKeys margin_keys(const SweepRow& row) {
   const calc::Estimate margin = row.margin.value_or(calc::Estimate{});
@@ -190,10 +149,7 @@ std::string render_sweep_json(const Sweep& sweep) {
 }
 
 std::string sweep_schema() {
-  SweepJson json{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", "luxgate sweep"}};
-  json.update(schema_of_keys(sweep_keys({})));
-  return report::json_layout(json);
+  return report::json_layout(report::schema_of_file("luxgate sweep", sweep_keys({})));
 }
 
 }  // namespace cli

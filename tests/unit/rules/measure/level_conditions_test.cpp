@@ -4,6 +4,7 @@
 
 #include "rules/verdict/judge.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -142,6 +143,41 @@ TEST(LevelConditions, NeverPromiseWhatJudgingLeavesOpen) {
     }
   }
   EXPECT_GT(met, 30);
+}
+
+// Against conditions whose limit is a little greater.
+TEST(LevelConditions, SayWhatALimitAsksForAndWhatGivesTheLight) {
+  const calc::PlaneField field = exact_field({400, 100}, {50, 250}, 10.0);
+  const std::vector<double> level{0.5, 0.2};  // 220 and 110 lx
+  for (const Requirement& asked :
+       {required(Metric::average, Comparison::at_least, 400),
+        required(Metric::maximum, Comparison::at_most, 100),
+        required(Metric::uniformity_min_avg, Comparison::at_least, 0.9),
+        required(Metric::uniformity_min_max, Comparison::at_least, 0.9)}) {
+    constexpr double kLittle = 1e-3;
+    Requirement more = asked;
+    more.limit += kLittle;
+    const LevelConditions conditions(asked, row_of(2), field, kGroups, 0.95);
+    const auto broken = conditions.broken(level, 0.0, 1);
+    const auto of_more =
+        LevelConditions(more, row_of(2), field, kGroups, 0.95).broken(level, 0.0, 1);
+    ASSERT_EQ(broken.size() + of_more.size(), 2U) << calc::name_of(asked.metric);
+    EXPECT_NEAR(of_more[0].lack(level) - broken[0].lack(level),
+                kLittle * conditions.lx_per_limit(level), 1e-6)
+        << calc::name_of(asked.metric);
+  }
+  const LevelConditions average(required(Metric::average, Comparison::at_least, 400), row_of(2),
+                                field, kGroups, 0.95);
+  EXPECT_THAT(average.light_lx(average.broken(level, 0.0, 1)[0], level),
+              testing::Pointwise(testing::DoubleNear(1e-9), {125.0, 30.0, 10.0}));
+  for (const Metric metric : {Metric::uniformity_min_avg, Metric::uniformity_min_max}) {
+    const LevelConditions share(required(metric, Comparison::at_least, 0.9), row_of(2), field,
+                                kGroups, 0.95);
+    const auto broken = share.broken(level, 0.0, 1);
+    EXPECT_EQ(broken[0].point, 1U);
+    EXPECT_THAT(share.light_lx(broken[0], level),
+                testing::Pointwise(testing::DoubleNear(1e-9), {50.0, 50.0, 10.0}));
+  }
 }
 
 TEST(LevelConditions, SafetyIsRoom) {

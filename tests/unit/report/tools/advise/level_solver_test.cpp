@@ -46,6 +46,58 @@ TEST(LevelSolver, TakesTheCheaperGroup) {
   EXPECT_NEAR(answer.levels->level[1], 0.5, 1e-6);
 }
 
+// Both hold the least cost up alike: 120 W = 0.2 W/lx * (300 + 300) lx.
+TEST(LevelSolver, SaysWhatHoldsTheLeastCostUp) {
+  const LevelAnswer both = least_levels(two_groups(0), broken_of(kTwoPoints));
+  ASSERT_EQ(both.levels->price.size(), 2U);
+  for (const ConditionPrice& one : both.levels->price) EXPECT_NEAR(one.cost_per_lx, 0.2, 1e-6);
+  // One group is at full output: only the other point is left to save at.
+  const LevelAnswer one = least_levels(two_groups(10, 10.0, 100.0), broken_of(kTwoPoints));
+  ASSERT_EQ(one.levels->price.size(), 1U);
+  EXPECT_EQ(one.levels->price[0].condition.point, 1U);
+  EXPECT_NEAR(one.levels->price[0].cost_per_lx, 0.25, 1e-6);
+  EXPECT_TRUE(least_levels(two_groups(0), broken_of({})).levels->price.empty());
+}
+
+// Each price against the cost of a condition that asks for a little less and a little more.
+TEST(LevelSolver, HasPricesThatTheCostFollows) {
+  std::mt19937 random(5);
+  const auto any = [&](int from, int to) {
+    return static_cast<double>(from +
+                               static_cast<int>(random() % static_cast<unsigned>(to - from)));
+  };
+  constexpr double kLittle_lx = 1e-3;
+  int priced = 0;
+  for (int round = 0; round < 40; ++round) {
+    const LevelProblem problem{{any(10, 90), any(10, 90), any(10, 90)}, {{}, {}, {}}, 0};
+    std::vector<LevelCondition> all;
+    for (std::size_t p = 0; p < 5; ++p) {
+      all.push_back({{any(1, 300), any(1, 300), any(1, 300)}, any(50, 300) + 0.5, p});
+    }
+    const LevelAnswer answer = least_levels(problem, broken_of(all));
+    if (!answer.levels) continue;
+    for (LevelCondition& one : all) {
+      double price = 0.0;
+      for (const ConditionPrice& of : answer.levels->price) {
+        if (of.condition.point == one.point) price += of.cost_per_lx;
+      }
+      const double asked = one.at_least;
+      one.at_least = asked - kLittle_lx;
+      const double less = least_levels(problem, broken_of(all)).levels->cost;
+      one.at_least = asked + kLittle_lx;
+      const LevelAnswer more = least_levels(problem, broken_of(all));
+      one.at_least = asked;
+      if (!more.levels) continue;
+      // Where levels change over, the price is of one side.
+      EXPECT_GE(price, (answer.levels->cost - less) / kLittle_lx - 2e-3) << "in round " << round;
+      EXPECT_LE(price, (more.levels->cost - answer.levels->cost) / kLittle_lx + 2e-3)
+          << "in round " << round;
+      priced += price > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(priced, 30);
+}
+
 TEST(LevelSolver, KeepsToItsSteps) {
   const LevelAnswer answer = least_levels(two_groups(8), broken_of(kTwoPoints));
   ASSERT_TRUE(answer.levels);

@@ -1,0 +1,100 @@
+#include "report/text/markup.h"
+#include "report/text/number_format.h"
+#include "report/text/words.h"
+#include "report/tools/advise/advice.h"
+#include "report/tools/advise/advice_words.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace cli {
+namespace {
+
+using report::escape_markdown;
+
+std::string percent(double level) { return fmt::format("{:.4g} %", 100.0 * level); }
+
+std::string groups(const SceneAdvice& advice) {
+  std::string text = "| group | luminaires | now | advised |\n|---|--:|--:|--:|\n";
+  for (const AdvisedGroup& group : advice.groups) {
+    text += fmt::format("| {} | {} | {} | {} |\n", escape_markdown(name_of_group(group.group)),
+                        group.luminaires, percent(group.now), percent(group.level));
+  }
+  return text;
+}
+
+// All, as a table folds; those that are not met say why.
+std::string requirements(const SceneAdvice& advice) {
+  std::string text = "| requirement | now | with these levels | verdict |\n|---|--:|--:|---|\n";
+  for (const AdvisedRequirement& one : advice.requirements) {
+    text += fmt::format("| {} | {} | {} | {}{} |\n", escape_markdown(requirement_words(one)),
+                        escape_markdown(value_words(one.before)),
+                        escape_markdown(value_words(one.after)), calc::name_of(one.after.verdict),
+                        one.not_searched.empty() ? "" : "; " + escape_markdown(one.not_searched));
+  }
+  return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n",
+                     requirement_count(advice), text);
+}
+
+std::string limits(const SceneAdvice& advice) {
+  if (advice.limits.empty()) return "";
+  std::string text = "\nWhat limits, and what a limit looser by 1 % would save:\n\n";
+  for (const AdvisedLimit& limit : advice.limits) {
+    const AdvisedRequirement& one = advice.requirements[limit.requirement];
+    const std::string shares = share_words(advice, limit);
+    text += fmt::format(
+        "- {}: {}{}{}\n", escape_markdown(requirement_words(one)),
+        cost_words(advice, limit.cost_per_percent),
+        limit.place_m ? "; least room at " + report::format_position(*limit.place_m) : "",
+        shares.empty() ? "" : "; " + escape_markdown(shares));
+  }
+  return text;
+}
+
+std::string found(const SceneAdvice& advice) {
+  std::string text = fmt::format(
+      "\n**{}** with these levels; now {}{}. No levels that meet the conditions need less than "
+      "{}.\n\n{}",
+      cost_words(advice, advice.advised), cost_words(advice, advice.now), saving_words(advice),
+      cost_words(advice, advice.least), groups(advice));
+  if (advice.is_by_flux) {
+    text += "\nThe power of a luminaire is not known: the least light was looked for instead.\n";
+  }
+  if (!advice.raised_for.empty()) {
+    text +=
+        "\nThey are nearer to those of now than the least ones, which would not meet what the "
+        "search does not know:\n\n";
+    for (const std::size_t i : advice.raised_for) {
+      text += "- " + escape_markdown(requirement_words(advice.requirements[i])) + "\n";
+    }
+  }
+  for (const std::string& one : advice.aggregates_not_met) {
+    text += fmt::format("\nNot met with these levels: {}\n", escape_markdown(one));
+  }
+  return text + limits(advice) + "\n" + requirements(advice);
+}
+
+std::string scene(const SceneAdvice& advice) {
+  std::string text = fmt::format("\n### {}\n\n{}\n", escape_markdown(scene_words(advice)),
+                                 escape_markdown(outcome_words(advice)));
+  if (advice.has_levels()) text += found(advice);
+  if (advice.contradicting.empty()) return text;
+  text += "\nThese cannot be met together by dimming; without any one of them all others can:\n\n";
+  for (const std::size_t i : advice.contradicting) {
+    text +=
+        fmt::format("- {}: {} now\n", escape_markdown(requirement_words(advice.requirements[i])),
+                    escape_markdown(value_words(advice.requirements[i].before)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string render_advice_markdown(const Advice& advice) {
+  std::string text = fmt::format("## Levels for {}\n", escape_markdown(advice.project));
+  for (const SceneAdvice& one : advice.scenes) text += scene(one);
+  return text;
+}
+
+}  // namespace cli

@@ -1,0 +1,100 @@
+#include "report/tools/advise/advice_words.h"
+
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+std::string cost_words(const SceneAdvice& advice, double cost) {
+  return advice.is_by_flux ? report::format_lumens(cost) + " lm"
+                           : report::format_watts(cost) + " W";
+}
+
+std::string name_of_group(const std::string& group) {
+  return group.empty() ? "(without a group)" : report::printable(group);
+}
+
+std::string requirement_words(const AdvisedRequirement& one) {
+  const rules::Requirement& requirement = one.before.requirement;
+  const std::string limit = report::format_limit(requirement.limit, rules::unit_of(requirement));
+  return fmt::format("{}, {}: {} {} {}", report::printable(one.space), report::printable(one.plane),
+                     report::quantity_words(requirement),
+                     rules::comparison_name(requirement.comparison), limit);
+}
+
+std::string value_words(const rules::Finding& finding) {
+  if (finding.verdict == rules::Verdict::not_judged) return "not judged";
+  return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
+}
+
+std::string saving_words(const SceneAdvice& advice) {
+  if (!(advice.now > 0.0)) return "";
+  const double share = advice.advised / advice.now - 1.0;
+  return fmt::format(" ({}{:.1f} %)", share > 0.0 ? "+" : "", 100.0 * share);
+}
+
+std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit) {
+  constexpr std::size_t kMostShares = 3;
+  double sum = 0.0;
+  std::vector<std::pair<double, std::string>> shares;
+  for (std::size_t i = 0; i < limit.lx.size(); ++i) {
+    sum += limit.lx[i];
+    if (!(limit.lx[i] > 0.0)) continue;
+    shares.emplace_back(-limit.lx[i], i < advice.groups.size()
+                                          ? name_of_group(advice.groups[i].group)
+                                          : "what no level changes");
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (shares.size() < 2) return "";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostShares, shares.size()); ++i) {
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", shares[i].second,
+                        -100.0 * shares[i].first / sum);
+  }
+  return fmt::format("light {}: {}", limit.place_m ? "there" : "on average", text);
+}
+
+std::string scene_words(const SceneAdvice& advice) {
+  return advice.scene.empty() ? "Full output"
+                              : fmt::format("Scene '{}'", report::printable(advice.scene));
+}
+
+std::string requirement_count(const SceneAdvice& advice) {
+  const std::size_t count = advice.requirements.size();
+  return fmt::format("{} requirement{}", count, count == 1 ? "" : "s");
+}
+
+std::string outcome_words(const SceneAdvice& advice) {
+  switch (advice.outcome) {
+    case AdviceOutcome::levels: {
+      const auto met = std::count_if(
+          advice.requirements.begin(), advice.requirements.end(),
+          [](const AdvisedRequirement& one) { return one.after.verdict == rules::Verdict::pass; });
+      return fmt::format("levels found; checked with other random numbers, {} of {} pass", met,
+                         requirement_count(advice));
+    }
+    case AdviceOutcome::more_light:
+      return "no levels up to full output meet all conditions; with more light these would, by "
+             "the same light as calculated (100 % is what the luminaires have)";
+    case AdviceOutcome::contradiction:
+      return fmt::format(
+          "no levels meet all conditions; none up to {:g} times the light were found either",
+          kMostAdvisedLight);
+    case AdviceOutcome::too_uncertain:
+      return "the intervals are too wide to find levels; a smaller --tolerance helps";
+    case AdviceOutcome::none_found:
+      break;
+  }
+  return "no levels: " + report::printable(advice.reason);
+}
+
+}  // namespace cli

@@ -1,0 +1,27 @@
+#pragma once
+// What text and Markdown of an advice have in common. Names in it are printable, and not yet
+// escaped for Markdown.
+
+#include "report/tools/advise/advice.h"
+
+#include <string>
+
+namespace cli {
+
+// "345.6 W" or, where power is not known, lumens.
+std::string cost_words(const SceneAdvice& advice, double cost);
+// " (-36.0 %)" of what is needed now; "" where that is nothing.
+std::string saving_words(const SceneAdvice& advice);
+std::string name_of_group(const std::string& group);
+std::string scene_words(const SceneAdvice& advice);
+// "9 requirements"
+std::string requirement_count(const SceneAdvice& advice);
+// One sentence.
+std::string outcome_words(const SceneAdvice& advice);
+std::string requirement_words(const AdvisedRequirement& one);
+std::string value_words(const rules::Finding& finding);
+// Shares of the groups in the light where a limit has the least room, largest first; "" where all
+// is of one.
+std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit);
+
+}  // namespace cli
