@@ -134,11 +134,6 @@ std::string body_start(const Texts& t) {
          t[Text::skip_to_results] + "</a>\n";
 }
 
-// What runs along at the head of every page.
-std::string running_head(const Texts& t) {
-  return std::string("luxgate · ") + t[Text::compliance_report];
-}
-
 constexpr const char* kMainStart = "<main id=\"main\">\n";
 
 std::string page_end(const Texts& t, const Provenance& provenance) {
@@ -194,7 +189,7 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 }
 
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
-                       const ColourScales& scales, bool folds_passed) {
+                       const ColourScales& scales, bool folds_passed, Paper paper) {
   const SpacePart& space = project.spaces[s];
   const std::vector<std::string> groups = level_groups(space);
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
@@ -202,7 +197,7 @@ std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p
   html += html_room(t, space) + html_room_data(t, project, space) + html_layout(t, project, space) +
           notes_html(t, space) + html_levels(t, project, groups);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups);
+    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups, paper);
   return html + "</section>\n";
 }
 
@@ -223,6 +218,7 @@ std::string page_links(const Texts& t, const ProjectPart& project, std::size_t p
 }
 
 std::string run_start(const RoomRun& run) {
+  if (run.page.empty()) return "<div class=\"run\">\n";
   return fmt::format("<div class=\"run\" style=\"page: {}\">\n", run.page);
 }
 
@@ -277,7 +273,7 @@ class HtmlWriter : public FormatWriter {
   bool says_whose_ = false;            // the only one
   std::vector<Section> sections_;      // of the first ones
   Spill paths_;
-  std::string foot_;  // of pages; of the only project
+  std::string head_, foot_;  // of pages; of the only project
   Spill room_rules_;
   std::string revision_, summary_start_;
   HtmlAttention attention_;
@@ -356,8 +352,9 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
   const std::string messages = html_messages(t_, project);
   const ColourScales scales(project, style_.scale);
   std::string html = fmt::format("<section class=\"project\" {}>\n", section);
-  // A heading alone stands on the page of the first room.
-  if (has_rooms && messages.empty()) html += run_start(runs.front());
+  // A heading alone stands on the page of the first room, and messages above several.
+  const bool is_first_run_open = has_rooms && (messages.empty() || runs.front().page.empty());
+  if (is_first_run_open) html += run_start(runs.front());
   html +=
       fmt::format("<h2 id=\"project{}\">{}</h2>\n", project_ + 1,
                   is_only() ? t_[Text::planes] : escape_html(title_of(project.name, project.path)));
@@ -370,9 +367,9 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
   if (!is_only()) html += html_about(t_, project.about);
   html += messages;
   for (const RoomRun& run : runs) {
-    if (run.first > 0 || !messages.empty()) html += run_start(run);
+    if (run.first > 0 || !is_first_run_open) html += run_start(run);
     for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
-      html += space_html(t_, project, project_, s, scales, folds_passed);
+      html += space_html(t_, project, project_, s, scales, folds_passed, style_.paper);
     if (!run.is_all) html += "</div>\n";
   }
   if (!folder_.empty() && !project.spaces.empty()) {
@@ -395,6 +392,7 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
   says_whose_ = says_whose(project.about);
   if (has_cover()) on_cover_ = html_cover_picture(t_, project);
   foot_ = foot_words(t_, project);
+  head_ = head_words(t_, project.about);
   for (std::size_t s = 0; folder_.empty() && s < project.spaces.size() && s < kMostRooms; ++s) {
     const SpacePart& space = project.spaces[s];
     sections_.push_back(
@@ -476,10 +474,10 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   const std::string symbol = outcome_symbol(end.totals.outcome);
   const std::string foot = is_only() ? foot_ : page_title();
-  sink.write(
-      page_start(t_, symbol + " " + page_title(),
-                 (style_.sheets ? sheet_style() : "") +
-                     page_rules(t_, style_.paper, {running_head(t_), "", foot}, has_cover())));
+  const std::string head = is_only() ? head_ : head_words(t_, {});
+  sink.write(page_start(t_, symbol + " " + page_title(),
+                        (style_.sheets ? sheet_style() : "") +
+                            page_rules(t_, style_.paper, {head, "", foot}, has_cover())));
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);
@@ -557,12 +555,12 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   std::vector<AnnexPlane> annex;
   const ColourScales scales(project, style.scale);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
-    body +=
-        html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true, groups);
+    body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true,
+                       groups, style.paper);
     annex.push_back({&space, &space.planes[k]});
   }
   RegionNames regions;
-  const PageWords words{running_head(t), std::string(title_of(space.name, space.id)),
+  const PageWords words{head_words(t, project.about), std::string(title_of(space.name, space.id)),
                         foot_words(t, project)};
   return page_start(t, title, page_rules(t, style.paper, words)) + body_start(t) + head +
          kMainStart + regions.with_unique_regions(body + "</section>\n") +

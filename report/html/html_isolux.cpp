@@ -56,8 +56,10 @@ std::string svg_path(const PlanLayout& layout, const std::vector<glm::dvec2>& co
 
 // Every line of a level is drawn; its longest one with a free place has the label.
 IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
-                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken) {
-  constexpr double kFont = 10.5, kDigitWidth = 0.62;
+                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken,
+                         const LabelStyle& style) {
+  constexpr double kDigitWidth = 0.62;
+  const double font = style.font_px;
   IsoluxDrawing svg;
   for (const IsoluxLevel& level : levels) {
     std::vector<IsoluxLine> lines = level.lines;
@@ -75,14 +77,14 @@ IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
       return length_m(a) > length_m(b);
     });
     const std::string text = format_shortest(t, level.value);
-    const glm::dvec2 size(kDigitWidth * kFont * static_cast<double>(text.size()) + 4, kFont + 2);
+    const glm::dvec2 size(kDigitWidth * font * static_cast<double>(text.size()) + 4, font + 2);
     for (const IsoluxLine& line : lines) {
       const std::optional<glm::dvec2> place = label_place(layout, line, size, taken);
       if (!place) continue;
       taken.push_back(box_around(*place, size));
-      svg.labels += fmt::format("<text class=\"isolux-label{}\" x=\"{}\" y=\"{}\">{}</text>\n",
+      svg.labels += fmt::format("<text class=\"{}{}\" x=\"{}\" y=\"{}\">{}</text>\n", style.names,
                                 level.is_required ? " required" : "", svg_number(place->x),
-                                svg_number(place->y + 0.36 * kFont), text);
+                                svg_number(place->y + 0.36 * font), text);
       break;
     }
   }

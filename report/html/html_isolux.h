@@ -29,9 +29,15 @@ struct IsoluxDrawing {
   std::string lines, labels;
 };
 
+// How labels are drawn: their size, and the names of their styles.
+struct LabelStyle {
+  double font_px = 10.5;
+  const char* names = "isolux-label";
+};
 // taken: what labels must not cover; no label covers another one either.
 IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
-                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken);
+                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken,
+                         const LabelStyle& style = {});
 
 // Corners in metres as a closed path's data; "" without corners.
 std::string svg_path(const PlanLayout& layout, const std::vector<glm::dvec2>& corners);

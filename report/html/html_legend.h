@@ -20,7 +20,11 @@ std::string html_colour_bar(const Texts& t, const ColourScale& scale,
                             const std::vector<std::size_t>& counts = {},
                             std::string_view unit = "lx");
 
-// How high that picture is, in pixels.
+// The same for paper, in the pixels of its style sheet and with words of 6.5 points; no bars.
+std::string html_paper_colour_bar(const Texts& t, const ColourScale& scale,
+                                  const std::vector<PlanLimit>& limits, std::string_view unit);
+
+// How high the first picture is, in pixels.
 double colour_bar_height_px(std::size_t limits, bool has_counts);
 
 // What the key has to explain.

@@ -131,14 +131,15 @@ std::string cells_attribute(const PlanePart& plane, const std::vector<std::size_
 }
 
 std::string scale_attributes(const ColourScale& scale) {
-  std::string colours, inks;
+  std::string borders, colours, inks;
   for (int band = 0; band < scale.bands; ++band) {
     const Rgb colour = band_colour(scale, band);
+    borders += (band == 0 ? "" : " ") + fmt::format("{:.9g}", scale.border(band));
     colours += (band == 0 ? "" : " ") + hex_colour(colour);
     inks += fmt::format("{}{}", band == 0 ? "" : " ", needs_dark_text(colour) ? "#000" : "#fff");
   }
-  return fmt::format(" data-scale=\"{} {}\" data-colours=\"{}\" data-inks=\"{}\"",
-                     format_shortest(scale.low), format_shortest(scale.step), colours, inks);
+  return fmt::format(" data-scale=\"{}\" data-colours=\"{}\" data-inks=\"{}\"", borders, colours,
+                     inks);
 }
 
 // "≥ 150 lx, ≤ 900 lx"

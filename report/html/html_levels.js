@@ -71,7 +71,7 @@
     var places = cells === null ? null : numbers(cells), all = matrix === null ? [] : matrix.tBodies[0].querySelectorAll('td');
     return {
       home: home, article: home.closest('.plane'), light: light, limits: limits_of(home), unit: home.getAttribute('data-unit'),
-      low: scale === null ? 0 : numbers(scale)[0], step: scale === null ? 1 : numbers(scale)[1],
+      borders: scale === null ? [] : numbers(scale),  // the lower one of every colour
       colours: scale === null ? [] : home.getAttribute('data-colours').split(' '),
       inks: scale === null ? [] : home.getAttribute('data-inks').split(' '),
       is_list: places === null, title: home.closest('.plane').querySelector('h4').textContent.trim(),
@@ -87,7 +87,7 @@
     var cells = svg.querySelectorAll('.cells path'), texts = svg.querySelectorAll('.numbers text');
     var hatched = '', lowest = 0;
     values.forEach(function (value, i) {
-      var band = Math.min(Math.max(Math.floor((value - plane.low) / plane.step + 1e-9), 0), plane.colours.length - 1);
+      var band = Math.max(plane.borders.filter(function (border) { return value >= border * (1 - 1e-9); }).length - 1, 0);
       put(cells[i], 'fill', plane.colours[band]);
       put(cells[i], 'stroke', plane.colours[band]);
       var text = words.number(digits(value, 3, 3, plane.limits));

@@ -31,6 +31,26 @@ constexpr std::size_t kMostIsoluxPoints = 20000;
 constexpr double kBelowPlan = 26;     // px: room for the scale bar
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
+// How the drawing gets onto paper: smaller than on a screen, with words of a size that is read
+// there. Values that have no room stay away by rows and columns.
+struct PaperForm {
+  double px_by_css_px = 1.0;  // of the drawing, by one of the style sheet
+  double width_mm = 0.0;
+  double number_px = 0.0;     // size of values; 0: not even one has room
+  int columns = 1, rows = 1;  // of so many cells one is printed
+  bool has_value(int column, int row, const calc::SensorGrid& grid) const {
+    return is_kept(column, grid.columns, columns) && is_kept(row, grid.rows, rows);
+  }
+
+ private:
+  // In the middle: the first and the last one have as much room as those between.
+  static bool is_kept(int cell, int cells, int every) {
+    const int kept = cells / every;
+    const int from_first = cell - (cells - 1 - every * (kept - 1)) / 2;
+    return from_first >= 0 && from_first % every == 0 && from_first / every < kept;
+  }
+};
+
 struct Drawing : PlanCells {
   const Texts& t;
   ColourScale scale;
@@ -39,6 +59,7 @@ struct Drawing : PlanCells {
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
   std::vector<IsoluxLevel> isolux = {};
+  std::optional<PaperForm> on_paper = {};  // pages alone
 
   Thresholds thresholds() const { return {at_least, at_most}; }
   bool misses_a_limit(double value) const {
@@ -127,32 +148,76 @@ std::string cell_text(const Drawing& drawing, double value) {
   return format_cell(drawing.t, value, drawing.thresholds());
 }
 
-// Font size at which every number fits into its cell; 0: they do not fit.
-double number_size_px(const Drawing& drawing) {
-  constexpr double kDigitWidth = 0.6, kSmallest = 7.5, kLargest = 12.5;
+constexpr double kDigitWidth = 0.6;  // of the font's size
+
+std::size_t longest_number(const Drawing& drawing) {
   std::size_t longest = 1;
   for (const PointRow& point : drawing.plane.points) {
     longest = std::max(longest, cell_text(drawing, point.measured.value).size());
   }
+  return longest;
+}
+
+// Font size at which every number fits into its cell; 0: they do not fit.
+double number_size_px(const Drawing& drawing) {
+  constexpr double kSmallest = 7.5, kLargest = 12.5;
+  const auto longest = static_cast<double>(longest_number(drawing));
   const glm::dvec2 cell = drawing.cell_px();
-  const double fitting =
-      std::min(0.86 * cell.x / (kDigitWidth * static_cast<double>(longest)), 0.62 * cell.y);
+  const double fitting = std::min(0.86 * cell.x / (kDigitWidth * longest), 0.62 * cell.y);
   return fitting < kSmallest ? 0.0 : std::min(fitting, kLargest);
 }
 
+// The place that the style sheet gives a plan beside its tables, and what is read on paper.
+PaperForm paper_form(const Drawing& drawing, Paper paper) {
+  constexpr double kPoint_mm = 25.4 / 72, kCssPixel_mm = 25.4 / 96;
+  constexpr double kSmallest_mm = 6.5 * kPoint_mm, kLargest_mm = 8 * kPoint_mm;
+  constexpr double kGap = 0.5, kLine = 1.15;  // beside and below a number, of its size
+  const glm::dvec2 place_mm = paper == Paper::letter ? glm::dvec2(74, 38) : glm::dvec2(72, 43);
+  const glm::dvec2 plan_px(drawing.layout.width_px(), drawing.layout.height_px() + kBelowPlan);
+  const double mm_by_px = std::min(place_mm.x / plan_px.x, place_mm.y / plan_px.y);
+  PaperForm form;
+  form.px_by_css_px = kCssPixel_mm / mm_by_px;
+  form.width_mm = mm_by_px * plan_px.x;
+  const calc::SensorGrid& grid = drawing.plane.grid;
+  const glm::dvec2 cell = drawing.cell_px(), cells(grid.columns, grid.rows);
+  // By the size of the font. Cells of a route may lie in any direction.
+  glm::dvec2 number(kDigitWidth * static_cast<double>(longest_number(drawing)) + kGap, kLine);
+  if (drawing.route) number = glm::dvec2(std::max(number.x, number.y));
+  const double smallest_px = kSmallest_mm / mm_by_px;
+  const glm::dvec2 steps = glm::ceil(smallest_px * number / cell);
+  if (steps.x > cells.x && steps.y > cells.y) return form;
+  form.columns = static_cast<int>(std::clamp(steps.x, 1.0, cells.x));
+  form.rows = static_cast<int>(std::clamp(steps.y, 1.0, cells.y));
+  const glm::dvec2 fitting = glm::dvec2(form.columns, form.rows) * cell / number;
+  form.number_px = std::clamp(std::min(fitting.x, fitting.y), smallest_px, kLargest_mm / mm_by_px);
+  return form;
+}
+
+bool is_on_paper(const Drawing& drawing, const PointRow& point) {
+  return drawing.on_paper && drawing.on_paper->number_px > 0.0 &&
+         drawing.on_paper->has_value(point.column, point.row, drawing.plane.grid);
+}
+
+// Those of a screen, or of paper alone.
 std::string svg_numbers(const Drawing& drawing) {
-  const double size = number_size_px(drawing);
+  const bool is_of_paper = number_size_px(drawing) == 0.0;
+  if (is_of_paper && !drawing.on_paper) return {};
+  const double size = is_of_paper ? drawing.on_paper->number_px : number_size_px(drawing);
   if (size == 0.0) return {};
   std::string svg;
   for (const auto& [band, points] : points_by_band(drawing.plane, drawing.scale)) {
     const Rgb colour = band_colour(drawing.scale, band);
-    svg += fmt::format("<g class=\"numbers\" fill=\"{}\" stroke=\"{}\" font-size=\"{}\">\n",
+    svg += fmt::format("<g class=\"{}\" fill=\"{}\" stroke=\"{}\" font-size=\"{}\">\n",
+                       is_of_paper ? "paper-numbers" : "numbers",
                        needs_dark_text(colour) ? "#000" : "#fff", hex_colour(colour),
                        svg_number(size));
     for (const PointRow* point : points) {
+      const bool is_printed = is_on_paper(drawing, *point);
+      if (is_of_paper && !is_printed) continue;
       const glm::dvec2 middle = drawing.cell_middle_px(point->column, point->row);
-      svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(middle.x),
-                         svg_number(middle.y + 0.36 * size),
+      svg += fmt::format("<text{} x=\"{}\" y=\"{}\">{}</text>\n",
+                         drawing.on_paper && !is_printed ? " class=\"unprinted\"" : "",
+                         svg_number(middle.x), svg_number(middle.y + 0.36 * size),
                          cell_text(drawing, point->measured.value));
     }
     svg += "</g>\n";
@@ -228,18 +293,23 @@ std::string svg_furniture(const Drawing& drawing) {
   return svg;
 }
 
-std::vector<LabelBox> taken_places(const Drawing& drawing) {
-  constexpr double kDigitWidth = 0.6, kSign = 12;
+// By values of that size, of all points or of those that are printed, and luminaires.
+std::vector<LabelBox> taken_by_numbers(const Drawing& drawing, double size, bool on_paper) {
+  constexpr double kSign = 12;
   std::vector<LabelBox> taken;
-  if (const double size = number_size_px(drawing); size > 0.0) {
-    for (const PointRow& point : drawing.plane.points) {
-      const glm::dvec2 middle = drawing.cell_middle_px(point.column, point.row);
-      const auto digits = static_cast<double>(cell_text(drawing, point.measured.value).size());
-      taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
-    }
+  for (const PointRow& point : drawing.plane.points) {
+    if (size == 0.0 || (on_paper && !is_on_paper(drawing, point))) continue;
+    const glm::dvec2 middle = drawing.cell_middle_px(point.column, point.row);
+    const auto digits = static_cast<double>(cell_text(drawing, point.measured.value).size());
+    taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
   }
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
     taken.push_back(box_around(drawing.layout.pixel(sign.place_m), glm::dvec2(kSign)));
+  return taken;
+}
+
+std::vector<LabelBox> taken_places(const Drawing& drawing) {
+  std::vector<LabelBox> taken = taken_by_numbers(drawing, number_size_px(drawing), false);
   if (!has_sign_numbers(drawing)) return taken;
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
     const auto digits = static_cast<double>(fmt::formatted_size("{}", sign.number));
@@ -299,14 +369,38 @@ std::string spoken(const Drawing& drawing) {
       format_position(drawing.t, lowest.position_m));
 }
 
+// Lengths in the drawing's pixels for the style sheet of paper.
+std::string paper_attribute(const Drawing& drawing) {
+  if (!drawing.on_paper) return {};
+  const PaperForm& form = *drawing.on_paper;
+  const double on_screen_px = number_size_px(drawing);
+  std::string lengths = fmt::format("--width:{}mm;--px:{}px", svg_number(form.width_mm),
+                                    svg_number(form.px_by_css_px));
+  if (on_screen_px > 0.0 && form.number_px > 0.0) {
+    lengths += fmt::format(";--number:{}px;--lower:{}px", svg_number(form.number_px),
+                           svg_number(0.36 * (form.number_px - on_screen_px)));
+  }
+  return " style=\"" + lengths + "\"";
+}
+
+std::string paper_labels(const Drawing& drawing) {
+  if (!drawing.on_paper) return {};
+  constexpr double kText_px = 8.7;  // 6.5 points
+  const PaperForm& form = *drawing.on_paper;
+  return svg_isolux(drawing.t, drawing.layout, drawing.isolux,
+                    taken_by_numbers(drawing, form.number_px, true),
+                    {kText_px * form.px_by_css_px, "isolux-label paper"})
+      .labels;
+}
+
 std::string svg_plan(const Drawing& drawing) {
   const PlanLayout& layout = drawing.layout;
   const std::string width = svg_number(layout.width_px()),
                     height = svg_number(layout.height_px() + kBelowPlan);
   std::string svg = fmt::format(
       "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-      "aria-label=\"{2}\">\n",
-      width, height, spoken(drawing));
+      "aria-label=\"{2}\"{3}>\n",
+      width, height, spoken(drawing), paper_attribute(drawing));
   svg += hatch_pattern(drawing.anchor);
   svg += fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width,
                      svg_number(layout.height_px()));
@@ -326,7 +420,7 @@ std::string svg_plan(const Drawing& drawing) {
   const IsoluxDrawing isolux =
       svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
-         svg_sign_numbers(drawing) + isolux.labels + "</svg>\n";
+         svg_sign_numbers(drawing) + isolux.labels + paper_labels(drawing) + "</svg>\n";
   return svg + svg_scale_bar(drawing.t, layout) + "</svg>\n";
 }
 
@@ -413,7 +507,8 @@ Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& pl
                   point_threshold(plane, PointSide::from_above),
                   std::string(anchor)};
   // Lines between numbers must leave them readable.
-  drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
+  drawing.isolux = isolux_levels(plane, scale.scale.has_classes() ? own_scale(plane) : scale.scale,
+                                 limits, number_size_px(drawing) > 0 ? 4 : 8);
   has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
   return drawing;
 }
@@ -426,15 +521,22 @@ std::string colour_bar(const Drawing& drawing) {
 }  // namespace
 
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      const PlaneScale& scale, std::string_view anchor) {
+                      const PlaneScale& scale, std::string_view anchor, Paper paper) {
   bool has_all = true;
-  const Drawing drawing = make_drawing(t, space, plane, scale, anchor, has_all);
+  Drawing drawing = make_drawing(t, space, plane, scale, anchor, has_all);
+  drawing.on_paper = paper_form(drawing, paper);
   std::string left_out;
   if (drawing.is_scale_shared) left_out += std::string(" ") + t[Text::shared_scale];
   if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
   if (space.bodies_left_out > 0)
     left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
+  if (drawing.on_paper->columns > 1 || drawing.on_paper->rows > 1) {
+    left_out += " <span class=\"on-paper\">" +
+                t.say<Text::values_on_paper>(drawing.on_paper->columns, drawing.on_paper->rows) +
+                "</span>";
+  }
   return "<figure>\n" + svg_plan(drawing) + colour_bar(drawing) +
+         html_paper_colour_bar(t, drawing.scale, drawing.limits, plane_unit(plane)) +
          html_plan_key(t, signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
          "</figcaption></figure>\n";
 }

@@ -3,6 +3,7 @@
 
 #include "report/document/document.h"
 #include "report/html/isolux.h"
+#include "report/html/print_pages.h"
 #include "report/html/shared_scale.h"
 #include "report/text/texts.h"
 
@@ -16,10 +17,12 @@ namespace report {
 // Points whose cells are drawn one by one; more go in as one embedded picture.
 inline constexpr std::size_t kMostSvgCells = 2500;
 
-// A <figure> with two inline SVG pictures (plan and legend). anchor: unique in the page, used for
-// ids. Needs has_cells(plane).
+// A <figure> with inline SVG pictures: plan, legend, and the legend as paper has it. Printed values
+// and words have at least 6.5 points: where values have no room there, every second, third ... of a
+// row or column is printed, and the caption says so. anchor: unique in the page, used for ids.
+// Needs has_cells(plane).
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      const PlaneScale& scale, std::string_view anchor);
+                      const PlaneScale& scale, std::string_view anchor, Paper paper);
 
 // Its isolux lines alone, for other drawings of the same plane. Needs has_cells(plane) and
 // has_all_values(plane).

@@ -269,16 +269,18 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, const ColourScales& scales, bool folds_passed,
-                       const std::vector<std::string>& groups) {
+                       const std::vector<std::string>& groups, Paper paper) {
   const std::string anchor = plane_anchor(index);
   const std::string title = escape_html(plane_title(t, plane));
   std::string html = fmt::format(
       "<article class=\"plane\" aria-labelledby=\"{0}-title\"><details class=\"card\"{3}>\n"
-      "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> {4}</summary>\n"
+      "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> <span "
+      "class=\"on-paper room-name\">{6}</span> {4}</summary>\n"
       "<div id=\"{0}\"{5}>\n",
       anchor, title, plane.name.empty() ? "" : escape_html(plane.id),
       folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane),
-      level_attributes(t, space, plane, scales, groups));
+      level_attributes(t, space, plane, scales, groups),
+      escape_html(title_of(space.name, space.id)));
   if (!plane.is_computed) {
     html +=
         "<p class=\"message\">" +
@@ -291,7 +293,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
     html += "<div class=\"calculated\"><p class=\"message\">" + escape_html(words) + "</p></div>\n";
   html += "<div class=\"split\">\n";
   if (has_cells(plane) && has_all_values(plane))
-    html += html_plan(t, space, plane, scales.of(space, plane), anchor);
+    html += html_plan(t, space, plane, scales.of(space, plane), anchor, paper);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
   return html + html_contributions(t, plane) + html_looks(t, plane) + html_values(t, plane) +

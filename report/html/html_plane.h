@@ -3,6 +3,7 @@
 
 #include "report/document/document.h"
 #include "report/html/html_markup.h"
+#include "report/html/print_pages.h"
 #include "report/html/shared_scale.h"
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace report {
 // requirements are met or waived. groups: level_groups() of the room.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, const ColourScales& scales, bool folds_passed,
-                       const std::vector<std::string>& groups);
+                       const std::vector<std::string>& groups, Paper paper);
 
 // A report of so few planes has room for them all.
 inline constexpr std::size_t kFewPlanes = 3;

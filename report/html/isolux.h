@@ -34,7 +34,7 @@ struct IsoluxLevel {
 
 // Every border of the scale's bands, or only the multiples of two or five steps where there are
 // more than `most`, that lies between the plane's lowest and highest value, and its limits in the
-// same range; ascending.
+// same range; ascending. scale: of bands of equal width.
 std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale& scale,
                                        const std::vector<PlanLimit>& limits, int most);
 

@@ -39,9 +39,7 @@ std::string page_rules(const Texts& t, Paper paper, const PageWords& words, bool
   std::string rules;
   // Lower than A4, and as many planes are to fit.
   if (paper == Paper::letter) {
-    rules +=
-        "@media print { html { font-size: 10.8px; } .plan { max-height: 37mm; } "
-        ".room img { max-height: 40mm; } }\n";
+    rules += "@media print { html { font-size: 10.8px; } .room img { max-height: 40mm; } }\n";
   }
   rules += "@page {\n";
   if (paper == Paper::letter) rules += "size: letter;\n";
@@ -56,6 +54,12 @@ std::string page_rules(const Texts& t, Paper paper, const PageWords& words, bool
     if (paper == Paper::letter) rules += "@media print { .cover { min-height: 245mm; } }\n";
   }
   return rules;
+}
+
+std::string head_words(const Texts& t, const calc::AboutProject& about) {
+  constexpr std::size_t kLongestCompany = 30;
+  const std::string who = calc::shorten_utf8(printable(about.company), kLongestCompany);
+  return (who.empty() ? "luxgate" : who) + " · " + t[Text::compliance_report];
 }
 
 std::string foot_words(const Texts& t, const ProjectPart& project) {
@@ -75,25 +79,33 @@ std::string foot_words(const Texts& t, const ProjectPart& project) {
 }
 
 std::vector<RoomRun> room_runs(const ProjectPart& project, std::size_t index) {
-  constexpr std::size_t kOwnPages = 8;  // planes
+  // Planes: fewer fill so few pages that half an empty one is much.
+  constexpr std::size_t kOwnPages = 24;
   std::vector<RoomRun> runs;
-  std::size_t planes = kOwnPages;  // of the last one
+  std::size_t planes = 0;  // of all
+  bool is_large = false;   // the last one
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
-    if (planes >= kOwnPages || space.planes.size() >= kOwnPages) {
-      runs.push_back({fmt::format("p{}r{}", index + 1, runs.size() + 1), "", s});
-      planes = 0;
+    if (runs.empty() || is_large || space.planes.size() >= kOwnPages) {
+      runs.push_back({fmt::format("p{}r{}", index + 1, runs.size() + 1),
+                      std::string(title_of(space.name, space.id)), s});
     }
     RoomRun& run = runs.back();
-    run.head += (run.rooms == 0 ? "" : " · ") + std::string(title_of(space.name, space.id));
     ++run.rooms;
     planes += space.planes.size();
+    is_large = space.planes.size() >= kOwnPages;
   }
-  if (runs.size() == 1) runs.front().is_all = planes < kOwnPages;
+  if (runs.size() == 1) runs.front().is_all = runs.front().rooms > 1 || planes < kOwnPages;
+  for (RoomRun& run : runs) {
+    if (run.rooms == 1) continue;
+    run.page.clear();
+    run.head.clear();
+  }
   return runs;
 }
 
 std::string run_rule(const RoomRun& run) {
+  if (run.page.empty()) return {};
   return fmt::format("@page {} {{ {}}}\n", run.page,
                      box("top-right", line(run.head, kLongestHead)));
 }

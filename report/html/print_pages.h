@@ -29,17 +29,21 @@ std::string page_rules(const Texts& t, Paper paper, const PageWords& words, bool
 // What the foot says of a project: its name, number, revision and date.
 std::string foot_words(const Texts& t, const ProjectPart& project);
 
-// Rooms, one behind the other, that share pages: each of many planes begins a page, others do not
-// leave pages half empty.
+// What the head says: whose report it is, the company's if the project names one.
+std::string head_words(const Texts& t, const calc::AboutProject& about);
+
+// Rooms, one behind the other: each of many planes has pages of its own, with its name at their
+// head. Others share pages, so that none is left half empty; a page may then have parts of several
+// rooms or of one, so that nothing stands at its head, and the planes say of which room they are.
 struct RoomRun {
-  std::string page;  // its name in style sheets
-  std::string head;  // names of its rooms
+  std::string page;  // its name in style sheets; "" of several rooms
+  std::string head;  // name of the only room; "" of several
   std::size_t first = 0, rooms = 0;
-  bool is_all = false;  // of a small project, which goes on there
+  bool is_all = false;  // of the project, which goes on there
 };
 // index: of the project.
 std::vector<RoomRun> room_runs(const ProjectPart& project, std::size_t index);
-// What runs along at the head of these pages.
+// What runs along at the head of these pages; "" of several rooms.
 std::string run_rule(const RoomRun& run);
 
 }  // namespace report

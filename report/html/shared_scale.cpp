@@ -4,6 +4,7 @@
 #include "report/text/words.h"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace report {
@@ -39,24 +40,38 @@ Range wanted_range(const PlanePart& plane) {
 constexpr double kFarBelow = 0.1;
 
 struct PlaneRange {
-  Range wanted;
-  double highest = 0.0;  // value
+  Range wanted, values;
 };
 
 double highest_of(const std::vector<PlaneRange>& planes) {
-  double highest = planes.front().highest;
-  for (const PlaneRange& plane : planes) highest = std::max(highest, plane.highest);
+  double highest = planes.front().values.high;
+  for (const PlaneRange& plane : planes) highest = std::max(highest, plane.values.high);
   return highest;
 }
 
-ColourScale scale_of_all(const std::vector<PlaneRange>& planes, double highest) {
+// Of the plane that has the fewest.
+int fewest_colours(const ColourScale& scale, const std::vector<PlaneRange>& planes) {
+  int fewest = scale.bands;
+  for (const PlaneRange& plane : planes) {
+    const int colours = band_of(scale, plane.values.high) - band_of(scale, plane.values.low) + 1;
+    fewest = std::min(fewest, colours);
+  }
+  return fewest;
+}
+
+// is_of_light: in lx or the like, not ratings or ratios.
+ColourScale scale_of_all(std::vector<PlaneRange> planes, double highest, bool is_of_light) {
+  std::erase_if(planes,
+                [&](const PlaneRange& plane) { return plane.values.high < kFarBelow * highest; });
   Range all{highest, highest};
   for (const PlaneRange& plane : planes) {
-    if (plane.highest < kFarBelow * highest) continue;
     all.low = std::min(all.low, plane.wanted.low);
     all.high = std::max(all.high, plane.wanted.high);
   }
-  return make_colour_scale(all.low, all.high);
+  const ColourScale even = make_colour_scale(all.low, all.high);
+  if (!is_of_light || !(all.low >= 0.0) || !(all.high > 0.0)) return even;
+  const ColourScale classes = make_class_scale(all.low, all.high);
+  return fewest_colours(classes, planes) > fewest_colours(even, planes) ? classes : even;
 }
 
 bool has_drawing(const PlanePart& plane) { return has_cells(plane) && has_all_values(plane); }
@@ -71,16 +86,19 @@ ColourScale own_scale(const PlanePart& plane) {
 ColourScales::ColourScales(const ProjectPart& project, ScaleSharing sharing) : sharing_(sharing) {
   if (sharing == ScaleSharing::plane) return;
   std::map<Key, std::vector<PlaneRange>> planes;
+  std::set<Key> units_of_light;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
       if (!has_drawing(plane)) continue;
-      planes[key_of(space, plane)].push_back({wanted_range(plane), values_of(plane).high});
+      if (*plane_unit(plane) != '\0') units_of_light.insert(key_of(space, plane));
+      planes[key_of(space, plane)].push_back({wanted_range(plane), values_of(plane)});
     }
   }
   for (const auto& [key, ranges] : planes) {
     if (ranges.size() < 2) continue;
     const double highest = highest_of(ranges);
-    shared_.emplace(key, Shared{scale_of_all(ranges, highest), highest});
+    const bool is_of_light = units_of_light.contains(key);
+    shared_.emplace(key, Shared{scale_of_all(ranges, highest, is_of_light), highest});
   }
 }
 

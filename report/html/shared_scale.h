@@ -23,9 +23,10 @@ struct PlaneScale {
   bool is_shared = false;  // false: the plane's own
 };
 
-// Planes share a scale that are of one unit. What is far below the brightest of them (less than a
-// tenth, as emergency light is of a workplace's) would be of one colour, and has a scale of its
-// own.
+// Planes share a scale that are of one unit: bands of equal width, or classes (make_class_scale())
+// where those give the plane that has the fewest colours more of them. What is far below the
+// brightest of them (less than a tenth, as emergency light is of a workplace's) would be of one
+// colour, and has a scale of its own.
 class ColourScales {
  public:
   ColourScales() = default;  // every plane has its own

@@ -42,6 +42,19 @@ double round_step(double value) {
   return 10.0 * power;
 }
 
+constexpr double kSame = 1e-9;  // relative
+
+// From whole numbers, so that borders are the numbers that they are called.
+std::vector<double> class_borders() {
+  constexpr double kParts = 100.0;  // of 1 lx
+  std::vector<double> borders;
+  for (double power = 1.0; power < 1e10; power *= 10.0) {
+    for (const double part : {1.0, 1.5, 2.0, 3.0, 5.0, 7.5})
+      borders.push_back(part * power / kParts);
+  }
+  return borders;
+}
+
 }  // namespace
 
 Rgb cividis(double t) {
@@ -76,7 +89,39 @@ ColourScale make_colour_scale(double lowest, double highest) {
   return scale;
 }
 
+ColourScale make_class_scale(double lowest, double highest) {
+  constexpr std::size_t kMostBands = 12;
+  const std::vector<double> series = class_borders();
+  // As in band_of(): a value on a border is above it.
+  const auto border_above = [&](double value) {
+    return static_cast<std::size_t>(
+        std::upper_bound(series.begin(), series.end(), value * (1.0 + kSame)) - series.begin());
+  };
+  std::size_t last = border_above(highest);
+  if (last > 0 && series[last - 1] >= highest * (1.0 - kSame)) --last;
+  if (last + 1 >= series.size()) return make_colour_scale(0.0, highest);
+  std::size_t first = border_above(lowest);
+  ColourScale scale;
+  if (first == 0 || last - (first - 1) > kMostBands) {
+    scale.classes.push_back(0.0);
+    first = last + 1 - std::min(last + 1, kMostBands);
+  } else {
+    --first;
+  }
+  if (scale.classes.empty() && first == last) ++last;
+  for (std::size_t i = first; i <= last; ++i) scale.classes.push_back(series[i]);
+  scale.low = scale.classes.front();
+  scale.bands = static_cast<int>(scale.classes.size()) - 1;
+  return scale;
+}
+
 int band_of(const ColourScale& scale, double value) {
+  if (scale.has_classes()) {
+    const auto inner_end = scale.classes.end() - 1;
+    return static_cast<int>(
+        std::upper_bound(scale.classes.begin() + 1, inner_end, value * (1.0 + kSame)) -
+        (scale.classes.begin() + 1));
+  }
   // 1e-9: a value on the border between two bands must not fall below it by rounding.
   const double place = std::floor((value - scale.low) / scale.step + 1e-9);
   if (!(place > 0.0)) return 0;

@@ -3,6 +3,7 @@
 
 #include "report/document/document.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,19 +22,30 @@ std::string hex_colour(Rgb colour);  // "#00204d"
 // Whether black text reads better than white on this colour (relative luminance, WCAG 2.2).
 bool needs_dark_text(Rgb colour);
 
-// Bands of equal width with round limits: band i covers [low + i * step, low + (i + 1) * step),
-// in the unit of what is drawn.
+// Bands, each a colour: band i covers [border(i), border(i + 1)), in the unit of what is drawn.
+// They are of equal width with round limits, or classes, which get wider upwards.
 struct ColourScale {
   double low = 0.0;
-  double step = 1.0;  // 1, 2 or 5 times a power of ten
-  int bands = 1;      // 1 to 12
+  double step = 1.0;                 // 1, 2 or 5 times a power of ten; not of classes
+  int bands = 1;                     // 1 to 12
+  std::vector<double> classes = {};  // their bands + 1 borders; empty: bands of equal width
 
-  double high() const { return low + step * bands; }
+  bool has_classes() const { return !classes.empty(); }
+  // i: 0 to bands.
+  double border(int i) const {
+    return has_classes() ? classes[static_cast<std::size_t>(i)] : low + step * i;
+  }
+  double high() const { return border(bands); }
 };
 
 // Covers [lowest, highest], both finite; a nearly even field still gets steps of at least 1 %
 // of its value, so that noise is not painted as structure.
 ColourScale make_colour_scale(double lowest, double highest);
+// Classes by the series 1, 1.5, 2, 3, 5, 7.5, 10 that standards step illuminances by, so that a
+// corridor and a task area both show how their light falls off (scale of illuminance in EN
+// 12464-1). They cover [lowest, highest], 0 <= lowest <= highest > 0, both finite; the first one
+// begins at 0 where lowest is below 0.01, or more than 12 would be needed.
+ColourScale make_class_scale(double lowest, double highest);
 // Index of the band of a value; values outside go to the first or last band.
 int band_of(const ColourScale& scale, double value);
 Rgb band_colour(const ColourScale& scale, int band);

@@ -214,7 +214,7 @@ Raster with_legend(const Raster& picture, const ColourScale& scale, const std::s
   int free = 0;  // where the next number may begin
   for (int band = 0; band <= scale.bands; ++band) {
     // Six digits: of 3 x 1.5e-5 a binary number is a little less.
-    const std::string number = fmt::format("{:.6g}", scale.low + band * scale.step);
+    const std::string number = fmt::format("{:.6g}", scale.border(band));
     const int begin = x_of(band) - text_width(number) / 2;
     if (begin < free) continue;
     write_text(result, begin, top + kBarHeight + 6, number);

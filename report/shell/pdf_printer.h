@@ -23,11 +23,11 @@ FoundChromium find_chromium(const Environment& environment);
 // A process of its own, which is started before this one gives up to start any (sandbox.h), takes
 // pages through a socket and gives PDFs back. It ends with this one, whatever ends that, and leaves
 // nothing behind. Chromium runs without a network and without the user's settings, in a folder that
-// is made for each page.
+// is made for each page. It is ended when it takes far longer than a page of that size does.
 class PdfPrinter : public report::PagePrinter {
  public:
   // Before other threads are started. Throws std::system_error.
-  PdfPrinter(const std::string& chromium, double most_seconds);
+  explicit PdfPrinter(const std::string& chromium);
   ~PdfPrinter() override;
 
   std::string print(const std::function<void(report::Sink&)>& write_page) override;

@@ -66,20 +66,30 @@ std::vector<std::string> runs_of(const std::vector<std::size_t>& planes) {
   return heads;
 }
 
+// A page of several rooms names none of them, since it may have another one only.
 TEST(RoomRuns, SmallRoomsSharePages) {
   using Heads = std::vector<std::string>;
   EXPECT_EQ(runs_of({}), Heads());
-  EXPECT_EQ(runs_of({9, 8, 20}), (Heads{"a", "b", "c"}));
-  EXPECT_EQ(runs_of({3, 3, 3, 1, 1}), (Heads{"a · b · c", "d · e"}));
-  EXPECT_EQ(runs_of({1, 0, 9, 1, 2, 8}), (Heads{"a · b", "c", "d · e", "f"}));
+  EXPECT_EQ(runs_of({25, 24, 60}), (Heads{"a", "b", "c"}));
+  EXPECT_EQ(runs_of({8, 8, 8, 8, 8}), (Heads{""}));
+  EXPECT_EQ(runs_of({1, 0, 25, 24, 2}), (Heads{"", "c", "d", "e"}));
 }
 
 TEST(RoomRuns, ASmallProjectGoesOnThere) {
   ProjectPart project;
   project.spaces.resize(2);
   EXPECT_TRUE(room_runs(project, 0).front().is_all);
-  project.spaces[1].planes.resize(8);
+  EXPECT_EQ(room_runs(project, 0).front().head, "");
+  EXPECT_EQ(run_rule(room_runs(project, 0).front()), "");
+  project.spaces[1].planes.resize(24);
   for (const RoomRun& run : room_runs(project, 0)) EXPECT_FALSE(run.is_all);
+}
+
+TEST(PrintedPage, HeadNamesTheCompany) {
+  EXPECT_EQ(head_words({}, {}), "luxgate · lighting compliance report");
+  calc::AboutProject about;
+  about.company = "Example Lighting";
+  EXPECT_EQ(head_words({}, about), "Example Lighting · lighting compliance report");
 }
 
 TEST(PrintedPage, RoomsHavePagesOfTheirOwn) {

@@ -30,7 +30,7 @@ ProjectPart project_of() {
 }
 
 bool is_same(const ColourScale& a, const ColourScale& b) {
-  return a.low == b.low && a.step == b.step && a.bands == b.bands;
+  return a.low == b.low && a.step == b.step && a.bands == b.bands && a.classes == b.classes;
 }
 
 TEST(ColourScales, OfAProjectAreOneButForWhatIsFarBelow) {
@@ -76,6 +76,22 @@ TEST(ColourScales, RatingsAreNoIlluminance) {
   EXPECT_FALSE(scales.of(project.spaces[0], project.spaces[0].planes[2]).is_shared);
   EXPECT_TRUE(is_same(scales.of(project.spaces[0], project.spaces[0].planes[0]).scale,
                       make_colour_scale(100, 700)));
+}
+
+// A corridor beside an office: of bands of 100 lx it would have one colour.
+TEST(ColourScales, AreClassesWhereAPlaneWouldBeOfOneColour) {
+  ProjectPart project = project_of();
+  project.spaces[0].planes = {plane_of("desk", 520, 900)};
+  project.spaces[1].planes = {plane_of("corridor", 102, 190)};
+  const ColourScales scales(project, ScaleSharing::project);
+  const PlaneScale desk = scales.of(project.spaces[0], project.spaces[0].planes[0]);
+  const PlaneScale corridor = scales.of(project.spaces[1], project.spaces[1].planes[0]);
+  EXPECT_TRUE(corridor.is_shared);
+  EXPECT_TRUE(is_same(desk.scale, corridor.scale));
+  EXPECT_TRUE(is_same(corridor.scale, make_class_scale(102, 900)));
+  EXPECT_EQ(band_of(make_colour_scale(102, 900), 102), band_of(make_colour_scale(102, 900), 190));
+  EXPECT_LT(band_of(corridor.scale, 102), band_of(corridor.scale, 190));
+  EXPECT_LT(band_of(desk.scale, 520), band_of(desk.scale, 900));
 }
 
 TEST(ColourScales, ALimitWidensThem) {

@@ -2,9 +2,13 @@
 
 #include "tests/support/sample_document.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -58,6 +62,46 @@ TEST(ColourScale, DarknessAndTinyValuesHaveAScale) {
   EXPECT_LE(scale.low, 0.0001);
   EXPECT_GE(scale.high(), 0.0009 - 1e-12);
   EXPECT_LE(scale.bands, 12);
+}
+
+TEST(ClassScale, FollowsTheSeriesAndCoversTheValues) {
+  EXPECT_THAT(make_class_scale(80, 940).classes,
+              testing::ElementsAre(75, 100, 150, 200, 300, 500, 750, 1000));
+  EXPECT_THAT(make_class_scale(100, 300).classes, testing::ElementsAre(100, 150, 200, 300));
+  EXPECT_THAT(make_class_scale(500, 500).classes, testing::ElementsAre(500, 750));
+  for (const auto& [low, high] : std::vector<std::pair<double, double>>{
+           {0, 0.004}, {0, 7}, {0.3, 1200}, {1e-9, 1e-9}, {3, 3e7}, {0.07, 0.08}, {0, 1e12}}) {
+    const ColourScale scale = make_class_scale(low, high);
+    EXPECT_LE(scale.low, low) << low << " to " << high;
+    EXPECT_GE(scale.high(), high) << low << " to " << high;
+    EXPECT_LE(scale.bands, 12) << low << " to " << high;
+    for (int i = 0; i < scale.bands; ++i) EXPECT_LT(scale.border(i), scale.border(i + 1));
+  }
+}
+
+TEST(ClassScale, BandsIncludeTheirLowerLimit) {
+  const ColourScale scale = make_class_scale(100, 900);
+  for (int band = 0; band < scale.bands; ++band) {
+    EXPECT_EQ(band_of(scale, scale.border(band)), band);
+    EXPECT_EQ(band_of(scale, 0.5 * (scale.border(band) + scale.border(band + 1))), band);
+    EXPECT_EQ(band_of(scale, scale.border(band) - 0.01), std::max(0, band - 1));
+  }
+  EXPECT_EQ(band_of(scale, 0), 0);
+  EXPECT_EQ(band_of(scale, 1e9), scale.bands - 1);
+}
+
+// Neighbours are told apart in grey print: each class is as much lighter as the next one.
+TEST(ClassScale, ColoursHaveEqualDistance) {
+  const ColourScale scale = make_class_scale(20, 900);
+  const auto grey = [&](int band) {
+    const Rgb c = band_colour(scale, band);
+    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+  };
+  const double mean = (grey(scale.bands - 1) - grey(0)) / (scale.bands - 1);
+  for (int i = 0; i + 1 < scale.bands; ++i) {
+    EXPECT_GT(grey(i + 1) - grey(i), 0.5 * mean) << i;
+    EXPECT_LT(grey(i + 1) - grey(i), 1.5 * mean) << i;
+  }
 }
 
 TEST(Raster, LargestRowIsOnTopAndGapsAreClear) {
