@@ -22,6 +22,7 @@ luxgate_test(radiosity_tests
     unit/calc/radiosity/between_points_test.cpp
     unit/calc/radiosity/emission_test.cpp
     unit/calc/radiosity/low_discrepancy_test.cpp
+    unit/calc/radiosity/importance_test.cpp
     unit/calc/radiosity/light_paths_test.cpp
     unit/calc/radiosity/luminaire_choice_test.cpp
     unit/calc/radiosity/near_field_test.cpp

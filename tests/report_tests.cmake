@@ -19,6 +19,7 @@ luxgate_test(report_tests
     unit/report/html/data_sheets_test.cpp
     unit/report/html/html_chapters_test.cpp
     unit/report/html/html_layout_test.cpp
+    unit/report/html/html_plan_test.cpp
     unit/report/html/html_room_data_test.cpp
     unit/report/html/html_test.cpp
     unit/report/html/isolux_test.cpp
@@ -129,6 +130,9 @@ if(Python3_Interpreter_FOUND)
   add_test(NAME cli.advise COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/advise.py
     $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/advise)
   set_tests_properties(cli.advise PROPERTIES TIMEOUT 300)
+  add_test(NAME cli.advise_places COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/advise_places.py
+    $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/advise_places)
+  set_tests_properties(cli.advise_places PROPERTIES TIMEOUT 300)
   if(LUXGATE_BROWSER)
     add_test(NAME page_widths COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/page_widths.py
       $<TARGET_FILE:luxgate> ${LUXGATE_BROWSER} ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/page_widths)

@@ -51,6 +51,19 @@ void TextChange::add_children(const XmlElement& parent, const std::string& xml) 
   }
 }
 
+void TextChange::remove(const XmlElement& element) {
+  const std::size_t begin = offset_of(element.where);
+  std::size_t last = text_.find('>', end_of_attributes(element));
+  if (text_[last - 1] != '/') {
+    const std::size_t inside =
+        element.children.empty() ? last : end_of_attributes(element.children.back());
+    last = text_.find('>', text_.find("</" + element.name, inside));
+  }
+  const std::string_view old(text_.data() + begin, last + 1 - begin);
+  const auto lines = static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n'));
+  edits_.push_back({begin, old.size(), std::string(lines, '\n')});
+}
+
 std::string TextChange::apply() {
   if (new_parent_ != nullptr) {
     add_children(*new_parent_, fmt::format("<{}{}/>", new_child_, new_attributes_));

@@ -23,6 +23,8 @@ class TextChange {
   // attributes that are set so. One such child at most.
   void set_in_new(const calc::XmlElement& parent, const calc::XmlElement& child,
                   std::string_view name, std::string_view value);
+  // All of an element; later lines keep their numbers.
+  void remove(const calc::XmlElement& element);
   // Finished XML before all children of this element; once per element.
   void add_children(const calc::XmlElement& parent, const std::string& xml);
 

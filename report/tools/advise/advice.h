@@ -2,6 +2,7 @@
 // What `advise` found: plain data.
 
 #include "calc/base/names.h"
+#include "report/tools/advise/room_advice.h"
 #include "rules/catalogue/finding.h"
 
 #include <glm/vec3.hpp>
@@ -93,6 +94,7 @@ struct SceneAdvice {
 struct Advice {
   std::string project;
   std::vector<SceneAdvice> scenes;
+  RoomAdvice rooms = {};  // what was asked for of places and surfaces
 };
 
 std::string render_advice_text(const Advice& advice);

@@ -1,6 +1,7 @@
 #include "report/text/json_keys.h"
 #include "report/text/json_layout.h"
 #include "report/tools/advise/advice.h"
+#include "report/tools/advise/room_advice_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -159,12 +160,25 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
                      "Requirements that surely cannot be met together by dimming.")}};
 }
 
+// Rooms, each with what was looked at.
+report::JsonKey room_key(const char* name, AdviceJson value, const char* words, bool is_written) {
+  return {name, std::move(value), described_key(list_of_keys(type_of("object")), words), false,
+          is_written};
+}
+
 JsonKeys advice_keys(const Advice& advice) {
+  const RoomAdvice& rooms = advice.rooms;
   return {
       {"format", "luxgate-advice", {{"const", "luxgate-advice"}}},
       {"format_version", 1, {{"const", 1}}},
       {"project", advice.project, type_of("string")},
-      {"scenes", list_of(advice.scenes, scene_keys), list_of_keys(schema_of_keys(scene_keys({})))}};
+      {"scenes", list_of(advice.scenes, scene_keys), list_of_keys(schema_of_keys(scene_keys({})))},
+      room_key("places", rooms.places ? places_json(*rooms.places) : AdviceJson(),
+               "Of --places: where one luminaire more helps.", rooms.places.has_value()),
+      room_key("spare", rooms.spare ? spare_json(*rooms.spare) : AdviceJson(),
+               "Of --places: which luminaires can go.", rooms.spare.has_value()),
+      room_key("surfaces", rooms.surfaces ? surfaces_json(*rooms.surfaces) : AdviceJson(),
+               "Of --surfaces: what lighter surfaces add.", rooms.surfaces.has_value())};
 }
 
 }  // namespace

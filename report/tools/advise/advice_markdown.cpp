@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace cli {
@@ -89,12 +91,23 @@ std::string scene(const SceneAdvice& advice) {
   return text;
 }
 
+// Tables of blanks stay tables, and nothing in them is markup.
+std::string as_code(const std::string& text) {
+  std::string code;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    code += end > begin ? "    " + text.substr(begin, end - begin) + "\n" : "\n";
+    begin = end + 1;
+  }
+  return code;
+}
+
 }  // namespace
 
 std::string render_advice_markdown(const Advice& advice) {
   std::string text = fmt::format("## Levels for {}\n", escape_markdown(advice.project));
   for (const SceneAdvice& one : advice.scenes) text += scene(one);
-  return text;
+  return text + as_code(render_room_advice_text(advice.rooms));
 }
 
 }  // namespace cli

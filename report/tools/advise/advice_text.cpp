@@ -122,7 +122,7 @@ std::string scene_text(const SceneAdvice& advice) {
 std::string render_advice_text(const Advice& advice) {
   std::string text = report::printable(advice.project) + "\n";
   for (const SceneAdvice& scene : advice.scenes) text += "\n" + scene_text(scene);
-  return text;
+  return text + render_room_advice_text(advice.rooms);
 }
 
 }  // namespace cli

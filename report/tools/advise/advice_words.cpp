@@ -79,8 +79,9 @@ std::string outcome_words(const SceneAdvice& advice) {
       const auto met = std::count_if(
           advice.requirements.begin(), advice.requirements.end(),
           [](const AdvisedRequirement& one) { return one.after.verdict == rules::Verdict::pass; });
-      return fmt::format("levels found; checked with other random numbers, {} of {} pass", met,
-                         requirement_count(advice));
+      return fmt::format(
+          "levels found; checked with other random numbers, {} of {} requirements pass", met,
+          advice.requirements.size());
     }
     case AdviceOutcome::more_light:
       return "no levels up to full output meet all conditions; with more light these would, by "

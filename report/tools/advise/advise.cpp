@@ -1,5 +1,6 @@
 #include "report/tools/advise/advise.h"
 
+#include "calc/project/project_xml.h"
 #include "calc/store/memory_store.h"
 #include "report/check/scene_levels.h"
 #include "report/formats/write.h"
@@ -12,6 +13,7 @@
 #include "report/shell/project_reader.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_advice.h"
+#include "report/tools/advise/find_places.h"
 #include "report/tools/advise/level_solver.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
@@ -46,13 +48,16 @@ constexpr const char* kAdviseNotes =
     "check says of every requirement stands beside it. Power is taken to be in proportion to the\n"
     "level. Luminaires without a group count as one more group.\n"
     "Where no levels meet everything, it is said which requirements exclude each other, and how\n"
-    "much more light would meet them, if any does.";
+    "much more light would meet them, if any does.\n"
+    "--places and --surfaces follow light backwards from the points that lack it, so that every\n"
+    "free place of a ceiling grid and every surface is known without a run for it. The best three\n"
+    "places, as many together as it takes, and each surface are checked likewise.";
 
 struct AdviseOptions {
   CheckOptions check;  // of one project
   std::string project;
   std::string scene, write_file;
-  bool has_scene = false;
+  bool has_scene = false, places = false, surfaces = false;
   int steps = 100;
   std::vector<DataOutput> outputs;
 };
@@ -307,8 +312,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   print_diagnostics(part.diagnostics, check.output.quiet);
   if (!part.is_judged) return kNotJudged;
 
-  const auto checked = [&](const std::string& text,
-                           std::string& reason) -> std::optional<report::ProjectPart> {
+  const auto check_text = [&](const std::string& text,
+                              std::string& reason) -> std::optional<report::ProjectPart> {
     const ChangedProject changed(files, options.project, text);
     // Other random numbers: levels that were chosen by the same ones may owe something to them.
     check::Settings settings = check.settings;
@@ -329,11 +334,11 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     calc::Diagnostics diagnostics;
     const auto text = check::with_scene_levels(project.bytes, options.project,
                                                levels_of(advice, part), diagnostics);
-    if (text) return checked(*text, reason);
+    if (text) return check_text(*text, reason);
     reason = diagnostics.all().front().message;
     return std::nullopt;
   };
-  Advice advice{options.project, {}};
+  Advice advice{options.project, {}, {}};
   advice.scenes = find_advice(
       part, keeper.light(),
       {options.steps, check.settings.confidence, options.scene, options.has_scene, interrupted},
@@ -346,8 +351,45 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
             : "the project has no requirement that hangs on the levels of luminaires");
     return kNotJudged;
   }
+  if (options.places || options.surfaces) {
+    calc::Diagnostics again;
+    const std::optional<calc::Project> loaded = calc::load_project(files, options.project, again);
+    if (!loaded) {
+      print_diagnostics(again.all(), true);
+      return kNotJudged;
+    }
+    calc::ImportanceSettings importance;
+    importance.seed = check.settings.radiosity.seed;
+    importance.jobs = check.settings.radiosity.jobs;
+    importance.goes_on = [] { return !interrupted(); };
+    const auto light_apart = [&] {
+      check::Settings settings = check.settings;
+      settings.by_luminaire = true;
+      LightKeeper apart(progress, options.project);
+      check_safely(options.project, {settings, files, setup->packs, stages, apart, nullptr, &store,
+                                     setup->crew.most_begun});
+      progress.clear();
+      return apart.light();
+    };
+    const RoomQuestions questions{options.project,
+                                  project.bytes,
+                                  *loaded,
+                                  part,
+                                  keeper.light(),
+                                  advice.scenes,
+                                  check.settings.confidence,
+                                  importance,
+                                  check_text,
+                                  light_apart};
+    if (options.places) {
+      advice.rooms.places = find_places(questions);
+      advice.rooms.spare = find_spare(questions);
+    }
+    if (options.surfaces) advice.rooms.surfaces = find_surfaces(questions);
+    if (interrupted()) return kInterrupted;
+  }
   const bool is_written = options.write_file.empty() ||
-                          write_changed(options, advice, part, project.bytes, files, checked);
+                          write_changed(options, advice, part, project.bytes, files, check_text);
   if (interrupted()) return kInterrupted;
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
@@ -400,7 +442,13 @@ Command advise_command() {
       {"--write", "FILE",
        "Write the project with the levels that were found, for --against or compare; in the\n"
        "folder of the project. What is asked of full output is then asked of a new scene",
-       some_text(options->write_file)}};
+       some_text(options->write_file)},
+      {"--places", "",
+       "Also where one luminaire more helps most, in rooms where no levels meet everything,\n"
+       "and which ones can go where everything is met",
+       &options->places},
+      {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
+       &options->surfaces}};
   add(command.options,
       data_format_options(options->outputs,
                           "text, json or markdown, into a file or to standard output; default\n"
@@ -416,13 +464,16 @@ Command advise_command() {
   add(command.options, {quiet_option(check.output.quiet)});
   command.notes = kAdviseNotes;
   command.examples = {{"luxgate advise office.xml --write dimmed.xml",
-                       "Levels for every scene, and a project that has them"}};
+                       "Levels for every scene, and a project that has them"},
+                      {"luxgate advise office.xml --places --surfaces",
+                       "Also where luminaires more help, and what lighter surfaces add"}};
   command.exit_codes = {
       {kAllMet, "levels were found for every scene, and everything asked of it passes with them"},
       {kNotMet, "for a scene there are none, or something that they cannot mend is not met"},
       {kNotJudged, "usage, input or file error, or the project could not be judged"},
       {kInterrupted, "interrupted"}};
-  command.most_used = {"--scene", "--steps", "--write", "--tolerance", "--rules", "--json"};
+  command.most_used = {"--scene",    "--steps",     "--write", "--places",
+                       "--surfaces", "--tolerance", "--rules", "--json"};
   command.complete = [options](const Environment&) { return complete_advise(*options); };
   command.run = [options](const RunContext& context) { return run_advise(*options, context); };
   return command;

@@ -1,0 +1,99 @@
+#pragma once
+// What `advise` found about places and surfaces of a room: plain data.
+
+#include "calc/base/field.h"
+#include "rules/catalogue/finding.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// Of a scene, in the room that is spoken of.
+struct RoomRequirement {
+  std::string space, plane;  // as reports title them
+  rules::Finding before;
+  std::size_t points = 0;  // of the plane that light was followed from; 0: their mean
+};
+
+struct AdvisedPlace {
+  std::string type, group;
+  glm::dvec3 position_m{0.0}, c0{0.0}, axis{0.0};  // world
+  double cost = 0.0;                               // W or lm
+  // [requirement]: what this luminaire alone adds, by reciprocity.
+  std::vector<calc::Estimate> gain_lx;
+  // Of what lacks, by the lower ends of gains, on average over the requirements, in [0, 1].
+  double share = 0.0;
+};
+
+// The project with these luminaires more, checked with other random numbers.
+struct CheckedPlaces {
+  std::vector<AdvisedPlace> places;
+  std::vector<rules::Finding> after;   // [requirement]; empty: there was no check
+  std::size_t passing = 0, asked = 0;  // of all that count in the scene, in all rooms
+  std::vector<std::string> broken;     // what passed and no longer does, in words
+  std::string problem;                 // why it could not be checked
+};
+
+struct RoomPlaces {
+  std::string scene, space, space_id;
+  bool is_by_flux = false;                    // costs are lumens
+  std::string problem;                        // why there is no advice; "" = there is
+  std::vector<RoomRequirement> requirements;  // that more light would help
+  glm::dvec2 step_m{0.0};                     // of the grid of places
+  double least_distance_m = 0.0;              // from luminaires
+  std::size_t cells = 0;                      // of the grid, for all ways of mounting together
+  std::vector<std::string> left_out;          // types that were not looked at, and why
+  std::size_t passing = 0, asked = 0;         // as of CheckedPlaces, before
+  std::vector<AdvisedPlace> places;           // free ones, best first
+  std::vector<CheckedPlaces> best;            // one luminaire more
+  std::optional<CheckedPlaces> together;      // as many as it takes, by the same light
+};
+
+struct LighterSurface {
+  std::string surface;       // "floor", "ceiling", "walls"
+  double reflectance = 0.0;  // by area
+  // [requirement]: what 0.1 more would add if it went on as it begins, and what it adds.
+  std::vector<calc::Estimate> slope_lx, step_lx;
+  std::vector<rules::Finding> after;  // [requirement], checked; empty: it was not
+  std::string problem;                // why it was not
+};
+inline constexpr double kReflectanceStep = 0.1;
+
+struct RoomSurfaces {
+  std::string scene, space, space_id;
+  std::string problem;
+  std::vector<RoomRequirement> requirements;
+  std::vector<LighterSurface> surfaces;
+};
+
+struct SpareLuminaire {
+  std::string id, type, group;
+  glm::dvec3 position_m{0.0};
+  double cost = 0.0;  // W or lm
+};
+
+// Of a room in which everything is met in all scenes.
+struct RoomSpare {
+  std::string space, space_id;
+  bool is_by_flux = false;
+  std::string problem;                     // why there is no advice; "" = there is
+  std::vector<SpareLuminaire> luminaires;  // that can go together, as a check has confirmed
+  std::size_t of = 0;                      // that the room has
+  std::size_t passing = 0;                 // requirements of all scenes and rooms in that check
+};
+
+struct RoomAdvice {
+  // Empty: nobody asked.
+  std::optional<std::vector<RoomPlaces>> places;
+  std::optional<std::vector<RoomSpare>> spare;  // together with places
+  std::optional<std::vector<RoomSurfaces>> surfaces;
+};
+
+std::string render_room_advice_text(const RoomAdvice& advice);
+
+}  // namespace cli

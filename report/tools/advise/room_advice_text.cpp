@@ -1,0 +1,171 @@
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "report/text/words.h"
+#include "report/tools/advise/room_advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cli {
+namespace {
+
+std::string room_heading(const std::string& scene, const std::string& space, const char* about) {
+  return fmt::format(
+      "{}, {}: {}\n",
+      scene.empty() ? "Full output" : fmt::format("Scene '{}'", report::printable(scene)),
+      report::printable(space), about);
+}
+
+std::string place_cost_words(double cost, bool is_by_flux) {
+  return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
+}
+
+std::string room_value_words(const rules::Finding& finding) {
+  if (finding.verdict == rules::Verdict::not_judged) return "not judged";
+  return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
+}
+
+std::string room_requirement_words(const RoomRequirement& one) {
+  const rules::Requirement& requirement = one.before.requirement;
+  return fmt::format("{}: {} {} {}", report::printable(one.plane),
+                     report::quantity_words(requirement),
+                     rules::comparison_name(requirement.comparison),
+                     report::format_limit(requirement.limit, rules::unit_of(requirement)));
+}
+
+std::string place_words(const AdvisedPlace& place, bool is_by_flux) {
+  return fmt::format("{} at {}{}, {}", report::printable(place.type),
+                     report::format_position(place.position_m),
+                     place.group.empty() ? "" : ", group " + report::printable(place.group),
+                     place_cost_words(place.cost, is_by_flux));
+}
+
+std::string place_check_words(const CheckedPlaces& checked, const RoomPlaces& room) {
+  if (!checked.problem.empty()) {
+    return fmt::format("      not checked: {}\n", report::printable(checked.problem));
+  }
+  std::string text =
+      fmt::format("      checked with other random numbers: {} of {} pass, before {}\n",
+                  checked.passing, checked.asked, room.passing);
+  for (std::size_t r = 0; r < room.requirements.size(); ++r) {
+    const std::string gain =
+        checked.places.size() == 1
+            ? fmt::format(" (expected to add {})",
+                          report::format_measured(checked.places.front().gain_lx[r], "lx"))
+            : "";
+    text += fmt::format(
+        "        {}: {}, now {}{}, {}\n", room_requirement_words(room.requirements[r]),
+        room_value_words(checked.after[r]), room_value_words(room.requirements[r].before), gain,
+        calc::name_of(checked.after[r].verdict));
+  }
+  for (const std::string& one : checked.broken) {
+    text += fmt::format("        no longer met: {}\n", report::printable(one));
+  }
+  return text;
+}
+
+std::string left_out_words(const std::vector<std::string>& left_out) {
+  std::string text;
+  for (const std::string& one : left_out) {
+    text += fmt::format("  Not looked at: {}\n", report::printable(one));
+  }
+  return text;
+}
+
+std::string places_text(const RoomPlaces& room) {
+  std::string text = room_heading(room.scene, room.space, "where a luminaire more helps most");
+  if (!room.problem.empty()) {
+    return text + fmt::format("  No advice: {}\n", report::printable(room.problem)) +
+           left_out_words(room.left_out);
+  }
+  text += fmt::format(
+      "  {} free places of {}, every {:.2f} x {:.2f} m, mounted as others in this room and at\n"
+      "  least {:.2f} m from any of them; the best by what each mends for its {}:\n",
+      room.places.size(), room.cells, room.step_m.x, room.step_m.y, room.least_distance_m,
+      room.is_by_flux ? "lumens (the power of a luminaire is not known)" : "watts");
+  for (const CheckedPlaces& one : room.best) {
+    text += fmt::format("    {}\n", place_words(one.places.front(), room.is_by_flux)) +
+            place_check_words(one, room);
+  }
+  if (room.together) {
+    double cost = 0.0;
+    for (const AdvisedPlace& place : room.together->places) cost += place.cost;
+    text += fmt::format("    {} together, {}{}:\n", room.together->places.size(),
+                        place_cost_words(cost, room.is_by_flux),
+                        room.together->broken.empty() ? "" : ", but not all stays met");
+    for (const AdvisedPlace& place : room.together->places) {
+      text += fmt::format("      {}\n", place_words(place, room.is_by_flux));
+    }
+    text += place_check_words(*room.together, room);
+  }
+  return text + left_out_words(room.left_out);
+}
+
+std::string spare_text(const RoomSpare& room) {
+  std::string text = fmt::format("{}: which luminaires can go\n", report::printable(room.space));
+  if (!room.problem.empty()) {
+    return text + fmt::format("  None: {}\n", report::printable(room.problem));
+  }
+  double cost = 0.0;
+  for (const SpareLuminaire& one : room.luminaires) cost += one.cost;
+  text += fmt::format(
+      "  {} of {}, {}; checked with other random numbers, all {} requirements of all scenes pass\n",
+      room.luminaires.size(), room.of, place_cost_words(cost, room.is_by_flux), room.passing);
+  for (const SpareLuminaire& one : room.luminaires) {
+    text += fmt::format("    {} ({}) at {}\n", report::printable(one.id),
+                        report::printable(one.type), report::format_position(one.position_m));
+  }
+  return text;
+}
+
+std::string surfaces_text(const RoomSurfaces& room) {
+  std::string text =
+      room_heading(room.scene, room.space, "what 0.1 more of reflectance adds, other things equal");
+  if (!room.problem.empty()) {
+    return text + fmt::format("  No advice: {}\n", report::printable(room.problem));
+  }
+  for (const LighterSurface& surface : room.surfaces) {
+    text += fmt::format("    {} ({:.2f} now)\n", surface.surface, surface.reflectance);
+    for (std::size_t r = 0; r < room.requirements.size(); ++r) {
+      const std::string then =
+          surface.after.empty()
+              ? ""
+              : fmt::format("; checked {}, now {}, {}", room_value_words(surface.after[r]),
+                            room_value_words(room.requirements[r].before),
+                            calc::name_of(surface.after[r].verdict));
+      text += fmt::format("      {}: {}, as it begins {}{}\n",
+                          room_requirement_words(room.requirements[r]),
+                          report::format_measured(surface.step_lx[r], "lx"),
+                          report::format_measured(surface.slope_lx[r], "lx"), then);
+    }
+    if (!surface.problem.empty()) {
+      text += fmt::format("      not checked: {}\n", report::printable(surface.problem));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string render_room_advice_text(const RoomAdvice& advice) {
+  std::string text;
+  if (advice.places) {
+    if (advice.places->empty()) {
+      text += "\nNo place was looked for: levels meet what another luminaire could mend.\n";
+    }
+    for (const RoomPlaces& room : *advice.places) text += "\n" + places_text(room);
+  }
+  if (advice.spare) {
+    for (const RoomSpare& room : *advice.spare) text += "\n" + spare_text(room);
+  }
+  if (advice.surfaces) {
+    if (advice.surfaces->empty()) {
+      text += "\nNo requirement is a lower limit of illuminance: no surface was looked at.\n";
+    }
+    for (const RoomSurfaces& room : *advice.surfaces) text += "\n" + surfaces_text(room);
+  }
+  return text;
+}
+
+}  // namespace cli

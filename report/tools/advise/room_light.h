@@ -1,0 +1,106 @@
+#pragma once
+// The points of a room that lack light, and what luminaires and surfaces give to them.
+
+#include "calc/radiosity/importance.h"
+#include "calc/scene/project.h"
+#include "report/document/document.h"
+#include "report/tools/advise/find_advice.h"
+#include "report/tools/advise/room_advice.h"
+#include "rules/catalogue/requirement.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+// The changed project's text, checked with other random numbers. Empty: it could not be; `reason`
+// says why.
+using CheckText =
+    std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
+
+// What searches in rooms stand on.
+struct RoomQuestions {
+  const std::string& file;   // path of the project
+  const std::string& bytes;  // of it
+  const calc::Project& project;
+  const report::ProjectPart& part;  // judged
+  const LightOfPlanes& light;
+  const std::vector<SceneAdvice>& scenes;
+  double confidence;
+  calc::ImportanceSettings importance;
+  CheckText check;
+  // Light of planes with a channel for each luminaire of the room, in their order, where that is
+  // possible.
+  std::function<LightOfPlanes()> light_apart;
+};
+
+// A requirement with its points.
+struct AskedOfRoom {
+  std::size_t plane = 0, finding = 0;  // in the room's part
+  RoomRequirement told;
+  double lack_lx = 0.0;  // of the lower end of its interval; <= 0: none
+  bool is_mean = false;
+  std::vector<std::size_t> points;  // of the grid: all that count, or the darkest ones
+  std::vector<double> value_lx;     // as many; of a mean the mean alone
+  const calc::SensorGrid* grid = nullptr;
+  std::size_t first_target = 0;  // of a mean one target, else one for each point
+};
+
+// Lower limits on illuminance that count in a scene, on flat planes: averages, least values and
+// values at points. only_lacking: those that do not pass. Others lacking light, in words, go to
+// left_out.
+std::vector<AskedOfRoom> asked_of_room(const RoomQuestions& questions, std::size_t space,
+                                       const std::string& scene, bool only_lacking,
+                                       std::vector<std::string>& left_out);
+
+// Light of luminaires at the targets of the requirements, maintained or initial as asked.
+class RoomLight {
+ public:
+  // luminaires: of this room, or that might hang in it. surfaces: as surface_of_body() has them,
+  // each a class; may be empty.
+  RoomLight(const RoomQuestions& questions, const calc::Space& space, const std::string& scene,
+            std::vector<AskedOfRoom>& asked, const std::vector<calc::Luminaire>& luminaires,
+            const std::vector<std::string>& surfaces);
+
+  const std::string& problem() const { return light_.problem; }
+  // By how much the requirement's value grows with this luminaire; the interval holds at the run's
+  // confidence.
+  calc::Estimate gain_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
+  // What it adds to each of the requirement's values, see AskedOfRoom::value_lx.
+  std::vector<double> added_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
+  // What a surface adds, lit by all of the luminaires; is_slope: by what it begins with.
+  calc::Estimate surface_lx(const AskedOfRoom& asked, std::size_t surface, bool is_slope) const;
+
+ private:
+  double weight(const AskedOfRoom& asked, std::size_t luminaire) const;
+  template <class Batch>
+  calc::Estimate grown(const AskedOfRoom& asked, const Batch& batch_lx) const;
+
+  const calc::LightScene* scene_ = nullptr;
+  double confidence_;
+  std::vector<calc::LightChannel> channels_;  // [luminaire]
+  calc::LightByLuminaire light_;
+};
+
+// "<room>.floor" is of "floor", "<room>.wall2" of "walls"; "" of anything else.
+std::string surface_of_body(const std::string& room, const std::string& body);
+
+// How many of all that counts in a scene pass.
+struct PassCount {
+  std::size_t passing = 0, asked = 0;
+};
+PassCount count_passes(const report::ProjectPart& part, const std::string& scene);
+
+// What counts, passed before and does not pass after, in whatever scene: "Desk, average (fail)".
+// Both are of the same requirements.
+std::vector<std::string> broken_findings(const report::ProjectPart& before,
+                                         const report::ProjectPart& after);
+
+// Of the part's space; null: there is none.
+const calc::Space* space_of(const RoomQuestions& questions, std::size_t part_index);
+
+}  // namespace cli

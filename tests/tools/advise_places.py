@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+"""Whether places and surfaces that `luxgate advise` speaks of do what it says.
+
+  advise_places.py LUXGATE EXAMPLES WORK [PLACES]
+
+Gains by reciprocity against a run for each place: of an office with too few luminaires PLACES (default 10; 0: all) of
+its free places, evenly chosen from the ranked list. Then what is advised together, surfaces, and what is refused.
+Exit code 1: something does not hold.
+"""
+
+import json
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+
+failures = []
+
+
+def expect(condition, words):
+    if not condition:
+        failures.append(words)
+        print("FAILED: " + words)
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def cpu_s():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def advise(luxgate, project, *options):
+    done = run(luxgate, "advise", project, "--quiet", "--json", *options)
+    return done.returncode, json.loads(done.stdout) if done.stdout.startswith("{") else None, done.stderr
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def findings(luxgate, path, *options):
+    result = path[:-4] + ".json"
+    done = run(luxgate, "check", path, "--quiet", "--format", "json=" + result, *options)
+    if done.returncode > 1:
+        sys.exit(done.stderr)
+    measured = {}
+    for space in json.loads(read(result))["projects"][0]["spaces"]:
+        for plane in space["planes"]:
+            for one in plane["findings"]:
+                measured[plane["id"], one["requirement"]] = one["measured"]
+    return done.returncode, measured
+
+
+def numbers(values):
+    return " ".join(repr(value) for value in values)
+
+
+def with_luminaires(text, places):
+    """The project's text with these luminaires more in its only room."""
+    more = "".join(
+        f'<luminaire id="more-{number}" type="{one["type"]}" position="{numbers(one["position_m"])}" axis="{numbers(one["axis"])}" '
+        f'c0="{numbers(one["c0"])}"' + (f' group="{one["group"]}"' if one["group"] else "") + "/>"
+        for number, one in enumerate(places))
+    return text.replace("</room>", more + "</room>")
+
+
+def half_office(examples, work):
+    """Six luminaires of fifteen, for the same wishes."""
+    folder = os.path.join(work, "office")
+    shutil.copytree(os.path.join(examples, "04-office"), folder, dirs_exist_ok=True)
+    path = os.path.join(folder, "project.xml")
+    text = re.sub(r'<luminaire-line id="C".*/>', "", read(path))
+    text = re.sub(r'<dim group="corridor".*/>', "", text)
+    text = re.sub(r'(<luminaire-line .*)count="5"', r'\1count="3"', text)
+    return write(path, text)
+
+
+def ranks(values):
+    order = sorted(range(len(values)), key=values.__getitem__)
+    rank = [0] * len(values)
+    for place, index in enumerate(order):
+        rank[index] = place
+    return rank
+
+
+def correlation(a, b):
+    mean_a, mean_b = sum(a) / len(a), sum(b) / len(b)
+    both = sum((x - mean_a) * (y - mean_b) for x, y in zip(a, b))
+    return both / (sum((x - mean_a) ** 2 for x in a) * sum((y - mean_b) ** 2 for y in b)) ** 0.5
+
+
+def gains_against_runs(luxgate, project, room, count, pool_s):
+    places = room["places"]
+    chosen = list(range(len(places)))
+    if count:
+        chosen = sorted({round(i * (len(places) - 1) / (count - 1)) for i in range(count)})
+    finely = ("--goal", "accuracy", "--tolerance", "0.005", "--seed", "5")
+    text, before = read(project), findings(luxgate, project, *finely)[1]
+    start, runs = cpu_s(), {}
+    for index in chosen:
+        path = write(os.path.join(os.path.dirname(project), "one-more.xml"), with_luminaires(text, [places[index]]))
+        runs[index] = findings(luxgate, path, *finely)[1]
+    runs_s = cpu_s() - start
+    all_errors, held, asked = [], 0, 0
+    for number, one in enumerate(room["requirements"]):
+        name = one["plane"], one["id"]
+        gain = [places[index]["gain_lx"][number] for index in chosen]
+        found = [runs[index][name]["value"] - before[name]["value"] for index in chosen]
+        # The runs' own errors, as if before and after had nothing in common.
+        error = [((runs[index][name]["high"] - runs[index][name]["low"]) ** 2
+                  + (before[name]["high"] - before[name]["low"]) ** 2) ** 0.5 / 2 for index in chosen]
+        errors = [mine["value"] - its for mine, its in zip(gain, found)]
+        all_errors += errors
+        together = [(((mine["high"] - mine["low"]) / 2) ** 2 + its ** 2) ** 0.5 for mine, its in zip(gain, error)]
+        held += sum(abs(off) <= width for off, width in zip(errors, together))
+        asked += len(errors)
+        rank = correlation(ranks([mine["value"] for mine in gain]), ranks(found))
+        rms = (sum(off ** 2 for off in errors) / len(errors)) ** 0.5
+        largest = max(map(abs, errors))
+        worst = max(abs(off) / width for off, width in zip(errors, together))
+        print(f"  {name[0]}, {name[1]}: {min(found):.1f} to {max(found):.1f} lx by runs; rank correlation {rank:.4f}, "
+              f"error rms {rms:.2f} lx, largest {largest:.2f} lx, {worst:.2f} times its interval at most")
+        # Among places that give next to nothing ranks are chance.
+        straight = correlation([mine["value"] for mine in gain], found)
+        expect(rank > 0.8 and straight > 0.98, f"{name}: places are ranked as by runs: {rank} {straight}")
+        expect(rms < 0.02 * max(found) + 0.5 and worst < 3, f"{name}: gains are near those of runs: {rms} {worst}")
+    print(f"  {len(chosen)} places: {held} of {asked} differences within the intervals of both; "
+          f"runs {runs_s:.1f} s of processor time, all {len(places)} places by the pool with three checks {pool_s:.1f} s")
+    expect(held >= 0.9 * asked, f"differences are within their intervals: {held} of {asked}")
+
+
+def office(luxgate, examples, work, count):
+    project = half_office(examples, work)
+    start = cpu_s()
+    plain = advise(luxgate, project)
+    plain_s = cpu_s() - start
+    start = cpu_s()
+    code, advice, told = advise(luxgate, project, "--places")
+    pool_s = cpu_s() - start - plain_s
+    expect("places" not in plain[1] and "surfaces" not in plain[1], "places are looked for only if asked for")
+    expect(code == 1 and len(advice["places"]) == 1, f"the office lacks light: {code} {told}")
+    room = advice["places"][0]
+    expect(advice["scenes"] == plain[1]["scenes"], "advice about levels is the same")
+    expect(len(room["places"]) > 50 and len(room["best"]) == 3, "many places, three are checked")
+    shares = [one["share"] for one in room["places"]]
+    expect(shares == sorted(shares, reverse=True), "of one type: the best first")
+    for best in room["best"]:
+        expect(best["is_checked"], "the best are checked")
+        for mine, before, after in zip(best["places"][0]["gain_lx"], room["requirements"], best["after"]):
+            found = after["value"] - before["before"]["value"]
+            width = (mine["high"] - mine["low"] + after["high"] - after["low"]
+                     + before["before"]["high"] - before["before"]["low"]) / 2
+            expect(abs(mine["value"] - found) <= width, f"a gain is that of its check: {mine} {found}")
+    together = room["together"]
+    expect(together["is_checked"] and together["passing"] == together["asked"] == 9 and not together["broken"],
+           "what is advised together meets everything")
+    expect(len(together["places"]) < 9, "and takes fewer luminaires than were taken away")
+    path = write(os.path.join(work, "office", "together.xml"), with_luminaires(read(project), together["places"]))
+    code, measured = findings(luxgate, path, "--seed", "77")
+    expect(code == 0, f"and passes with other random numbers: {code} {measured}")
+    expect(advise(luxgate, project, "--places", "--jobs", "1")[1] == advice, "the same advice with one thread")
+    print(f"half an office: {len(together['places'])} luminaires more meet everything")
+    gains_against_runs(luxgate, project, room, count, pool_s)
+
+
+def spare(luxgate, examples, work):
+    """The whole office has more than it needs: what is said to go is taken away, and it passes."""
+    folder = os.path.join(work, "whole")
+    shutil.copytree(os.path.join(examples, "04-office"), folder, dirs_exist_ok=True)
+    project = os.path.join(folder, "project.xml")
+    code, advice, told = advise(luxgate, project, "--places")
+    expect(code == 0 and advice["places"] == [] and len(advice["spare"]) == 1, f"it needs nothing: {code} {told}")
+    room = advice["spare"][0]
+    gone = [one["id"] for one in room["luminaires"]]
+    expect("problem" not in room and room["of"] == 15 and len(gone) >= 2 and room["passing"] == 10, f"some can go: {room}")
+    text, again = read(project), 0
+    for name, group, y in (("W", "window", 1.35), ("M", "middle", 4.0), ("C", "corridor", 6.65)):
+        stay = "".join(f'<luminaire id="{name}-{i}" type="linear" position="{1.2 + 2.4 * i} {y} 2.79" rotation="90" '
+                       f'group="{group}"/>' for i in range(5) if f"{name}[{i}]" not in gone)
+        again += stay.count("<luminaire")
+        text = re.sub(f'<luminaire-line id="{name}".*/>', stay, text)
+    expect(again == 15 - len(gone), f"the ids are those of the project: {gone}")
+    code, _ = findings(luxgate, write(os.path.join(folder, "fewer.xml"), text), "--seed", "77")
+    expect(code == 0, f"without {gone} everything is met: {code}")
+
+
+def surfaces(luxgate, work):
+    project = os.path.join(work, "office", "project.xml")
+    _, advice, _ = advise(luxgate, project, "--surfaces")
+    room = next(one for one in advice["surfaces"] if one["scene"] == "")
+    expect([one["surface"] for one in room["surfaces"]] == ["floor", "ceiling", "walls"], "three surfaces")
+    finely = ("--goal", "accuracy", "--tolerance", "0.003", "--seed", "5")
+    text, before = read(project), findings(luxgate, project, *finely)[1]
+    for one, material in zip(room["surfaces"], ("carpet", "ceiling-tile", "wall-paint")):
+        expect(one["is_checked"], f"{one['surface']} is checked")
+
+        def lighter(by, one=one, material=material):
+            changed = re.sub(rf'(<material id="{material}" reflectance=)"[0-9.]*"',
+                             rf'\1"{one["reflectance"] + by!r}"', text)
+            path = write(os.path.join(work, "office", "lighter.xml"), changed)
+            return findings(luxgate, path, *finely)[1]
+        then, up, down = lighter(0.1), lighter(0.05), lighter(-0.05)
+        for number, asked in enumerate(room["requirements"]):
+            name = asked["plane"], asked["id"]
+
+            def width(*measured, name=name):
+                return sum(((one[name]["high"] - one[name]["low"]) / 2) ** 2 for one in measured)
+            step, slope, after = one["step_lx"][number], one["slope_lx"][number], one["after"][number]
+            found = then[name]["value"] - before[name]["value"]
+            off = (width(then, before) + ((step["high"] - step["low"]) / 2) ** 2) ** 0.5
+            print(f"  {one['surface']}, {name[0]}: {step['value']:.2f} lx by paths, {found:.2f} by runs; "
+                  f"as it begins {slope['value']:.2f}, {up[name]['value'] - down[name]['value']:.2f} by runs")
+            expect(abs(step["value"] - found) <= 1.3 * off, f"{one['surface']} {name}: {step} {found} {off}")
+            middle = up[name]["value"] - down[name]["value"]
+            off = (width(up, down) + ((slope["high"] - slope["low"]) / 2) ** 2) ** 0.5
+            expect(abs(slope["value"] - middle) <= 1.3 * off, f"{one['surface']} {name}: {slope} {middle} {off}")
+            expect(after["low"] <= then[name]["high"] and then[name]["low"] <= after["high"],
+                   f"{one['surface']} {name}: the check is of that surface")
+
+
+def room(luminaires, types="", more="", head="", plane='<require quantity="average" at-least="200"/>'):
+    return f"""<luxgate version="1" maintenance-factor="0.8"{head}>
+<material id="m" reflectance="0.5"/><luminaire-type id="t" photometry="batwing_1200.ies" power-w="36"/>{types}
+<room id="r" {more} floor="m" ceiling="m" walls="m">{luminaires}
+<plane id="p" PLANE>{plane}</plane></room></luxgate>
+"""
+
+
+def cases(luxgate, examples, work):
+    shutil.copy(os.path.join(examples, "04-office", "photometry", "batwing_1200.ies"), work)
+    metres = 'height="0.75" margin="0.5"'
+
+    def places(name, text, *options):
+        code, advice, told = advise(luxgate, write(os.path.join(work, name + ".xml"), text), "--places", *options)
+        expect(advice is not None, f"{name}: {code} {told}")
+        return advice["places"] if advice else []
+
+    # Centimetres and a room elsewhere: the place in the file is the one that was meant.
+    text = room('<luminaire id="L" type="t" position="150 200 279"/>', more='origin="1000 -500 300" size="600 400 280"',
+                head=' units="cm"').replace("PLANE", 'height="75" margin="50"')
+    found = places("elsewhere", text)[0]
+    expect(found["best"][0]["is_checked"], f"in another unit: {found['best'][0].get('problem')}")
+    at = found["best"][0]["places"][0]["position_m"]
+    expect(10 < at[0] < 16 and -5 < at[1] < -1 and abs(at[2] - 5.79) < 1e-9, f"it hangs in the room: {at}")
+    # A single least point, and all else above: a place over it comes first.
+    text = room('<luminaire id="L" type="t" position="1 2 2.79"/>', more='size="6 4 2.8"',
+                plane='<require quantity="minimum" at-least="60"/>').replace("PLANE", metres)
+    found = places("minimum", text)[0]
+    at = found["best"][0]["places"][0]["position_m"]
+    expect(found["requirements"][0]["points"] > 0 and at[0] > 3, f"the dark end gets the luminaire: {at}")
+    expect(found["best"][0]["after"][0]["low"] > 2 * found["requirements"][0]["before"]["high"], "and is less dark")
+    # What it does not cover is said, and is no advice.
+    for name, luminaires, types, words in (
+            ("aimed", '<luminaire id="L" type="t" position="1 2 2.79" aim="3 3 0"/>', "", "would be mounted"),
+            ("housing", '<luminaire id="L" type="h" position="1 2 2.7"/>',
+             '<luminaire-type id="h" photometry="batwing_1200.ies" power-w="36"><housing material="m" depth="0.05"/>'
+             "</luminaire-type>", "would be mounted")):
+        found = places(name, room(luminaires, types, 'size="6 4 2.8"').replace("PLANE", metres))[0]
+        expect(words in found.get("problem", "") and not found["best"] and found["left_out"], f"{name}: {found}")
+    text = room('<luminaire id="L" type="t" position="1 2 2.79"/>', more='size="6 4 2.8"',
+                plane='<require quantity="average" at-least="50"/>').replace("PLANE", metres)
+    expect(places("enough", text) == [], "where light is enough no place is looked for")
+    code, advice, _ = advise(luxgate, os.path.join(work, "enough.xml"), "--places")
+    expect(advice["spare"][0]["luminaires"] == [] and "problem" in advice["spare"][0], "the only one cannot go")
+    text = room('<assembly id="a"><luminaire id="L" type="t" position="1 2 2.79"/></assembly>'
+                '<luminaire id="K" type="t" position="3 2 2.79"/>', more='size="6 4 2.8"',
+                plane='<require quantity="average" at-least="50"/>').replace("PLANE", metres)
+    _, advice, told = advise(luxgate, write(os.path.join(work, "assembly.xml"), text), "--places")
+    gone = [one["id"] for one in advice["spare"][0]["luminaires"]]
+    expect(gone == ["K"] or "assembly" in advice["spare"][0].get("problem", ""), f"assemblies stay: {advice['spare']}")
+    text = room('<luminaire id="L" type="t" position="1 2 2.79"/>', more='size="6 4 2.8"').replace(
+        "PLANE", metres + ' quantity="cylindrical"')
+    found = places("cylinder", text)
+    expect(len(found) == 1 and "average" in found[0]["problem"] and found[0]["left_out"] and not found[0]["best"],
+           f"only flat planes have advice: {found}")
+
+
+def main():
+    luxgate, examples, work = sys.argv[1:4]
+    count = int(sys.argv[4]) if len(sys.argv) > 4 else 10
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    office(luxgate, examples, work, count)
+    spare(luxgate, examples, work)
+    surfaces(luxgate, work)
+    cases(luxgate, examples, work)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
