@@ -121,7 +121,8 @@ std::vector<Option> output_options(OutputOptions& options) {
        }},
       {"--scale", "OF",
        "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
-       "room, or each plane for itself; default project",
+       "room, or each plane for itself; default project. Shared by dim and bright planes it has\n"
+       "classes (1, 1.5, 2, 3, 5 ...), else bands of equal width",
        choice<report::ScaleSharing>(options.page.scale, {{"project", report::ScaleSharing::project},
                                                          {"room", report::ScaleSharing::room},
                                                          {"plane", report::ScaleSharing::plane}})},
