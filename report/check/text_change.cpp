@@ -68,8 +68,10 @@ std::string TextChange::apply() {
   if (new_parent_ != nullptr) {
     add_children(*new_parent_, fmt::format("<{}{}/>", new_child_, new_attributes_));
   }
-  std::stable_sort(edits_.begin(), edits_.end(),
-                   [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+  std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
+    // What comes in stands before what goes at the same place.
+    return a.begin != b.begin ? a.begin < b.begin : a.length == 0 && b.length > 0;
+  });
   std::string changed;
   std::size_t done = 0;
   const auto [begin, end] = declared_encoding();
@@ -78,6 +80,7 @@ std::string TextChange::apply() {
     done = end;
   }
   for (const Edit& edit : edits_) {
+    if (edit.begin < done) continue;  // within what has gone
     changed.append(text_, done, edit.begin - done);
     changed += edit.text;
     done = edit.begin + edit.length;

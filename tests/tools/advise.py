@@ -139,7 +139,7 @@ def known_cases(luxgate, examples, work):
     expect("none up to 20 times the light" in done.stdout, f"how far it was looked: {done.stdout}")
     written = os.path.join(work, "both-dimmed.xml")
     done = run(luxgate, "advise", os.path.join(work, "both.xml"), "--write", written)
-    expect(done.returncode == 2 and "no scene has levels" in done.stderr and "cannot be met together" in done.stdout
+    expect(done.returncode == 2 and "no scene has levels" in done.stderr and "No dimming meets all of these" in done.stdout
            and not os.path.exists(written), f"nothing to write: {done.returncode} {done.stderr}")
 
     # More light, and what nobody has calculated for it.
@@ -173,6 +173,43 @@ def known_cases(luxgate, examples, work):
     code, _, told = advise(luxgate, path, "--write", light)
     with open(light, "rb") as file:
         expect(code == 2 and "it was read" in told and file.read() == bytes_before, f"no input is written over: {told}")
+
+    # Levels that the text of the project cannot give are no advice.
+    write(os.path.join(work, "list.csv"), "name,type,x_m,y_m,z_m\na,t,1.5,2,2.79\nb,t,4.5,2,2.79\n")
+    listed = room('<require quantity="average" at-least="50"/>', groups=(("", "3 2 2.79"),))
+    path = write(os.path.join(work, "listed.xml"), listed.replace("<plane", '<luminaires id="c" file="list.csv"/><plane'))
+    code, advice, _ = advise(luxgate, path)
+    scene = advice["scenes"][0]
+    expect(code == 1 and scene["outcome"] == "none-found" and "2 of 3" in scene["reason"],
+           f"luminaires of lists cannot be dimmed: {scene['outcome']} {scene.get('reason')}")
+
+    # A room of which nothing is asked stays as it is.
+    second = '<room id="s" origin="20 0 0" size="6 4 2.8" floor="m" ceiling="m" walls="m">' \
+             '<luminaire id="K" type="t" position="3 2 2.79" group="k"/></room></luxgate>'
+    path = write(os.path.join(work, "second.xml"), room('<require quantity="average" at-least="50"/>')
+                 .replace("</luxgate>", second))
+    code, advice, _ = advise(luxgate, path)
+    scene = advice["scenes"][0]
+    expect(code == 0 and scene["left_alone"] == ["k"] and scene["now"] == 72
+           and "k" not in [row["group"] for row in scene["groups"]], f"what is not asked for is left alone: {scene}")
+
+    # What no level mends is said, and keeps the exit code from 0.
+    code, advice, _ = advise(luxgate, case("dense", '<require quantity="average" at-least="20"/>'
+                                                    '<require quantity="power-density" at-most="0.5"/>'))
+    expect(code == 1 and advice["scenes"][0]["is_all_met"] and len(advice["not_met_besides"]) == 1,
+           f"the power by area is not met: {code} {advice['not_met_besides']}")
+
+    # From the folder of the project, as the manual has it; and outputs over inputs.
+    case("here", '<require quantity="average" at-least="100"/>')
+    done = subprocess.run([luxgate, "advise", "here.xml", "--quiet", "--write", "new.xml"], capture_output=True,
+                          text=True, check=False, cwd=work)
+    expect(done.returncode == 0 and os.path.exists(os.path.join(work, "new.xml")), f"a name alone: {done.stderr}")
+    for output, words in (("batwing_1200.ies", "it was read"), ("new.xml", "new.xml"), ("here.xml", "here.xml")):
+        done = subprocess.run([luxgate, "advise", "here.xml", "--quiet", "--write", "new.xml", "--format",
+                               "json=" + output], capture_output=True, text=True, check=False, cwd=work)
+        expect(done.returncode == 2 and words in done.stderr, f"{output} is not written over: {done.stderr}")
+    with open(light, "rb") as file:
+        expect(file.read() == bytes_before, "photometry is as it was")
 
     # One group, exact but for the average's noise: the level is limit / value, a step up.
     single = '<require quantity="average" at-least="100"/>'

@@ -65,6 +65,9 @@ struct SceneAdvice {
   // Watts, or lumens: with the levels now, with those advised, and what no levels undercut.
   double now = 0.0, advised = 0.0, least = 0.0;
   std::vector<AdvisedGroup> groups;
+  // Groups of rooms in which nothing is asked of this scene: they stay as they are, and are in no
+  // sum.
+  std::vector<std::string> left_alone;
   // All that count in this scene; `after` is of the check of the changed project, of more_light
   // by the same light. Without levels `after` says nothing.
   std::vector<AdvisedRequirement> requirements;
@@ -94,6 +97,8 @@ struct SceneAdvice {
 struct Advice {
   std::string project;
   std::vector<SceneAdvice> scenes;
+  // What counts, does not pass and hangs on no levels, in words; asked for all scenes only.
+  std::vector<std::string> not_met_besides = {};
   RoomAdvice rooms = {};  // what was asked for of places and surfaces
 };
 

@@ -139,6 +139,10 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
        list_of(advice.groups,
                [&](const AdvisedGroup& group) { return group_keys(group, has_levels); }),
        list_of_keys(schema_of_keys(group_keys({}, true)))},
+      {"left_alone", advice.left_alone,
+       described_key(list_of_keys(type_of("string")),
+                     "Groups of rooms in which nothing is asked of this scene: they stay as they "
+                     "are, and are in no sum.")},
       {"requirements",
        list_of(advice.requirements,
                [&](const AdvisedRequirement& one) { return requirement_keys(one, has_levels); }),
@@ -156,8 +160,10 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
                      "Aggregates, classes and sums of rule packs that do not pass with the levels "
                      "(verdict).")},
       {"contradicting", indices(advice.contradicting),
-       described_key(list_of_keys(index_type()),
-                     "Requirements that surely cannot be met together by dimming.")}};
+       described_key(
+           list_of_keys(index_type()),
+           "Requirements that surely cannot be met together by dimming: one smallest set, of "
+           "which there may be others.")}};
 }
 
 // Rooms, each with what was looked at.
@@ -173,6 +179,9 @@ JsonKeys advice_keys(const Advice& advice) {
       {"format_version", 1, {{"const", 1}}},
       {"project", advice.project, type_of("string")},
       {"scenes", list_of(advice.scenes, scene_keys), list_of_keys(schema_of_keys(scene_keys({})))},
+      {"not_met_besides", advice.not_met_besides,
+       described_key(list_of_keys(type_of("string")),
+                     "What counts, does not pass and hangs on no levels.")},
       room_key("places", rooms.places ? places_json(*rooms.places) : AdviceJson(),
                "Of --places: where one luminaire more helps.", rooms.places.has_value()),
       room_key("spare", rooms.spare ? spare_json(*rooms.spare) : AdviceJson(),

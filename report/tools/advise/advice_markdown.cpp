@@ -71,6 +71,9 @@ std::string found(const SceneAdvice& advice) {
       text += "- " + escape_markdown(requirement_words(advice.requirements[i])) + "\n";
     }
   }
+  if (const std::string words = left_alone_words(advice); !words.empty()) {
+    text += "\n" + escape_markdown(words) + "\n";
+  }
   for (const std::string& one : advice.aggregates_not_met) {
     text += fmt::format("\nNot met with these levels: {}\n", escape_markdown(one));
   }
@@ -82,7 +85,7 @@ std::string scene(const SceneAdvice& advice) {
                                  escape_markdown(outcome_words(advice)));
   if (advice.has_levels()) text += found(advice);
   if (advice.contradicting.empty()) return text;
-  text += "\nThese cannot be met together by dimming; without any one of them all others can:\n\n";
+  text += "\n" + contradiction_words(advice) + ":\n\n";
   for (const std::size_t i : advice.contradicting) {
     text +=
         fmt::format("- {}: {} now\n", escape_markdown(requirement_words(advice.requirements[i])),
@@ -107,6 +110,10 @@ std::string as_code(const std::string& text) {
 std::string render_advice_markdown(const Advice& advice) {
   std::string text = fmt::format("## Levels for {}\n", escape_markdown(advice.project));
   for (const SceneAdvice& one : advice.scenes) text += scene(one);
+  if (!advice.not_met_besides.empty()) text += "\nNot met, whatever the levels:\n\n";
+  for (const std::string& one : advice.not_met_besides) {
+    text += "- " + escape_markdown(one) + "\n";
+  }
   return text + as_code(render_room_advice_text(advice.rooms));
 }
 

@@ -101,7 +101,8 @@ std::string found_words(const SceneAdvice& advice) {
                           value_words(advice.requirements[i].after));
     }
   }
-  return text + group_table(advice) +
+  const std::string left_alone = left_alone_words(advice);
+  return text + group_table(advice) + (left_alone.empty() ? "" : "  " + left_alone + "\n") +
          (advice.limits.empty() ? nearest_limits(advice) : what_limits(advice)) + not_met(advice);
 }
 
@@ -109,7 +110,7 @@ std::string scene_text(const SceneAdvice& advice) {
   std::string text = fmt::format("{}: {}\n", scene_words(advice), outcome_words(advice));
   if (advice.has_levels()) text += found_words(advice);
   if (advice.contradicting.empty()) return text;
-  text += "  These cannot be met together by dimming; without any one of them all others can:\n";
+  text += "  " + contradiction_words(advice) + ":\n";
   for (const std::size_t i : advice.contradicting) {
     text += fmt::format("    {}: {} now\n", requirement_words(advice.requirements[i]),
                         value_words(advice.requirements[i].before));
@@ -122,6 +123,10 @@ std::string scene_text(const SceneAdvice& advice) {
 std::string render_advice_text(const Advice& advice) {
   std::string text = report::printable(advice.project) + "\n";
   for (const SceneAdvice& scene : advice.scenes) text += "\n" + scene_text(scene);
+  if (!advice.not_met_besides.empty()) text += "\nNot met, whatever the levels:\n";
+  for (const std::string& one : advice.not_met_besides) {
+    text += "  " + report::printable(one) + "\n";
+  }
   return text + render_room_advice_text(advice.rooms);
 }
 

@@ -73,6 +73,22 @@ std::string requirement_count(const SceneAdvice& advice) {
   return fmt::format("{} requirement{}", count, count == 1 ? "" : "s");
 }
 
+std::string left_alone_words(const SceneAdvice& advice) {
+  std::string names;
+  for (const std::string& one : advice.left_alone) {
+    names += (names.empty() ? "" : ", ") + name_of_group(one);
+  }
+  return names.empty() ? ""
+                       : "Nothing is asked where these are, and they stay as they are: " + names;
+}
+
+std::string contradiction_words(const SceneAdvice& advice) {
+  return advice.contradicting.size() == 1
+             ? "No dimming meets this one; there may be others that it does not meet"
+             : "No dimming meets all of these, but without any one of them it does the rest of "
+               "them; there may be others that exclude each other";
+}
+
 std::string outcome_words(const SceneAdvice& advice) {
   switch (advice.outcome) {
     case AdviceOutcome::levels: {

@@ -18,6 +18,10 @@ std::string scene_words(const SceneAdvice& advice);
 std::string requirement_count(const SceneAdvice& advice);
 // One sentence.
 std::string outcome_words(const SceneAdvice& advice);
+// Of groups that stay as they are; "" where there are none.
+std::string left_alone_words(const SceneAdvice& advice);
+// What is said of the requirements that exclude each other.
+std::string contradiction_words(const SceneAdvice& advice);
 std::string requirement_words(const AdvisedRequirement& one);
 std::string value_words(const rules::Finding& finding);
 // Shares of the groups in the light where a limit has the least room, largest first; "" where all

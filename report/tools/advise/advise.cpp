@@ -24,6 +24,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -143,8 +144,58 @@ check::SceneLevels levels_of(const SceneAdvice& advice, const report::ProjectPar
   return levels;
 }
 
+// What counts, does not pass and hangs on no levels, such as the power by area of a room.
+std::vector<std::string> not_met_besides(const Advice& advice, const report::ProjectPart& part) {
+  std::set<std::array<std::size_t, 3>> advised;
+  for (const SceneAdvice& scene : advice.scenes) {
+    for (const AdvisedRequirement& one : scene.requirements) {
+      advised.insert({one.where.space, one.where.plane, one.where.finding});
+    }
+  }
+  std::vector<std::string> words;
+  for (std::size_t s = 0; s < part.spaces.size(); ++s) {
+    for (std::size_t p = 0; p < part.spaces[s].planes.size(); ++p) {
+      const report::PlanePart& plane = part.spaces[s].planes[p];
+      for (std::size_t f = 0; f < plane.findings.size(); ++f) {
+        const rules::Finding& finding = plane.findings[f];
+        if (advised.contains({s, p, f}) || !rules::counts(rules::outcome_of(finding)) ||
+            finding.verdict == rules::Verdict::pass) {
+          continue;
+        }
+        words.push_back(fmt::format(
+            "{}, {}, {}: {}", report::title_of(part.spaces[s].name, part.spaces[s].id),
+            report::title_of(plane.name, plane.id), report::quantity_words(finding.requirement),
+            calc::name_of(finding.verdict)));
+      }
+    }
+  }
+  return words;
+}
+
+// "" or why the levels are not those of the luminaires in the changed project: not every luminaire
+// can be given a group in the text of the file.
+std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
+                       const report::ProjectPart& changed) {
+  for (const AdvisedGroup& group : advice.groups) {
+    const std::string& name = group.group.empty() ? levels.group_of_others : group.group;
+    std::size_t count = 0;
+    for (const report::SpacePart& space : changed.spaces) {
+      for (const report::LuminaireMark& mark : space.luminaires) count += mark.group == name;
+    }
+    if (count == group.luminaires) continue;
+    return group.group.empty()
+               ? fmt::format(
+                     "{} of {} luminaires without a group cannot be given one in the "
+                     "project's file (those of lists, luminous areas): give them a group",
+                     group.luminaires - std::min(count, group.luminaires), group.luminaires)
+               : fmt::format("group '{}' has {} luminaires, and {} in the changed project",
+                             group.group, group.luminaires, count);
+  }
+  return "";
+}
+
 ExitCode exit_code_of_advice(const Advice& advice) {
-  bool is_met = true;
+  bool is_met = advice.not_met_besides.empty();
   for (const SceneAdvice& scene : advice.scenes) {
     is_met = is_met && scene.outcome == AdviceOutcome::levels && scene.is_all_met();
   }
@@ -156,8 +207,14 @@ std::string write_problem(const AdviseOptions& options) {
   namespace fs = std::filesystem;
   if (options.write_file.empty()) return "";
   std::error_code failure;
-  const fs::path own = fs::weakly_canonical(fs::path(options.project), failure).parent_path();
-  const fs::path its = fs::weakly_canonical(fs::path(options.write_file), failure).parent_path();
+  // A relative name that does not exist yet would stay relative.
+  const auto folder_of = [&](const std::string& file) {
+    return fs::weakly_canonical(fs::absolute(file, failure), failure).parent_path();
+  };
+  const fs::path own = folder_of(options.project), its = folder_of(options.write_file);
+  if (fs::path(options.write_file).filename() == "luxgate.toml") {
+    return "--write: luxgate.toml holds settings, and is not written over";
+  }
   if (own != its) {
     return fmt::format(
         "--write: '{}' must lie in the folder of the project, which names its files "
@@ -283,7 +340,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const ProjectReader disk(check.input);
   const RememberingReader files(disk);
   check.settings.today = day_of(check.settings);
-  const std::set<std::string> inputs{options.project};
+  std::set<std::string> inputs{options.project};
+  if (!options.write_file.empty()) inputs.insert(options.write_file);
   calc::Diagnostics outputs;
   check_data_outputs(options.outputs, inputs, outputs);
   print_diagnostics(outputs.all(), true);
@@ -332,13 +390,17 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const auto check_levels = [&](const SceneAdvice& advice,
                                 std::string& reason) -> std::optional<report::ProjectPart> {
     calc::Diagnostics diagnostics;
-    const auto text = check::with_scene_levels(project.bytes, options.project,
-                                               levels_of(advice, part), diagnostics);
-    if (text) return check_text(*text, reason);
+    const check::SceneLevels levels = levels_of(advice, part);
+    const auto text = check::with_scene_levels(project.bytes, options.project, levels, diagnostics);
+    if (text) {
+      auto changed = check_text(*text, reason);
+      if (changed) reason = not_dimmed(advice, levels, *changed);
+      return reason.empty() ? std::move(changed) : std::nullopt;
+    }
     reason = diagnostics.all().front().message;
     return std::nullopt;
   };
-  Advice advice{options.project, {}, {}};
+  Advice advice{options.project, {}, {}, {}};
   advice.scenes = find_advice(
       part, keeper.light(),
       {options.steps, check.settings.confidence, options.scene, options.has_scene, interrupted},
@@ -351,6 +413,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
             : "the project has no requirement that hangs on the levels of luminaires");
     return kNotJudged;
   }
+  if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
   if (options.places || options.surfaces) {
     calc::Diagnostics again;
     const std::optional<calc::Project> loaded = calc::load_project(files, options.project, again);
@@ -391,6 +454,11 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const bool is_written = options.write_file.empty() ||
                           write_changed(options, advice, part, project.bytes, files, check_text);
   if (interrupted()) return kInterrupted;
+  for (const DataOutput& output : options.outputs) {
+    if (output.file.empty() || !files.has_read(output.file)) continue;
+    print_error(fmt::format("'{}' is not written: it was read", output.file));
+    return kNotJudged;
+  }
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
       options.outputs,

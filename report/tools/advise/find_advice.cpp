@@ -93,10 +93,20 @@ class SceneSearch {
 
  private:
   void find_groups() {
+    // Where nothing is asked darkness would save most, and nobody wants that.
+    std::set<std::string> asked;
+    for (const report::SpacePart& space : part_.spaces) {
+      if (!asks_for_light(space)) continue;
+      for (const report::LuminaireMark& mark : space.luminaires) asked.insert(mark.group);
+    }
     std::map<std::string, AdvisedGroup> groups;
-    std::set<std::string> without_power;
+    std::set<std::string> left_alone;
     for (const report::SpacePart& space : part_.spaces) {
       for (const report::LuminaireMark& mark : space.luminaires) {
+        if (!asked.contains(mark.group)) {
+          left_alone.insert(mark.group);
+          continue;
+        }
         AdvisedGroup& group = groups[mark.group];
         group.group = mark.group;
         ++group.luminaires;
@@ -116,6 +126,21 @@ class SceneSearch {
       group.now = scene == part_.scenes.end() ? 1.0 : report::level_of(*scene, name);
       advice_.groups.push_back(std::move(group));
     }
+    advice_.left_alone.assign(left_alone.begin(), left_alone.end());
+  }
+
+  bool is_asked_here(const rules::Finding& finding) const {
+    const rules::Requirement& requirement = finding.requirement;
+    return requirement.scene == advice_.scene && rules::counts(rules::outcome_of(finding)) &&
+           (!rules::is_of_space(requirement.metric) ||
+            rules::is_of_space_in_scene(requirement.metric));
+  }
+  bool asks_for_light(const report::SpacePart& space) const {
+    return std::any_of(
+        space.planes.begin(), space.planes.end(), [&](const report::PlanePart& plane) {
+          return std::any_of(plane.findings.begin(), plane.findings.end(),
+                             [&](const rules::Finding& one) { return is_asked_here(one); });
+        });
   }
 
   void find_asked(const LightOfPlanes& light) {
@@ -128,11 +153,7 @@ class SceneSearch {
         for (std::size_t f = 0; f < plane.findings.size(); ++f) {
           const rules::Finding& finding = plane.findings[f];
           const rules::Requirement& requirement = finding.requirement;
-          if (requirement.scene != advice_.scene || !rules::counts(rules::outcome_of(finding)) ||
-              (rules::is_of_space(requirement.metric) &&
-               !rules::is_of_space_in_scene(requirement.metric))) {
-            continue;
-          }
+          if (!is_asked_here(finding)) continue;
           Asked asked{{s, p, f}, nullptr, std::nullopt};
           AdvisedRequirement told{
               asked.where,

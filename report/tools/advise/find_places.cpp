@@ -96,6 +96,7 @@ class PlaceSearch {
   std::string why_not_added(const calc::Luminaire& luminaire) const {
     const calc::LuminaireType& type = type_of(luminaire);
     if (type.is_further_emitter || !type.emitters.empty()) return "it has several emitters";
+    if (type.photometry_file.empty()) return "it is a luminous area";
     if (type.housing) return "its housing would shade";
     if (std::abs(luminaire.world_from_luminaire[2].z) < kVertical) {
       return "it is aimed, and not straight down or up";

@@ -198,11 +198,13 @@ class SpareSearch {
     }
     found_.problem = "without them something is not met, as the check says";
     if (!broken_findings(questions_.part, *part).empty()) return false;
-    found_.passing = 0;
+    found_.passing = found_.asked = 0;
     for (const report::SpacePart& space : part->spaces) {
       for (const report::PlanePart& plane : space.planes) {
         for (const rules::Finding& finding : plane.findings) {
-          if (counts_here(finding)) found_.passing += finding.verdict == rules::Verdict::pass;
+          if (!counts_here(finding)) continue;
+          ++found_.asked;
+          found_.passing += finding.verdict == rules::Verdict::pass;
         }
       }
     }

@@ -84,7 +84,7 @@ struct RoomSpare {
   std::string problem;                     // why there is no advice; "" = there is
   std::vector<SpareLuminaire> luminaires;  // that can go together, as a check has confirmed
   std::size_t of = 0;                      // that the room has
-  std::size_t passing = 0;                 // requirements of all scenes and rooms in that check
+  std::size_t passing = 0, asked = 0;      // of all scenes and rooms in that check
 };
 
 struct RoomAdvice {

@@ -119,6 +119,7 @@ RoomJson spare_json(const std::vector<RoomSpare>& rooms) {
     one["unit"] = room.is_by_flux ? "lm" : "W";
     one["of"] = room.of;
     one["passing"] = room.passing;
+    one["asked"] = room.asked;
     one["luminaires"] = RoomJson::array();
     for (const SpareLuminaire& its : room.luminaires) {
       one["luminaires"].push_back({{"id", its.id},

@@ -110,8 +110,10 @@ std::string spare_text(const RoomSpare& room) {
   double cost = 0.0;
   for (const SpareLuminaire& one : room.luminaires) cost += one.cost;
   text += fmt::format(
-      "  {} of {}, {}; checked with other random numbers, all {} requirements of all scenes pass\n",
-      room.luminaires.size(), room.of, place_cost_words(cost, room.is_by_flux), room.passing);
+      "  {} of {}, {}; checked with other random numbers, {} of {} requirements of all rooms and "
+      "scenes pass\n",
+      room.luminaires.size(), room.of, place_cost_words(cost, room.is_by_flux), room.passing,
+      room.asked);
   for (const SpareLuminaire& one : room.luminaires) {
     text += fmt::format("    {} ({}) at {}\n", report::printable(one.id),
                         report::printable(one.type), report::format_position(one.position_m));
@@ -152,7 +154,7 @@ std::string render_room_advice_text(const RoomAdvice& advice) {
   std::string text;
   if (advice.places) {
     if (advice.places->empty()) {
-      text += "\nNo place was looked for: levels meet what another luminaire could mend.\n";
+      text += "\nNo place was looked for: no requirement lacks light that levels do not give.\n";
     }
     for (const RoomPlaces& room : *advice.places) text += "\n" + places_text(room);
   }

@@ -15,14 +15,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace cli {
 namespace {
 
-// Of a least value: more points are seldom dark for reasons of their own.
-constexpr std::size_t kMostDarkPoints = 6;
-constexpr double kDarkPointsApart_m = 1.0;
+// Of a least value: spread over all that may be the least one once the darkest are lit.
+constexpr std::size_t kMostDarkPoints = 16;
+constexpr double kMayBeLeast = 1.5;  // of the limit
 // Of each batch: of all targets together, and of one.
 constexpr std::size_t kMostPathsOfAll = 4096;
 constexpr std::uint32_t kFewestPaths = 32;
@@ -52,22 +53,28 @@ std::string why_not_followed(const rules::Requirement& requirement, const calc::
   }
 }
 
+// The darkest one, then always the one that is farthest from all that are chosen.
 std::vector<std::size_t> darkest(const calc::SensorGrid& grid,
                                  const std::vector<std::size_t>& points,
                                  const std::vector<double>& lx, double limit) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return lx[a] < lx[b]; });
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : order) {
-    if (chosen.size() == kMostDarkPoints) break;
-    if (!chosen.empty() && lx[i] >= limit) break;
-    const bool is_near = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
-      return glm::length(grid.position_m[points[i]] - grid.position_m[points[other]]) <
-             kDarkPointsApart_m;
-    });
-    if (!is_near) chosen.push_back(i);
+  std::vector<std::size_t> chosen{
+      static_cast<std::size_t>(std::min_element(lx.begin(), lx.end()) - lx.begin())};
+  while (chosen.size() < kMostDarkPoints) {
+    std::optional<std::size_t> farthest;
+    double distance_m = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (lx[i] >= kMayBeLeast * limit) continue;
+      double nearest_m = std::numeric_limits<double>::infinity();
+      for (const std::size_t other : chosen) {
+        nearest_m = std::min(
+            nearest_m, glm::length(grid.position_m[points[i]] - grid.position_m[points[other]]));
+      }
+      if (nearest_m <= distance_m) continue;
+      distance_m = nearest_m;
+      farthest = i;
+    }
+    if (!farthest) break;
+    chosen.push_back(*farthest);
   }
   return chosen;
 }

@@ -1,5 +1,8 @@
 #include "report/check/room_changes.h"
 
+#include "calc/base/xml_document.h"
+#include "report/check/text_change.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,6 +60,21 @@ TEST(RoomChanges, ReplacesElements) {
   EXPECT_THAT(*both.text, HasSubstr("\n\n\n\n<box id=\"b\""));
   EXPECT_THAT(changed({{"p.xml", 8, 1}}).problem, HasSubstr("assembly"));  // a box
   EXPECT_THAT(changed({{"p.xml", 5, 2}}).problem, HasSubstr("assembly"));
+}
+
+// What comes in and what goes may begin at the same place.
+TEST(RoomChanges, ReplacesTheFirstElementWithoutABlankBefore) {
+  const std::string text =
+      "<luxgate version=\"1\"><room id=\"r\"><luminaire id=\"x\" type=\"t\" position=\"1 1 1\"/>"
+      "</room></luxgate>";
+  calc::Diagnostics diagnostics;
+  const auto root = calc::parse_xml(text, "p.xml", diagnostics);
+  ASSERT_TRUE(root);
+  check::TextChange change(text);
+  const calc::XmlElement& room = root->children[0];
+  change.remove(room.children[0]);
+  change.add_children(room, "<new/>");
+  EXPECT_EQ(change.apply(), "<luxgate version=\"1\"><room id=\"r\"><new/></room></luxgate>");
 }
 
 TEST(RoomChanges, MakesOneSurfaceLighter) {
