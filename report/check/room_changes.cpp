@@ -71,7 +71,8 @@ ChangedText with_luminaires_instead(const std::string& bytes, const std::string&
     const auto& children = found.room->children;
     const auto element =
         std::find_if(children.begin(), children.end(), [&](const XmlElement& child) {
-          return child.where.line == where.line && child.where.column == where.column;
+          return where.file == file && child.where.line == where.line &&
+                 child.where.column == where.column;
         });
     if (element == children.end() || !element->name.starts_with("luminaire")) {
       return {std::nullopt, "a luminaire is placed by an assembly or a list"};

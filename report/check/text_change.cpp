@@ -62,6 +62,7 @@ void TextChange::remove(const XmlElement& element) {
   const std::string_view old(text_.data() + begin, last + 1 - begin);
   const auto lines = static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n'));
   edits_.push_back({begin, old.size(), std::string(lines, '\n')});
+  gone_.emplace_back(begin, begin + old.size());
 }
 
 std::string TextChange::apply() {
@@ -80,7 +81,10 @@ std::string TextChange::apply() {
     done = end;
   }
   for (const Edit& edit : edits_) {
-    if (edit.begin < done) continue;  // within what has gone
+    const bool has_gone = std::any_of(gone_.begin(), gone_.end(), [&](const auto& gone) {
+      return edit.begin > gone.first && edit.begin < gone.second;
+    });
+    if (has_gone) continue;
     changed.append(text_, done, edit.begin - done);
     changed += edit.text;
     done = edit.begin + edit.length;

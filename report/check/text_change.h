@@ -46,6 +46,7 @@ class TextChange {
   std::string text_;
   std::vector<std::size_t> line_start_;
   std::vector<Edit> edits_;
+  std::vector<std::pair<std::size_t, std::size_t>> gone_;  // elements: their begin and end
   const calc::XmlElement* new_parent_ = nullptr;
   std::string new_child_, new_attributes_;
 };

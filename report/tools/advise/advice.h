@@ -2,6 +2,7 @@
 // What `advise` found: plain data.
 
 #include "calc/base/names.h"
+#include "report/tools/advise/findings.h"
 #include "report/tools/advise/room_advice.h"
 #include "rules/catalogue/finding.h"
 
@@ -32,11 +33,6 @@ struct AdvisedGroup {
   double power_w = 0.0, flux_lm = 0.0;  // of all of them at full output
   double now = 1.0;                     // level in the project
   double level = 1.0;                   // advised; above 1: so many times the light
-};
-
-// Of a report::ProjectPart: of its spaces, of the planes of that one, of the findings of that one.
-struct FindingPlace {
-  std::size_t space = 0, plane = 0, finding = 0;
 };
 
 struct AdvisedRequirement {

@@ -1,11 +1,10 @@
-#include "report/text/json_keys.h"
 #include "report/text/json_layout.h"
 #include "report/tools/advise/advice.h"
+#include "report/tools/advise/advice_json_parts.h"
 #include "report/tools/advise/room_advice_json.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,39 +22,10 @@ using report::one_of_names;
 using report::schema_of_keys;
 using report::type_of;
 
-using AdviceJson = report::KeyedJson;
-
-AdviceJson number_or_null(double value) {
-  return std::isfinite(value) ? AdviceJson(value) : AdviceJson(nullptr);
-}
-
-AdviceJson place(const std::optional<glm::dvec3>& m) {
-  return m ? AdviceJson{m->x, m->y, m->z} : AdviceJson();
-}
-
-AdviceJson place_type() {
-  return {{"type", "array"}, {"items", type_of("number")}, {"minItems", 3}, {"maxItems", 3}};
-}
-
-AdviceJson index_type() {
-  return described_key(at_least_type("integer", 0), "Of requirements, from 0.");
-}
-
 AdviceJson indices(const std::vector<std::size_t>& list) {
   AdviceJson json = AdviceJson::array();
   for (const std::size_t i : list) json.push_back(i);
   return json;
-}
-
-JsonKeys finding_keys(const rules::Finding& finding) {
-  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  const auto end = [&](double value) { return is_judged ? number_or_null(value) : AdviceJson(); };
-  return {{"verdict", calc::name_of(finding.verdict), one_of_names<rules::Verdict>()},
-          {"value", end(finding.measured.value), number_or_null_type()},
-          {"low", end(finding.measured.low), number_or_null_type()},
-          {"high", end(finding.measured.high), number_or_null_type()},
-          {"place_m", place(finding.place_m), place_type(), false, finding.place_m.has_value()},
-          {"reason", finding.reason, type_of("string"), false, !finding.reason.empty()}};
 }
 
 JsonKeys requirement_keys(const AdvisedRequirement& one, bool has_levels) {
@@ -101,19 +71,12 @@ JsonKeys limit_keys(const AdvisedLimit& one) {
           {"saved_per_percent", one.cost_per_percent,
            described_key(at_least_type("number", 0),
                          "How much a limit would save that is looser by one percent.")},
-          {"place_m", place(one.place_m),
-           described_key(place_type(), "Where the room is least; without: on average."), false,
+          {"place_m", vector_json(one.place_m.value_or(glm::dvec3(0.0))),
+           described_key(vector_type(), "Where the room is least; without: on average."), false,
            one.place_m.has_value()},
           {"lx_of_group", std::move(lx), list_of_keys(number_or_null_type())},
           {"lx_of_others", number_or_null(one.lx.empty() ? 0.0 : one.lx.back()),
            described_key(number_or_null_type(), "What no level changes.")}};
-}
-
-template <class Item, class Keys>
-AdviceJson list_of(const std::vector<Item>& items, const Keys& keys) {
-  AdviceJson json = AdviceJson::array();
-  for (const Item& item : items) json.push_back(object_of_keys(keys(item)));
-  return json;
 }
 
 JsonKeys scene_keys(const SceneAdvice& advice) {
@@ -136,18 +99,19 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
        described_key(at_least_type("number", 0), "No levels that meet the conditions need less."),
        false, has_levels},
       {"groups",
-       list_of(advice.groups,
-               [&](const AdvisedGroup& group) { return group_keys(group, has_levels); }),
+       list_by_keys(advice.groups,
+                    [&](const AdvisedGroup& group) { return group_keys(group, has_levels); }),
        list_of_keys(schema_of_keys(group_keys({}, true)))},
       {"left_alone", advice.left_alone,
        described_key(list_of_keys(type_of("string")),
                      "Groups of rooms in which nothing is asked of this scene: they stay as they "
                      "are, and are in no sum.")},
       {"requirements",
-       list_of(advice.requirements,
-               [&](const AdvisedRequirement& one) { return requirement_keys(one, has_levels); }),
+       list_by_keys(
+           advice.requirements,
+           [&](const AdvisedRequirement& one) { return requirement_keys(one, has_levels); }),
        list_of_keys(schema_of_keys(requirement_keys({}, true)))},
-      {"limits", list_of(advice.limits, limit_keys),
+      {"limits", list_by_keys(advice.limits, limit_keys),
        described_key(list_of_keys(schema_of_keys(limit_keys({}))),
                      "What holds the least cost up, dearest first; empty where the levels are not "
                      "the least ones.")},
@@ -166,28 +130,30 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
            "which there may be others.")}};
 }
 
-// Rooms, each with what was looked at.
-report::JsonKey room_key(const char* name, AdviceJson value, const char* words, bool is_written) {
-  return {name, std::move(value), described_key(list_of_keys(type_of("object")), words), false,
-          is_written};
-}
-
 JsonKeys advice_keys(const Advice& advice) {
   const RoomAdvice& rooms = advice.rooms;
   return {
       {"format", "luxgate-advice", {{"const", "luxgate-advice"}}},
       {"format_version", 1, {{"const", 1}}},
       {"project", advice.project, type_of("string")},
-      {"scenes", list_of(advice.scenes, scene_keys), list_of_keys(schema_of_keys(scene_keys({})))},
+      {"scenes", list_by_keys(advice.scenes, scene_keys),
+       list_of_keys(schema_of_keys(scene_keys({})))},
       {"not_met_besides", advice.not_met_besides,
        described_key(list_of_keys(type_of("string")),
                      "What counts, does not pass and hangs on no levels.")},
-      room_key("places", rooms.places ? places_json(*rooms.places) : AdviceJson(),
-               "Of --places: where one luminaire more helps.", rooms.places.has_value()),
-      room_key("spare", rooms.spare ? spare_json(*rooms.spare) : AdviceJson(),
-               "Of --places: which luminaires can go.", rooms.spare.has_value()),
-      room_key("surfaces", rooms.surfaces ? surfaces_json(*rooms.surfaces) : AdviceJson(),
-               "Of --surfaces: what lighter surfaces add.", rooms.surfaces.has_value())};
+      {"places", list_by_keys(rooms.places.value_or(std::vector<RoomPlaces>{}), room_places_keys),
+       described_key(list_of_keys(schema_of_keys(room_places_keys({}))),
+                     "Of --places: where one luminaire more helps."),
+       false, rooms.places.has_value()},
+      {"spare", list_by_keys(rooms.spare.value_or(std::vector<RoomSpare>{}), room_spare_keys),
+       described_key(list_of_keys(schema_of_keys(room_spare_keys({}))),
+                     "Of --places: which luminaires can go."),
+       false, rooms.spare.has_value()},
+      {"surfaces",
+       list_by_keys(rooms.surfaces.value_or(std::vector<RoomSurfaces>{}), room_surfaces_keys),
+       described_key(list_of_keys(schema_of_keys(room_surfaces_keys({}))),
+                     "Of --surfaces: what lighter surfaces add."),
+       false, rooms.surfaces.has_value()}};
 }
 
 }  // namespace

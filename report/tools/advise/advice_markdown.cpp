@@ -47,7 +47,7 @@ std::string limits(const SceneAdvice& advice) {
     const std::string shares = share_words(advice, limit);
     text += fmt::format(
         "- {}: {}{}{}\n", escape_markdown(requirement_words(one)),
-        cost_words(advice, limit.cost_per_percent),
+        cost_words(limit.cost_per_percent, advice.is_by_flux),
         limit.place_m ? "; least room at " + report::format_position(*limit.place_m) : "",
         shares.empty() ? "" : "; " + escape_markdown(shares));
   }
@@ -58,8 +58,8 @@ std::string found(const SceneAdvice& advice) {
   std::string text = fmt::format(
       "\n**{}** with these levels; now {}{}. No levels that meet the conditions need less than "
       "{}.\n\n{}",
-      cost_words(advice, advice.advised), cost_words(advice, advice.now), saving_words(advice),
-      cost_words(advice, advice.least), groups(advice));
+      cost_words(advice.advised, advice.is_by_flux), cost_words(advice.now, advice.is_by_flux),
+      saving_words(advice), cost_words(advice.least, advice.is_by_flux), groups(advice));
   if (advice.is_by_flux) {
     text += "\nThe power of a luminaire is not known: the least light was looked for instead.\n";
   }
@@ -81,7 +81,7 @@ std::string found(const SceneAdvice& advice) {
 }
 
 std::string scene(const SceneAdvice& advice) {
-  std::string text = fmt::format("\n### {}\n\n{}\n", escape_markdown(scene_words(advice)),
+  std::string text = fmt::format("\n### {}\n\n{}\n", escape_markdown(scene_words(advice.scene)),
                                  escape_markdown(outcome_words(advice)));
   if (advice.has_levels()) text += found(advice);
   if (advice.contradicting.empty()) return text;

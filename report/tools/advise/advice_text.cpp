@@ -62,7 +62,7 @@ std::string what_limits(const SceneAdvice& advice) {
     text += fmt::format(
         "    {}: {}{}; {}\n", requirement_words(one), value_words(one.after),
         limit.place_m ? ", least room at " + report::format_position(*limit.place_m) : "",
-        cost_words(advice, limit.cost_per_percent));
+        cost_words(limit.cost_per_percent, advice.is_by_flux));
     if (const std::string shares = share_words(advice, limit); !shares.empty()) {
       text += "      " + shares + "\n";
     }
@@ -87,8 +87,8 @@ std::string not_met(const SceneAdvice& advice) {
 std::string found_words(const SceneAdvice& advice) {
   std::string text = fmt::format(
       "  {} with these levels; now {}{}. No levels that meet the conditions need less than {}.\n",
-      cost_words(advice, advice.advised), cost_words(advice, advice.now), saving_words(advice),
-      cost_words(advice, advice.least));
+      cost_words(advice.advised, advice.is_by_flux), cost_words(advice.now, advice.is_by_flux),
+      saving_words(advice), cost_words(advice.least, advice.is_by_flux));
   if (advice.is_by_flux) {
     text += "  The power of a luminaire is not known: the least light was looked for instead.\n";
   }
@@ -107,7 +107,7 @@ std::string found_words(const SceneAdvice& advice) {
 }
 
 std::string scene_text(const SceneAdvice& advice) {
-  std::string text = fmt::format("{}: {}\n", scene_words(advice), outcome_words(advice));
+  std::string text = fmt::format("{}: {}\n", scene_words(advice.scene), outcome_words(advice));
   if (advice.has_levels()) text += found_words(advice);
   if (advice.contradicting.empty()) return text;
   text += "  " + contradiction_words(advice) + ":\n";

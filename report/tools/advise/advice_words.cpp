@@ -13,21 +13,23 @@
 
 namespace cli {
 
-std::string cost_words(const SceneAdvice& advice, double cost) {
-  return advice.is_by_flux ? report::format_lumens(cost) + " lm"
-                           : report::format_watts(cost) + " W";
+std::string cost_words(double cost, bool is_by_flux) {
+  return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
 }
 
 std::string name_of_group(const std::string& group) {
   return group.empty() ? "(without a group)" : report::printable(group);
 }
 
+std::string asked_words(const rules::Requirement& requirement) {
+  return fmt::format("{} {} {}", report::quantity_words(requirement),
+                     rules::comparison_name(requirement.comparison),
+                     report::format_limit(requirement.limit, rules::unit_of(requirement)));
+}
+
 std::string requirement_words(const AdvisedRequirement& one) {
-  const rules::Requirement& requirement = one.before.requirement;
-  const std::string limit = report::format_limit(requirement.limit, rules::unit_of(requirement));
-  return fmt::format("{}, {}: {} {} {}", report::printable(one.space), report::printable(one.plane),
-                     report::quantity_words(requirement),
-                     rules::comparison_name(requirement.comparison), limit);
+  return fmt::format("{}, {}: {}", report::printable(one.space), report::printable(one.plane),
+                     asked_words(one.before.requirement));
 }
 
 std::string value_words(const rules::Finding& finding) {
@@ -63,9 +65,8 @@ std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit) {
   return fmt::format("light {}: {}", limit.place_m ? "there" : "on average", text);
 }
 
-std::string scene_words(const SceneAdvice& advice) {
-  return advice.scene.empty() ? "Full output"
-                              : fmt::format("Scene '{}'", report::printable(advice.scene));
+std::string scene_words(const std::string& scene) {
+  return scene.empty() ? "Full output" : fmt::format("Scene '{}'", report::printable(scene));
 }
 
 std::string requirement_count(const SceneAdvice& advice) {

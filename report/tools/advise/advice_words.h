@@ -1,6 +1,6 @@
 #pragma once
-// What text and Markdown of an advice have in common. Names in it are printable, and not yet
-// escaped for Markdown.
+// What text and Markdown of an advice, and of places and surfaces, have in common. Names in it are
+// printable, and not yet escaped for Markdown.
 
 #include "report/tools/advise/advice.h"
 
@@ -9,11 +9,12 @@
 namespace cli {
 
 // "345.6 W" or, where power is not known, lumens.
-std::string cost_words(const SceneAdvice& advice, double cost);
+std::string cost_words(double cost, bool is_by_flux);
 // " (-36.0 %)" of what is needed now; "" where that is nothing.
 std::string saving_words(const SceneAdvice& advice);
 std::string name_of_group(const std::string& group);
-std::string scene_words(const SceneAdvice& advice);
+// scene: an id; "" = full output.
+std::string scene_words(const std::string& scene);
 // "9 requirements"
 std::string requirement_count(const SceneAdvice& advice);
 // One sentence.
@@ -22,6 +23,8 @@ std::string outcome_words(const SceneAdvice& advice);
 std::string left_alone_words(const SceneAdvice& advice);
 // What is said of the requirements that exclude each other.
 std::string contradiction_words(const SceneAdvice& advice);
+// "average at-least 500 lx"
+std::string asked_words(const rules::Requirement& requirement);
 std::string requirement_words(const AdvisedRequirement& one);
 std::string value_words(const rules::Finding& finding);
 // Shares of the groups in the light where a limit has the least room, largest first; "" where all

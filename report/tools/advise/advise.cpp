@@ -19,12 +19,10 @@
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/watched_project.h"
-#include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -146,28 +144,18 @@ check::SceneLevels levels_of(const SceneAdvice& advice, const report::ProjectPar
 
 // What counts, does not pass and hangs on no levels, such as the power by area of a room.
 std::vector<std::string> not_met_besides(const Advice& advice, const report::ProjectPart& part) {
-  std::set<std::array<std::size_t, 3>> advised;
+  std::set<const rules::Finding*> advised;
   for (const SceneAdvice& scene : advice.scenes) {
     for (const AdvisedRequirement& one : scene.requirements) {
-      advised.insert({one.where.space, one.where.plane, one.where.finding});
+      advised.insert(&finding_at(part, one.where));
     }
   }
   std::vector<std::string> words;
-  for (std::size_t s = 0; s < part.spaces.size(); ++s) {
-    for (std::size_t p = 0; p < part.spaces[s].planes.size(); ++p) {
-      const report::PlanePart& plane = part.spaces[s].planes[p];
-      for (std::size_t f = 0; f < plane.findings.size(); ++f) {
-        const rules::Finding& finding = plane.findings[f];
-        if (advised.contains({s, p, f}) || !rules::counts(rules::outcome_of(finding)) ||
-            finding.verdict == rules::Verdict::pass) {
-          continue;
-        }
-        words.push_back(fmt::format(
-            "{}, {}, {}: {}", report::title_of(part.spaces[s].name, part.spaces[s].id),
-            report::title_of(plane.name, plane.id), report::quantity_words(finding.requirement),
-            calc::name_of(finding.verdict)));
-      }
-    }
+  for (const FindingPlace& where : counted_findings(part)) {
+    const rules::Finding& finding = finding_at(part, where);
+    if (advised.contains(&finding) || finding.verdict == rules::Verdict::pass) continue;
+    words.push_back(
+        fmt::format("{} ({})", finding_words(part, where), calc::name_of(finding.verdict)));
   }
   return words;
 }
@@ -229,6 +217,18 @@ std::string write_problem(const AdviseOptions& options) {
   return problem.empty() ? "" : "--write: " + problem;
 }
 
+// "" or which output is a file that was read: the project's own ones, rule packs ...
+std::string overwritten_input(const AdviseOptions& options, const RememberingReader& files) {
+  std::vector<std::string> outputs{options.write_file};
+  for (const DataOutput& output : options.outputs) outputs.push_back(output.file);
+  for (const std::string& file : outputs) {
+    if (!file.empty() && files.has_read(file)) {
+      return fmt::format("'{}' is not written: it was read", file);
+    }
+  }
+  return "";
+}
+
 void print_error(const std::string& words) {
   calc::Diagnostics diagnostics;
   diagnostics.report(calc::DiagnosticId::output_not_possible, {}, words);
@@ -258,48 +258,23 @@ std::optional<std::string> changed_project(const std::string& bytes, const Advis
 std::string lost_by_writing(const Advice& advice, const report::ProjectPart& before,
                             const report::ProjectPart& after) {
   for (const SceneAdvice& scene : advice.scenes) {
+    if (scene.outcome != AdviceOutcome::levels) continue;
     for (const AdvisedRequirement& one : scene.requirements) {
-      if (scene.outcome != AdviceOutcome::levels || one.after.verdict != rules::Verdict::pass ||
-          finding_at(after, one.where).verdict == rules::Verdict::pass) {
-        continue;
-      }
-      return fmt::format("{}, {}, {}", one.space, one.plane, one.before.requirement.id);
-    }
-  }
-  for (std::size_t s = 0; s < before.spaces.size(); ++s) {
-    for (std::size_t p = 0; p < before.spaces[s].planes.size(); ++p) {
-      const report::PlanePart& plane = before.spaces[s].planes[p];
-      for (std::size_t f = 0; f < plane.findings.size(); ++f) {
-        const rules::Finding& finding = plane.findings[f];
-        if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass ||
-            finding_at(after, {s, p, f}).verdict == rules::Verdict::pass) {
-          continue;
-        }
-        return fmt::format("{}, {}, {}",
-                           report::title_of(before.spaces[s].name, before.spaces[s].id),
-                           report::title_of(plane.name, plane.id), finding.requirement.id);
+      const rules::Verdict verdict = finding_at(after, one.where).verdict;
+      if (one.after.verdict == rules::Verdict::pass && verdict != rules::Verdict::pass) {
+        return fmt::format("{} ({})", finding_words(before, one.where), calc::name_of(verdict));
       }
     }
   }
-  for (std::size_t i = 0; i < before.aggregates.size(); ++i) {
-    const rules::AggregateFinding& finding = before.aggregates[i];
-    if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass ||
-        (i < after.aggregates.size() && after.aggregates[i].verdict == rules::Verdict::pass)) {
-      continue;
-    }
-    return finding.clause.empty() ? finding.id : finding.clause;
-  }
-  return "";
+  const std::vector<std::string> broken = broken_findings(before, after);
+  return broken.empty() ? "" : broken.front();
 }
-
-using CheckText =
-    std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
 
 // False after an error, which has been printed: then nothing is written. The advice holds all the
 // same.
 bool write_changed(const AdviseOptions& options, const Advice& advice,
                    const report::ProjectPart& part, const std::string& bytes,
-                   const RememberingReader& files, const CheckText& check) {
+                   const CheckText& check) {
   const auto has_levels = [](const SceneAdvice& scene) {
     return scene.outcome == AdviceOutcome::levels;
   };
@@ -309,8 +284,6 @@ bool write_changed(const AdviseOptions& options, const Advice& advice,
     return false;
   };
   if (scenes == 0) return refused("no scene has levels");
-  // Nor anything that the project names.
-  if (files.has_read(options.write_file)) return refused("it was read");
   const auto text = changed_project(bytes, options, advice, part);
   if (!text) return false;
   std::string reason;
@@ -362,13 +335,19 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   Progress progress(progress_style(check.output, context.environment),
                     context.environment.stderr_columns, "checks");
   LightKeeper keeper(progress, options.project);
+  // Whatever happens to the file from now on, all is about these bytes.
+  const ChangedProject as_read(files, options.project, project.bytes);
   const report::ProjectPart part =
-      check_safely(options.project, {check.settings, files, setup->packs, stages, keeper, nullptr,
+      check_safely(options.project, {check.settings, as_read, setup->packs, stages, keeper, nullptr,
                                      &store, setup->crew.most_begun});
   progress.clear();
   if (interrupted()) return kInterrupted;
   print_diagnostics(part.diagnostics, check.output.quiet);
   if (!part.is_judged) return kNotJudged;
+  if (const std::string problem = overwritten_input(options, files); !problem.empty()) {
+    print_error(problem);
+    return kNotJudged;
+  }
 
   const auto check_text = [&](const std::string& text,
                               std::string& reason) -> std::optional<report::ProjectPart> {
@@ -416,7 +395,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
   if (options.places || options.surfaces) {
     calc::Diagnostics again;
-    const std::optional<calc::Project> loaded = calc::load_project(files, options.project, again);
+    const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
     if (!loaded) {
       print_diagnostics(again.all(), true);
       return kNotJudged;
@@ -429,8 +408,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
       check::Settings settings = check.settings;
       settings.by_luminaire = true;
       LightKeeper apart(progress, options.project);
-      check_safely(options.project, {settings, files, setup->packs, stages, apart, nullptr, &store,
-                                     setup->crew.most_begun});
+      check_safely(options.project, {settings, as_read, setup->packs, stages, apart, nullptr,
+                                     &store, setup->crew.most_begun});
       progress.clear();
       return apart.light();
     };
@@ -451,14 +430,9 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     if (options.surfaces) advice.rooms.surfaces = find_surfaces(questions);
     if (interrupted()) return kInterrupted;
   }
-  const bool is_written = options.write_file.empty() ||
-                          write_changed(options, advice, part, project.bytes, files, check_text);
+  const bool is_written =
+      options.write_file.empty() || write_changed(options, advice, part, project.bytes, check_text);
   if (interrupted()) return kInterrupted;
-  for (const DataOutput& output : options.outputs) {
-    if (output.file.empty() || !files.has_read(output.file)) continue;
-    print_error(fmt::format("'{}' is not written: it was read", output.file));
-    return kNotJudged;
-  }
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
       options.outputs,

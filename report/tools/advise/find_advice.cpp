@@ -41,13 +41,6 @@ struct Asked {
 // Whether some levels meet conditions.
 enum class Can { yes, no, unknown };
 
-// Values of points are judged anew from their light; what is of the space needs the project.
-bool is_of_points(const rules::Requirement& requirement) {
-  const rules::MetricSource source = rules::metric_row(requirement.metric).source;
-  return source == rules::MetricSource::values || source == rules::MetricSource::counted_values ||
-         source == rules::MetricSource::neighbours;
-}
-
 class SceneSearch {
  public:
   SceneSearch(const report::ProjectPart& part, const LightOfPlanes& light,
@@ -483,10 +476,6 @@ class SceneSearch {
 };
 
 }  // namespace
-
-const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where) {
-  return part.spaces[where.space].planes[where.plane].findings[where.finding];
-}
 
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
                                      const AdviceSettings& settings, const CheckLevels& check) {

@@ -34,8 +34,6 @@ struct AdviceSettings {
 using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
                                                                      std::string& reason)>;
 
-const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where);
-
 // part: judged. A scene's requirements that are waived, or only advice, are left out.
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
                                      const AdviceSettings& settings, const CheckLevels& check);

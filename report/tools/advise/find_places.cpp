@@ -96,6 +96,7 @@ class PlaceSearch {
   std::string why_not_added(const calc::Luminaire& luminaire) const {
     const calc::LuminaireType& type = type_of(luminaire);
     if (type.is_further_emitter || !type.emitters.empty()) return "it has several emitters";
+    // Its type is its own, and not one of the file.
     if (type.photometry_file.empty()) return "it is a luminous area";
     if (type.housing) return "its housing would shade";
     if (std::abs(luminaire.world_from_luminaire[2].z) < kVertical) {
@@ -293,20 +294,6 @@ class PlaceSearch {
            });
   }
 
-  std::string unused_id(std::size_t number) const {
-    std::string id = fmt::format("added-{}", number);
-    const auto is_taken = [&](const std::string& name) {
-      for (const calc::Space& space : questions_.project.spaces) {
-        for (const calc::Luminaire& one : space.luminaires) {
-          if (one.id == name) return true;
-        }
-      }
-      return false;
-    };
-    while (is_taken(id)) id += "-x";
-    return id;
-  }
-
   // Whether the changed project has them where they were meant to be.
   static bool has_them(const report::SpacePart& room,
                        const std::vector<check::AddedLuminaire>& added) {
@@ -325,8 +312,9 @@ class PlaceSearch {
     CheckedPlaces result;
     std::vector<check::AddedLuminaire> added;
     for (const AdvisedPlace& place : places) {
-      added.push_back({unused_id(added.size() + 1), place.type, place.position_m, place.c0,
-                       place.axis, place.group});
+      const std::string wish = fmt::format("added-{}", added.size() + 1);
+      added.push_back({unused_luminaire_id(questions_.project, wish), place.type, place.position_m,
+                       place.c0, place.axis, place.group});
     }
     result.places = std::move(places);
     const check::ChangedText changed =

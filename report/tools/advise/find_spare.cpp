@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace cli {
@@ -20,10 +23,7 @@ constexpr std::size_t kMostLuminairesTried = 200;
 
 // Judged anew from the light of its points.
 bool is_judged_by_points(const rules::Requirement& requirement) {
-  if (requirement.any_one_unit_out) return false;
-  const rules::MetricSource source = rules::metric_row(requirement.metric).source;
-  return source == rules::MetricSource::values || source == rules::MetricSource::counted_values ||
-         source == rules::MetricSource::neighbours;
+  return !requirement.any_one_unit_out && is_of_points(requirement);
 }
 
 bool counts_here(const rules::Finding& finding) {
@@ -69,7 +69,9 @@ class SpareSearch {
     if (!found_.problem.empty()) return std::move(found_);
     std::vector<std::size_t> gone = all_that_can_go();
     if (gone.empty()) {
-      found_.problem = "without any one of them something would not be met, by the same light";
+      found_.problem =
+          "without any one of them something would not be met, by the same light; those of "
+          "assemblies and lists were not looked at";
     }
     // All of them, one fewer, then half as many again and again.
     for (std::size_t count = gone.size(); count > 0;) {
@@ -138,11 +140,30 @@ class SpareSearch {
     return least;
   }
 
+  // Luminaires of assemblies and lists.
+  std::set<std::size_t> placed_elsewhere() const {
+    std::map<std::tuple<std::string, int, int>, bool> is_known;  // by file, line and column
+    std::set<std::size_t> elsewhere;
+    for (std::size_t l = 0; l < space_.luminaires.size(); ++l) {
+      const calc::SourceLocation& where = space_.luminaires[l].where;
+      const auto [known, is_new] =
+          is_known.try_emplace({where.file, where.line, where.column}, false);
+      if (is_new) {
+        known->second = check::with_luminaires_instead(questions_.bytes, questions_.file, space_.id,
+                                                       {where}, {})
+                            .text.has_value();
+      }
+      if (!known->second) elsewhere.insert(l);
+    }
+    return elsewhere;
+  }
+
   // What saves most first, then what leaves the most room.
   std::vector<std::size_t> all_that_can_go() const {
     std::vector<std::pair<const report::PlanePart*, PlaneLight>> planes = planes_;
     std::vector<std::size_t> gone;
-    std::set<std::size_t> tried;  // without which something is not met: so it stays
+    // Without which something is not met, or which the text cannot leave out: they stay.
+    std::set<std::size_t> tried = placed_elsewhere();
     while (gone.size() + 1 < space_.luminaires.size()) {
       std::optional<std::size_t> best;
       double best_margin = 0.0;
@@ -172,7 +193,7 @@ class SpareSearch {
     std::vector<calc::SourceLocation> elements;
     const auto is_replaced = [&](const calc::SourceLocation& where) {
       return std::any_of(elements.begin(), elements.end(), [&](const calc::SourceLocation& one) {
-        return one.line == where.line && one.column == where.column;
+        return one.file == where.file && one.line == where.line && one.column == where.column;
       });
     };
     for (const std::size_t l : gone) {
@@ -183,8 +204,9 @@ class SpareSearch {
     for (std::size_t l = 0; l < space_.luminaires.size(); ++l) {
       const calc::Luminaire& one = space_.luminaires[l];
       if (!is_replaced(one.where) || is_gone(l)) continue;
-      kept.push_back({fmt::format("kept-{}", l + 1), type_of(one).id, one.position_m,
-                      one.world_from_luminaire[0], -one.world_from_luminaire[2], one.group});
+      kept.push_back({unused_luminaire_id(questions_.project, fmt::format("kept-{}", l + 1)),
+                      type_of(one).id, one.position_m, one.world_from_luminaire[0],
+                      -one.world_from_luminaire[2], one.group});
     }
     const check::ChangedText changed = check::with_luminaires_instead(
         questions_.bytes, questions_.file, space_.id, elements, kept);
@@ -198,16 +220,10 @@ class SpareSearch {
     }
     found_.problem = "without them something is not met, as the check says";
     if (!broken_findings(questions_.part, *part).empty()) return false;
-    found_.passing = found_.asked = 0;
-    for (const report::SpacePart& space : part->spaces) {
-      for (const report::PlanePart& plane : space.planes) {
-        for (const rules::Finding& finding : plane.findings) {
-          if (!counts_here(finding)) continue;
-          ++found_.asked;
-          found_.passing += finding.verdict == rules::Verdict::pass;
-        }
-      }
-    }
+    PassCount count;
+    for (const FindingPlace& where : counted_findings(*part)) count.add(finding_at(*part, where));
+    found_.passing = count.passing;
+    found_.asked = count.asked;
     return true;
   }
 

@@ -20,7 +20,7 @@ Finish finish_of(const calc::Project& project, const calc::Space& space,
                  const std::string& surface) {
   Finish finish;
   for (const calc::Body& body : space.bodies) {
-    if (surface_of_body(space.id, body.id) != surface) continue;
+    if (surface_of_body(space, body.id) != surface) continue;
     for (std::size_t t = 0; t < body.triangle.size(); ++t) {
       const glm::uvec3& corner = body.triangle[t];
       const glm::dvec3 a = body.vertex_m[corner.x];

@@ -2,6 +2,8 @@
 
 #include "report/tools/advise/coin_library.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +20,9 @@ constexpr int kMostNodes = 5'000;
 constexpr int kMostRounds = 2'000;
 // Prices below this share of the whole cost are rounding.
 constexpr double kNoPrice = 1e-6;
+
+// The solvers use whatever BLAS is installed, whose last bits may hang on the processor.
+double without_last_bits(double value) { return std::stod(fmt::format("{:.9g}", value)); }
 
 // By the largest number in it: the solver's tolerances are absolute.
 double scale_of(const rules::LevelCondition& condition) {
@@ -199,7 +204,7 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
       // Less than what decides between levels of the same cost is none.
       if (cost_per_lx * std::abs(known[i].at_least) > kNoPrice * least_cost ||
           cost_per_lx > kNoPrice * least_cost) {
-        price.push_back({known[i], cost_per_lx});
+        price.push_back({known[i], without_last_bits(cost_per_lx)});
       }
     }
   }
@@ -211,7 +216,8 @@ LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& br
     std::vector<rules::LevelCondition> more = broken(level);
     if (more.empty()) {
       const double cost = cost_of(problem, level);
-      const double least = answer.is_proven ? cost : std::max(least_cost, answer.bound);
+      const double least =
+          answer.is_proven ? cost : without_last_bits(std::max(least_cost, answer.bound));
       return {Levels{level, cost, least, price}, false};
     }
     for (rules::LevelCondition& one : more) known.push_back(std::move(one));

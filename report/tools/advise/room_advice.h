@@ -17,7 +17,8 @@ namespace cli {
 struct RoomRequirement {
   std::string space, plane;  // as reports title them
   rules::Finding before;
-  std::size_t points = 0;  // of the plane that light was followed from; 0: their mean
+  std::size_t points = 0;     // of the plane that light was followed from; 0: their mean
+  std::size_t of_points = 0;  // that count
 };
 
 struct AdvisedPlace {

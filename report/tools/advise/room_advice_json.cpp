@@ -1,159 +1,151 @@
 #include "report/tools/advise/room_advice_json.h"
 
-#include <cmath>
+#include "report/tools/advise/advice_json_parts.h"
 
 namespace cli {
+
+using report::at_least_type;
+using report::described_key;
+using report::JsonKey;
+using report::JsonKeys;
+using report::list_of_keys;
+using report::number_or_null_type;
+using report::object_of_keys;
+using report::schema_of_keys;
+using report::type_of;
+
 namespace {
 
-using RoomJson = nlohmann::ordered_json;
+AdviceJson count_type() { return at_least_type("integer", 0); }
+AdviceJson text_list() { return list_of_keys(type_of("string")); }
 
-RoomJson room_number_json(double value) {
-  return std::isfinite(value) ? RoomJson(value) : RoomJson(nullptr);
+JsonKey problem_key(const std::string& problem, const char* words) {
+  return {"problem", problem, described_key(type_of("string"), words), false, !problem.empty()};
+}
+JsonKey unit_key(bool is_by_flux) {
+  return {"unit", is_by_flux ? "lm" : "W",
+          described_key({{"enum", {"lm", "W"}}}, "Of what luminaires cost.")};
 }
 
-RoomJson gain_json(const calc::Estimate& estimate) {
-  return {{"value", room_number_json(estimate.value)},
-          {"low", room_number_json(estimate.low)},
-          {"high", room_number_json(estimate.high)}};
+AdviceJson findings_type() {
+  return described_key(list_of_keys(schema_of_keys(finding_keys({}))),
+                       "As many as requirements, by other random numbers.");
 }
 
-RoomJson gains_json(const std::vector<calc::Estimate>& estimates) {
-  RoomJson json = RoomJson::array();
-  for (const calc::Estimate& one : estimates) json.push_back(gain_json(one));
-  return json;
+JsonKeys asked_keys(const RoomRequirement& one) {
+  const rules::Requirement& requirement = one.before.requirement;
+  return {{"plane", requirement.plane_id, type_of("string")},
+          {"id", requirement.id, type_of("string")},
+          {"quantity", calc::name_of(requirement.metric), type_of("string")},
+          {"limit", number_or_null(requirement.limit), number_or_null_type()},
+          {"unit", rules::unit_of(requirement), type_of("string")},
+          {"points", one.points,
+           described_key(count_type(),
+                         "From which light was followed; 0: from all, for their average.")},
+          {"of_points", one.of_points,
+           described_key(count_type(),
+                         "That count. With fewer points a gain of a least value may be less.")},
+          {"before", object_of_keys(finding_keys(one.before)), schema_of_keys(finding_keys({}))}};
 }
 
-RoomJson checked_finding_json(const rules::Finding& finding) {
-  RoomJson json{{"verdict", calc::name_of(finding.verdict)}};
-  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  const calc::Estimate& measured = finding.measured;
-  json["value"] = is_judged ? room_number_json(measured.value) : RoomJson(nullptr);
-  json["low"] = is_judged ? room_number_json(measured.low) : RoomJson(nullptr);
-  json["high"] = is_judged ? room_number_json(measured.high) : RoomJson(nullptr);
-  return json;
+AdviceJson asked_type() { return list_of_keys(schema_of_keys(asked_keys({}))); }
+
+JsonKeys place_keys(const AdvisedPlace& place) {
+  return {{"type", place.type, type_of("string")},
+          {"group", place.group, type_of("string")},
+          {"position_m", vector_json(place.position_m), vector_type()},
+          {"c0", vector_json(place.c0), vector_type()},
+          {"axis", vector_json(place.axis), vector_type()},
+          {"cost", place.cost, at_least_type("number", 0)},
+          {"share", place.share,
+           described_key({{"type", "number"}, {"minimum", 0}, {"maximum", 1}},
+                         "Of what lacks, by the lower ends of gains.")},
+          {"gain_lx", gains_json(place.gain_lx), gains_type("As many as requirements.")}};
 }
 
-RoomJson findings_json(const std::vector<rules::Finding>& findings) {
-  RoomJson json = RoomJson::array();
-  for (const rules::Finding& one : findings) json.push_back(checked_finding_json(one));
-  return json;
+AdviceJson places_type() { return list_of_keys(schema_of_keys(place_keys({}))); }
+
+JsonKeys checked_keys(const CheckedPlaces& checked) {
+  const bool is_checked = checked.problem.empty();
+  return {{"places", list_by_keys(checked.places, place_keys), places_type()},
+          {"is_checked", is_checked, type_of("boolean")},
+          problem_key(checked.problem, "Why it could not be checked."),
+          {"after", list_by_keys(checked.after, finding_keys), findings_type(), false, is_checked},
+          {"passing", checked.passing,
+           described_key(count_type(), "Of all that count in the scene, in all rooms."), false,
+           is_checked},
+          {"asked", checked.asked, count_type(), false, is_checked},
+          {"broken", checked.broken, described_key(text_list(), "What passed and no longer does."),
+           false, is_checked}};
 }
 
-RoomJson requirements_json(const std::vector<RoomRequirement>& requirements) {
-  RoomJson json = RoomJson::array();
-  for (const RoomRequirement& one : requirements) {
-    const rules::Requirement& requirement = one.before.requirement;
-    json.push_back({{"plane", requirement.plane_id},
-                    {"id", requirement.id},
-                    {"quantity", calc::name_of(requirement.metric)},
-                    {"limit", room_number_json(requirement.limit)},
-                    {"unit", rules::unit_of(requirement)},
-                    {"points", one.points},
-                    {"before", checked_finding_json(one.before)}});
-  }
-  return json;
+JsonKeys spare_luminaire_keys(const SpareLuminaire& one) {
+  return {{"id", one.id, type_of("string")},
+          {"type", one.type, type_of("string")},
+          {"group", one.group, type_of("string")},
+          {"position_m", vector_json(one.position_m), vector_type()},
+          {"cost", one.cost, at_least_type("number", 0)}};
 }
 
-RoomJson place_vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-RoomJson place_json(const AdvisedPlace& place) {
-  return {{"type", place.type},
-          {"group", place.group},
-          {"position_m", place_vector_json(place.position_m)},
-          {"c0", place_vector_json(place.c0)},
-          {"axis", place_vector_json(place.axis)},
-          {"cost", place.cost},
-          {"share", place.share},
-          {"gain_lx", gains_json(place.gain_lx)}};
-}
-
-RoomJson list_of_places(const std::vector<AdvisedPlace>& places) {
-  RoomJson json = RoomJson::array();
-  for (const AdvisedPlace& one : places) json.push_back(place_json(one));
-  return json;
-}
-
-RoomJson checked_json(const CheckedPlaces& checked) {
-  RoomJson json{{"places", list_of_places(checked.places)},
-                {"is_checked", checked.problem.empty()}};
-  if (!checked.problem.empty()) {
-    json["problem"] = checked.problem;
-    return json;
-  }
-  json["after"] = findings_json(checked.after);
-  json["passing"] = checked.passing;
-  json["asked"] = checked.asked;
-  json["broken"] = checked.broken;
-  return json;
+JsonKeys surface_keys(const LighterSurface& surface) {
+  const bool is_checked = !surface.after.empty();
+  return {{"surface", surface.surface, type_of("string")},
+          {"reflectance", surface.reflectance, described_key(type_of("number"), "By area.")},
+          {"slope_lx", gains_json(surface.slope_lx),
+           gains_type("What the step would add if it went on as it begins.")},
+          {"step_lx", gains_json(surface.step_lx), gains_type("What the step adds.")},
+          {"is_checked", is_checked, type_of("boolean")},
+          problem_key(surface.problem, "Why it was not."),
+          {"after", list_by_keys(surface.after, finding_keys), findings_type(), false, is_checked}};
 }
 
 }  // namespace
 
-RoomJson places_json(const std::vector<RoomPlaces>& rooms) {
-  RoomJson json = RoomJson::array();
-  for (const RoomPlaces& room : rooms) {
-    RoomJson one{{"scene", room.scene}, {"space", room.space_id}};
-    if (!room.problem.empty()) one["problem"] = room.problem;
-    one["unit"] = room.is_by_flux ? "lm" : "W";
-    one["requirements"] = requirements_json(room.requirements);
-    one["left_out"] = room.left_out;
-    one["step_m"] = {room.step_m.x, room.step_m.y};
-    one["least_distance_m"] = room.least_distance_m;
-    one["cells"] = room.cells;
-    one["passing"] = room.passing;
-    one["asked"] = room.asked;
-    one["places"] = list_of_places(room.places);
-    one["best"] = RoomJson::array();
-    for (const CheckedPlaces& checked : room.best) one["best"].push_back(checked_json(checked));
-    if (room.together) one["together"] = checked_json(*room.together);
-    json.push_back(std::move(one));
-  }
-  return json;
+JsonKeys room_places_keys(const RoomPlaces& room) {
+  return {{"scene", room.scene, type_of("string")},
+          {"space", room.space_id, type_of("string")},
+          problem_key(room.problem, "Why there is no advice."),
+          unit_key(room.is_by_flux),
+          {"requirements", list_by_keys(room.requirements, asked_keys), asked_type()},
+          {"left_out", room.left_out,
+           described_key(text_list(), "Types and requirements that were not looked at, and why.")},
+          {"step_m",
+           {room.step_m.x, room.step_m.y},
+           {{"type", "array"}, {"items", type_of("number")}, {"minItems", 2}, {"maxItems", 2}}},
+          {"least_distance_m", room.least_distance_m, at_least_type("number", 0)},
+          {"cells", room.cells, count_type()},
+          {"passing", room.passing, count_type()},
+          {"asked", room.asked, count_type()},
+          {"places", list_by_keys(room.places, place_keys),
+           described_key(places_type(), "Free ones, best first.")},
+          {"best", list_by_keys(room.best, checked_keys),
+           described_key(list_of_keys(schema_of_keys(checked_keys({}))), "One luminaire more.")},
+          {"together", object_of_keys(checked_keys(room.together.value_or(CheckedPlaces{}))),
+           schema_of_keys(checked_keys({}), "As many as it takes, by the same light."), false,
+           room.together.has_value()}};
 }
 
-RoomJson spare_json(const std::vector<RoomSpare>& rooms) {
-  RoomJson json = RoomJson::array();
-  for (const RoomSpare& room : rooms) {
-    RoomJson one{{"space", room.space_id}};
-    if (!room.problem.empty()) one["problem"] = room.problem;
-    one["unit"] = room.is_by_flux ? "lm" : "W";
-    one["of"] = room.of;
-    one["passing"] = room.passing;
-    one["asked"] = room.asked;
-    one["luminaires"] = RoomJson::array();
-    for (const SpareLuminaire& its : room.luminaires) {
-      one["luminaires"].push_back({{"id", its.id},
-                                   {"type", its.type},
-                                   {"group", its.group},
-                                   {"position_m", place_vector_json(its.position_m)},
-                                   {"cost", its.cost}});
-    }
-    json.push_back(std::move(one));
-  }
-  return json;
+JsonKeys room_spare_keys(const RoomSpare& room) {
+  return {{"space", room.space_id, type_of("string")},
+          problem_key(room.problem, "Why there is no advice."),
+          unit_key(room.is_by_flux),
+          {"of", room.of, described_key(count_type(), "Luminaires of the room.")},
+          {"passing", room.passing,
+           described_key(count_type(), "Of all scenes and rooms, in the check.")},
+          {"asked", room.asked, count_type()},
+          {"luminaires", list_by_keys(room.luminaires, spare_luminaire_keys),
+           described_key(list_of_keys(schema_of_keys(spare_luminaire_keys({}))),
+                         "That can go together.")}};
 }
 
-RoomJson surfaces_json(const std::vector<RoomSurfaces>& rooms) {
-  RoomJson json = RoomJson::array();
-  for (const RoomSurfaces& room : rooms) {
-    RoomJson one{{"scene", room.scene}, {"space", room.space_id}};
-    if (!room.problem.empty()) one["problem"] = room.problem;
-    one["requirements"] = requirements_json(room.requirements);
-    one["reflectance_step"] = kReflectanceStep;
-    one["surfaces"] = RoomJson::array();
-    for (const LighterSurface& surface : room.surfaces) {
-      RoomJson its{{"surface", surface.surface},
-                   {"reflectance", surface.reflectance},
-                   {"slope_lx", gains_json(surface.slope_lx)},
-                   {"step_lx", gains_json(surface.step_lx)},
-                   {"is_checked", !surface.after.empty()}};
-      if (!surface.problem.empty()) its["problem"] = surface.problem;
-      if (!surface.after.empty()) its["after"] = findings_json(surface.after);
-      one["surfaces"].push_back(std::move(its));
-    }
-    json.push_back(std::move(one));
-  }
-  return json;
+JsonKeys room_surfaces_keys(const RoomSurfaces& room) {
+  return {{"scene", room.scene, type_of("string")},
+          {"space", room.space_id, type_of("string")},
+          problem_key(room.problem, "Why there is no advice."),
+          {"requirements", list_by_keys(room.requirements, asked_keys), asked_type()},
+          {"reflectance_step", kReflectanceStep, type_of("number")},
+          {"surfaces", list_by_keys(room.surfaces, surface_keys),
+           list_of_keys(schema_of_keys(surface_keys({})))}};
 }
 
 }  // namespace cli

@@ -1,17 +1,13 @@
 #pragma once
-// Places and surfaces as JSON, a part of the advice.
+// Places and surfaces as JSON, each a part of the advice.
 
+#include "report/text/json_keys.h"
 #include "report/tools/advise/room_advice.h"
-
-#include <nlohmann/json.hpp>
-
-#include <vector>
 
 namespace cli {
 
-// [{"scene", "space", ...}]: as many as were looked at.
-nlohmann::ordered_json places_json(const std::vector<RoomPlaces>& rooms);
-nlohmann::ordered_json spare_json(const std::vector<RoomSpare>& rooms);
-nlohmann::ordered_json surfaces_json(const std::vector<RoomSurfaces>& rooms);
+report::JsonKeys room_places_keys(const RoomPlaces& room);
+report::JsonKeys room_spare_keys(const RoomSpare& room);
+report::JsonKeys room_surfaces_keys(const RoomSurfaces& room);
 
 }  // namespace cli

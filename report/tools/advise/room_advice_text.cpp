@@ -1,6 +1,6 @@
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
-#include "report/text/words.h"
+#include "report/tools/advise/advice_words.h"
 #include "report/tools/advise/room_advice.h"
 
 #include <fmt/format.h>
@@ -11,34 +11,25 @@ namespace cli {
 namespace {
 
 std::string room_heading(const std::string& scene, const std::string& space, const char* about) {
-  return fmt::format(
-      "{}, {}: {}\n",
-      scene.empty() ? "Full output" : fmt::format("Scene '{}'", report::printable(scene)),
-      report::printable(space), about);
+  return fmt::format("{}, {}: {}\n", scene_words(scene), report::printable(space), about);
 }
 
-std::string place_cost_words(double cost, bool is_by_flux) {
-  return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
+std::string asked_on_plane(const RoomRequirement& one) {
+  return fmt::format("{}: {}", report::printable(one.plane), asked_words(one.before.requirement));
 }
 
-std::string room_value_words(const rules::Finding& finding) {
-  if (finding.verdict == rules::Verdict::not_judged) return "not judged";
-  return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
-}
-
-std::string room_requirement_words(const RoomRequirement& one) {
-  const rules::Requirement& requirement = one.before.requirement;
-  return fmt::format("{}: {} {} {}", report::printable(one.plane),
-                     report::quantity_words(requirement),
-                     rules::comparison_name(requirement.comparison),
-                     report::format_limit(requirement.limit, rules::unit_of(requirement)));
+// Of a least value light was followed from some of its points: elsewhere less may be added.
+std::string points_words(const RoomRequirement& one) {
+  return one.points > 0 && one.points < one.of_points
+             ? fmt::format(", by {} of its {} points", one.points, one.of_points)
+             : "";
 }
 
 std::string place_words(const AdvisedPlace& place, bool is_by_flux) {
   return fmt::format("{} at {}{}, {}", report::printable(place.type),
                      report::format_position(place.position_m),
                      place.group.empty() ? "" : ", group " + report::printable(place.group),
-                     place_cost_words(place.cost, is_by_flux));
+                     cost_words(place.cost, is_by_flux));
 }
 
 std::string place_check_words(const CheckedPlaces& checked, const RoomPlaces& room) {
@@ -51,13 +42,13 @@ std::string place_check_words(const CheckedPlaces& checked, const RoomPlaces& ro
   for (std::size_t r = 0; r < room.requirements.size(); ++r) {
     const std::string gain =
         checked.places.size() == 1
-            ? fmt::format(" (expected to add {})",
-                          report::format_measured(checked.places.front().gain_lx[r], "lx"))
+            ? fmt::format(" (expected to add {}{})",
+                          report::format_measured(checked.places.front().gain_lx[r], "lx"),
+                          points_words(room.requirements[r]))
             : "";
-    text += fmt::format(
-        "        {}: {}, now {}{}, {}\n", room_requirement_words(room.requirements[r]),
-        room_value_words(checked.after[r]), room_value_words(room.requirements[r].before), gain,
-        calc::name_of(checked.after[r].verdict));
+    text += fmt::format("        {}: {}, now {}{}, {}\n", asked_on_plane(room.requirements[r]),
+                        value_words(checked.after[r]), value_words(room.requirements[r].before),
+                        gain, calc::name_of(checked.after[r].verdict));
   }
   for (const std::string& one : checked.broken) {
     text += fmt::format("        no longer met: {}\n", report::printable(one));
@@ -92,7 +83,7 @@ std::string places_text(const RoomPlaces& room) {
     double cost = 0.0;
     for (const AdvisedPlace& place : room.together->places) cost += place.cost;
     text += fmt::format("    {} together, {}{}:\n", room.together->places.size(),
-                        place_cost_words(cost, room.is_by_flux),
+                        cost_words(cost, room.is_by_flux),
                         room.together->broken.empty() ? "" : ", but not all stays met");
     for (const AdvisedPlace& place : room.together->places) {
       text += fmt::format("      {}\n", place_words(place, room.is_by_flux));
@@ -112,8 +103,7 @@ std::string spare_text(const RoomSpare& room) {
   text += fmt::format(
       "  {} of {}, {}; checked with other random numbers, {} of {} requirements of all rooms and "
       "scenes pass\n",
-      room.luminaires.size(), room.of, place_cost_words(cost, room.is_by_flux), room.passing,
-      room.asked);
+      room.luminaires.size(), room.of, cost_words(cost, room.is_by_flux), room.passing, room.asked);
   for (const SpareLuminaire& one : room.luminaires) {
     text += fmt::format("    {} ({}) at {}\n", report::printable(one.id),
                         report::printable(one.type), report::format_position(one.position_m));
@@ -133,13 +123,14 @@ std::string surfaces_text(const RoomSurfaces& room) {
       const std::string then =
           surface.after.empty()
               ? ""
-              : fmt::format("; checked {}, now {}, {}", room_value_words(surface.after[r]),
-                            room_value_words(room.requirements[r].before),
+              : fmt::format("; checked {}, now {}, {}", value_words(surface.after[r]),
+                            value_words(room.requirements[r].before),
                             calc::name_of(surface.after[r].verdict));
-      text += fmt::format("      {}: {}, as it begins {}{}\n",
-                          room_requirement_words(room.requirements[r]),
-                          report::format_measured(surface.step_lx[r], "lx"),
-                          report::format_measured(surface.slope_lx[r], "lx"), then);
+      text +=
+          fmt::format("      {}: {}, as it begins {}{}{}\n", asked_on_plane(room.requirements[r]),
+                      report::format_measured(surface.step_lx[r], "lx"),
+                      report::format_measured(surface.slope_lx[r], "lx"),
+                      points_words(room.requirements[r]), then);
     }
     if (!surface.problem.empty()) {
       text += fmt::format("      not checked: {}\n", report::printable(surface.problem));

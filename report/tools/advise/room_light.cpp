@@ -92,6 +92,7 @@ bool take_points(const RoomQuestions& questions, const std::string& scene, const
       masked.points);
   const rules::ReplicateSample sample = rules::summarize(values, 0, values.replicates);
   asked.grid = &light.grid;
+  asked.told.of_points = masked.points.size();
   asked.is_mean = requirement.metric == rules::Metric::average;
   if (asked.is_mean) {
     asked.points = masked.points;
@@ -107,6 +108,7 @@ bool take_points(const RoomQuestions& questions, const std::string& scene, const
         std::min_element(masked.points.begin(), masked.points.end(),
                          [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     chosen = {static_cast<std::size_t>(nearest - masked.points.begin())};
+    asked.told.of_points = 1;
   } else {
     chosen = darkest(light.grid, masked.points, sample.mean_lx, requirement.limit);
   }
@@ -191,7 +193,7 @@ RoomLight::RoomLight(const RoomQuestions& questions, const calc::Space& space,
     classes.step = kReflectanceStep;
     for (const std::uint32_t body : prepared.body) {
       const auto found = std::find(surfaces.begin(), surfaces.end(),
-                                   surface_of_body(space.id, prepared.body_id[body]));
+                                   surface_of_body(space, prepared.body_id[body]));
       classes.of_triangle.push_back(found == surfaces.end()
                                         ? calc::kNoClass
                                         : static_cast<std::uint32_t>(found - surfaces.begin()));
@@ -261,59 +263,35 @@ calc::Estimate RoomLight::surface_lx(const AskedOfRoom& asked, std::size_t surfa
   });
 }
 
-std::string surface_of_body(const std::string& room, const std::string& body) {
-  if (!body.starts_with(room + ".")) return "";
-  const std::string name = body.substr(room.size() + 1);
-  if (name == "floor" || name == "ceiling") return name;
-  const bool is_wall = name.size() > 4 && name.starts_with("wall") &&
-                       name.find_first_not_of("0123456789", 4) == name.npos;
-  return is_wall ? "walls" : "";
+std::string surface_of_body(const calc::Space& room, const std::string& body) {
+  if (!room.shell) return "";
+  if (body == room.id + ".floor") return "floor";
+  if (body == room.id + ".ceiling") return "ceiling";
+  for (std::size_t i = 1; i <= room.shell->footprint_m.size(); ++i) {
+    if (body == fmt::format("{}.wall{}", room.id, i)) return "walls";
+  }
+  return "";
+}
+
+std::string unused_luminaire_id(const calc::Project& project, const std::string& wish) {
+  std::string id = wish;
+  const auto is_taken = [&] {
+    return std::any_of(project.spaces.begin(), project.spaces.end(), [&](const calc::Space& space) {
+      return std::any_of(space.luminaires.begin(), space.luminaires.end(),
+                         [&](const calc::Luminaire& one) { return one.id == id; });
+    });
+  };
+  while (is_taken()) id += "-x";
+  return id;
 }
 
 PassCount count_passes(const report::ProjectPart& part, const std::string& scene) {
   PassCount count;
-  for (const report::SpacePart& space : part.spaces) {
-    for (const report::PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) {
-        if (finding.requirement.scene != scene || !rules::counts(rules::outcome_of(finding))) {
-          continue;
-        }
-        ++count.asked;
-        count.passing += finding.verdict == rules::Verdict::pass ? 1 : 0;
-      }
-    }
+  for (const FindingPlace& where : counted_findings(part)) {
+    const rules::Finding& finding = finding_at(part, where);
+    if (finding.requirement.scene == scene) count.add(finding);
   }
   return count;
-}
-
-std::vector<std::string> broken_findings(const report::ProjectPart& before,
-                                         const report::ProjectPart& after) {
-  std::vector<std::string> broken;
-  for (std::size_t s = 0; s < before.spaces.size(); ++s) {
-    for (std::size_t p = 0; p < before.spaces[s].planes.size(); ++p) {
-      const report::PlanePart& plane = before.spaces[s].planes[p];
-      for (std::size_t f = 0; f < plane.findings.size(); ++f) {
-        const rules::Finding& finding = plane.findings[f];
-        const rules::Finding& then = after.spaces[s].planes[p].findings[f];
-        if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass ||
-            then.verdict == rules::Verdict::pass) {
-          continue;
-        }
-        broken.push_back(fmt::format("{}, {} ({})", report::title_of(plane.name, plane.id),
-                                     finding.requirement.id, calc::name_of(then.verdict)));
-      }
-    }
-  }
-  for (std::size_t a = 0; a < before.aggregates.size(); ++a) {
-    const rules::AggregateFinding& finding = before.aggregates[a];
-    if (!rules::counts(rules::outcome_of(finding)) || finding.verdict != rules::Verdict::pass) {
-      continue;
-    }
-    const bool is_kept = a < after.aggregates.size() && after.aggregates[a].id == finding.id &&
-                         after.aggregates[a].verdict == rules::Verdict::pass;
-    if (!is_kept) broken.push_back(finding.clause.empty() ? finding.id : finding.clause);
-  }
-  return broken;
 }
 
 const calc::Space* space_of(const RoomQuestions& questions, std::size_t part_index) {

@@ -86,19 +86,15 @@ class RoomLight {
   calc::LightByLuminaire light_;
 };
 
-// "<room>.floor" is of "floor", "<room>.wall2" of "walls"; "" of anything else.
-std::string surface_of_body(const std::string& room, const std::string& body);
+// "<room>.floor" is of "floor", "<room>.wall2" of "walls", as many as its outline has corners; ""
+// of anything else, and in rooms without an outline.
+std::string surface_of_body(const calc::Space& room, const std::string& body);
 
-// How many of all that counts in a scene pass.
-struct PassCount {
-  std::size_t passing = 0, asked = 0;
-};
+// An id that no luminaire of the project has.
+std::string unused_luminaire_id(const calc::Project& project, const std::string& wish);
+
+// Of all that counts in a scene.
 PassCount count_passes(const report::ProjectPart& part, const std::string& scene);
-
-// What counts, passed before and does not pass after, in whatever scene: "Desk, average (fail)".
-// Both are of the same requirements.
-std::vector<std::string> broken_findings(const report::ProjectPart& before,
-                                         const report::ProjectPart& after);
 
 // Of the part's space; null: there is none.
 const calc::Space* space_of(const RoomQuestions& questions, std::size_t part_index);

@@ -41,9 +41,12 @@ Command schema_command() {
                       {"luxgate schema --result", "For who reads results"}};
   command.exit_codes = {{0, "printed"}, {2, "an error"}};
   command.complete = [asked](const Environment&) -> std::string {
-    return std::count(asked->begin(), asked->end(), true) > 1
-               ? "--markdown, --result, --sweep and --advice exclude each other"
-               : "";
+    if (std::count(asked->begin(), asked->end(), true) <= 1) return "";
+    std::string names;
+    for (const OtherSchema& one : kOtherSchemas) {
+      names += (names.empty() ? "" : ", ") + std::string(one.option);
+    }
+    return names + ": one of them at a time";
   };
   command.run = [asked](const RunContext&) {
     const auto one =

@@ -1,0 +1,43 @@
+#pragma once
+// Requirements of a judged project, one by one, wherever they are asked.
+
+#include "report/document/document.h"
+#include "rules/catalogue/finding.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// Of a report::ProjectPart: of its spaces, of the planes of that one, of the findings of that one.
+struct FindingPlace {
+  std::size_t space = 0, plane = 0, finding = 0;
+};
+
+const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where);
+
+// All that count, in the order of the part.
+std::vector<FindingPlace> counted_findings(const report::ProjectPart& part);
+
+// "Office, Desk: average"
+std::string finding_words(const report::ProjectPart& part, const FindingPlace& where);
+
+// Values of points are judged anew from their light; what is of the space needs the project.
+bool is_of_points(const rules::Requirement& requirement);
+
+// How many of those that count pass.
+struct PassCount {
+  std::size_t passing = 0, asked = 0;
+  void add(const rules::Finding& finding) {
+    ++asked;
+    passing += finding.verdict == rules::Verdict::pass ? 1 : 0;
+  }
+};
+
+// What counts, passed before and does not pass after, in whatever scene: "Office, Desk: average
+// (fail)"; then aggregates and classes of rule packs. Both are of the same requirements.
+std::vector<std::string> broken_findings(const report::ProjectPart& before,
+                                         const report::ProjectPart& after);
+
+}  // namespace cli
