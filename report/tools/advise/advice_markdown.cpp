@@ -55,18 +55,10 @@ std::string limits(const SceneAdvice& advice) {
 }
 
 std::string found(const SceneAdvice& advice) {
-  std::string text = fmt::format(
-      "\n**{}** with these levels; now {}{}. No levels that meet the conditions need less than "
-      "{}.\n\n{}",
-      cost_words(advice.advised, advice.is_by_flux), cost_words(advice.now, advice.is_by_flux),
-      saving_words(advice), cost_words(advice.least, advice.is_by_flux), groups(advice));
-  if (advice.is_by_flux) {
-    text += "\nThe power of a luminaire is not known: the least light was looked for instead.\n";
-  }
+  std::string text = fmt::format("\n{}\n\n{}", cost_sentence(advice), groups(advice));
+  if (advice.is_by_flux) text += fmt::format("\n{}\n", kByFlux);
   if (!advice.raised_for.empty()) {
-    text +=
-        "\nThey are nearer to those of now than the least ones, which would not meet what the "
-        "search does not know:\n\n";
+    text += fmt::format("\n{}\n\n", kRaised);
     for (const std::size_t i : advice.raised_for) {
       text += "- " + escape_markdown(requirement_words(advice.requirements[i])) + "\n";
     }

@@ -85,17 +85,10 @@ std::string not_met(const SceneAdvice& advice) {
 }
 
 std::string found_words(const SceneAdvice& advice) {
-  std::string text = fmt::format(
-      "  {} with these levels; now {}{}. No levels that meet the conditions need less than {}.\n",
-      cost_words(advice.advised, advice.is_by_flux), cost_words(advice.now, advice.is_by_flux),
-      saving_words(advice), cost_words(advice.least, advice.is_by_flux));
-  if (advice.is_by_flux) {
-    text += "  The power of a luminaire is not known: the least light was looked for instead.\n";
-  }
+  std::string text = "  " + cost_sentence(advice) + "\n";
+  if (advice.is_by_flux) text += std::string("  ") + kByFlux + "\n";
   if (!advice.raised_for.empty()) {
-    text +=
-        "  They are nearer to those of now than the least ones, which would not meet what the\n"
-        "  search does not know:\n";
+    text += std::string("  ") + kRaised + "\n";
     for (const std::size_t i : advice.raised_for) {
       text += fmt::format("    {}: {}\n", requirement_words(advice.requirements[i]),
                           value_words(advice.requirements[i].after));

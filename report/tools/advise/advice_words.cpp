@@ -12,6 +12,16 @@
 #include <vector>
 
 namespace cli {
+namespace {
+
+// " (-36.0 %)" of what is needed now; "" where that is nothing.
+std::string saving_words(const SceneAdvice& advice) {
+  if (!(advice.now > 0.0)) return "";
+  const double share = advice.advised / advice.now - 1.0;
+  return fmt::format(" ({}{:.1f} %)", share > 0.0 ? "+" : "", 100.0 * share);
+}
+
+}  // namespace
 
 std::string cost_words(double cost, bool is_by_flux) {
   return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
@@ -37,10 +47,11 @@ std::string value_words(const rules::Finding& finding) {
   return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
 }
 
-std::string saving_words(const SceneAdvice& advice) {
-  if (!(advice.now > 0.0)) return "";
-  const double share = advice.advised / advice.now - 1.0;
-  return fmt::format(" ({}{:.1f} %)", share > 0.0 ? "+" : "", 100.0 * share);
+std::string cost_sentence(const SceneAdvice& advice) {
+  const auto words = [&](double cost) { return cost_words(cost, advice.is_by_flux); };
+  return fmt::format(
+      "{} with these levels; now {}{}. No levels that meet the conditions need less than {}.",
+      words(advice.advised), words(advice.now), saving_words(advice), words(advice.least));
 }
 
 std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit) {

@@ -10,8 +10,14 @@ namespace cli {
 
 // "345.6 W" or, where power is not known, lumens.
 std::string cost_words(double cost, bool is_by_flux);
-// " (-36.0 %)" of what is needed now; "" where that is nothing.
-std::string saving_words(const SceneAdvice& advice);
+// What the levels need, what is needed now, and what no levels undercut.
+std::string cost_sentence(const SceneAdvice& advice);
+inline constexpr const char* kByFlux =
+    "The power of a luminaire is not known: the least light was looked for instead.";
+inline constexpr const char* kRaised =
+    "They are nearer to those of now than the least ones, which would not meet what the search "
+    "does "
+    "not know:";
 std::string name_of_group(const std::string& group);
 // scene: an id; "" = full output.
 std::string scene_words(const std::string& scene);
