@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,10 +100,50 @@ void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, d
     emitter.web = light[i].web;
     emitter.power_w = emitter.file_power_w = 0.0;
     emitter.price.reset();
+    emitter.packages.clear();
+    emitter.package.reset();
     emitter.emitters.clear();
     emitter.is_further_emitter = true;
     further.push_back(std::move(emitter));
   }
+}
+
+std::vector<LampPackage> read_packages(const ProjectContext& context, const XmlElement& type) {
+  std::vector<LampPackage> packages;
+  std::map<std::string, int> line_of;
+  for (const XmlElement& child : type.children) {
+    if (child.name != kPackageName) continue;
+    ElementReader reader(child, context.diagnostics);
+    reader.allow(kPackageElement);
+    LampPackage package;
+    package.article = reader.text(kArticleName);
+    package.flux_lm = reader.number("flux-lm", kPositive);
+    package.power_w = reader.number("power-w", kPositive);
+    package.price = reader.optional_number("price", kNonNegative);
+    if (package.article.empty()) continue;
+    const auto [known, is_new] = line_of.try_emplace(package.article, reader.where().line);
+    if (!is_new) {
+      reader.report(DiagnosticId::duplicate_id, reader.where(kArticleName), "package",
+                    package.article, known->second);
+    }
+    packages.push_back(std::move(package));
+  }
+  return packages;
+}
+
+// The package that the type takes.
+void choose_package(ElementReader& reader, LuminaireType& type) {
+  if (!reader.has(kPackageName)) return;
+  reader.exclude(kPackageName, "flux-lm");
+  reader.exclude(kPackageName, "power-w");
+  const std::string article = reader.text(kPackageName);
+  if (article.empty()) return;
+  Names known;
+  for (std::size_t i = 0; i < type.packages.size(); ++i) {
+    if (type.packages[i].article == article) type.package = i;
+    known.push_back(type.packages[i].article);
+  }
+  if (!type.package) report_unknown_reference(reader, kPackageName, "package", article, known);
 }
 
 // The type, and behind it those of its further emitters.
@@ -114,9 +156,11 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
   type.maintenance = read_maintenance(context, reader);
   const WebUse use{reader.choice_or("opening", kOpeningType.words, 0) == 1,
                    reader.choice_or("interpolation", kInterpolationType.words, 0) == 1};
-  const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
-  const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
+  std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
+  std::optional<double> power_w = reader.optional_number("power-w", kPositive);
   type.price = reader.optional_number("price", kNonNegative);
+  type.packages = read_packages(context, reader.element());
+  choose_package(reader, type);
   const std::size_t errors = reader.diagnostics().error_count();
   const PhotometryOptions options = read_photometry_options(reader);
   if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return {type};
@@ -124,6 +168,12 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
       context.files.light(type.photometry_file, use, reader.where("photometry"), options);
   if (light.empty()) return {type};
   const LightTotals file = totals_of(context.project, light);
+  if (type.package) {
+    const LampPackage& package = type.packages[*type.package];
+    flux_lm = package.flux_lm;
+    power_w = package.power_w;
+    if (package.price) type.price = package.price;
+  }
   const double flux_scale = flux_lm ? *flux_lm / file.flux_lm : 1.0;
   // What another flux takes is not known from the file.
   const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;

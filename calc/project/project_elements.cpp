@@ -266,6 +266,9 @@ constexpr std::string_view kOfRoot =
 <xs:keyref name="wallMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@walls"/></xs:keyref>
 <xs:keyref name="floorMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@floor"/></xs:keyref>
 <xs:keyref name="typeOfLuminaire" refer="luminaireTypeId"><xs:selector xpath=".//luminaire|.//luminaire-grid|.//luminaire-line|.//luminaire-ring|road/luminaire-row"/><xs:field xpath="@type"/></xs:keyref>)";
+constexpr std::string_view kOfLuminaireType =
+    R"(<xs:key name="packageArticle"><xs:selector xpath="package"/><xs:field xpath="@article"/></xs:key>
+<xs:keyref name="packageOfType" refer="packageArticle"><xs:selector xpath="."/><xs:field xpath="@package"/></xs:keyref>)";
 constexpr std::string_view kOfScene =
     R"(<xs:unique name="dimmedGroup"><xs:selector xpath="dim"/><xs:field xpath="@group"/></xs:unique>)";
 constexpr std::string_view kOfEnergy =
@@ -364,6 +367,18 @@ const ElementRow kHousingElement{
                    kMeshUpAttribute,
                    kMeshUnitsAttribute}};
 
+const ElementRow kPackageElement{
+    .type = "package",
+    .meaning =
+        "A lamp, driver or current that the luminaire can be had with. Nothing hangs on packages "
+        "that no type takes; 'luxgate advise --packages' chooses among them.",
+    .attributes = {{kArticleName, &kTextType, required, "Names the package, once in its type."},
+                   {"flux-lm", &kPositiveType, required,
+                    "Luminous flux of the luminaire with it; the distribution stays the file's."},
+                   {"power-w", &kPositiveType, required, "Input power of the luminaire with it."},
+                   {"price", &kNonNegativeType, optional,
+                    "Of one luminaire with it; without it that of the type."}}};
+
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",
     .meaning =
@@ -376,6 +391,9 @@ const ElementRow kLuminaireTypeElement{
          {"flux-lm", &kPositiveType, optional,
           "Luminous flux of the luminaire, instead of the file's."},
          {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
+         {kPackageName, &kTextType, optional,
+          "The article of a package below, instead of flux-lm and power-w: luminaires of this "
+          "type have its flux and power."},
          {"price", &kNonNegativeType, optional,
           "Of one luminaire, in the project's own currency, for 'luxgate sweep'. No light and no "
           "verdict hangs on it."},
@@ -398,7 +416,7 @@ const ElementRow kLuminaireTypeElement{
           "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
           "together, one luminaire with each emitter at its place; several ids with blanks "
           "between: those together. Or the id, description or number of a TM-33 emitter."}},
-    .children = {{"housing", &kHousingElement}}};
+    .children = {{"housing", &kHousingElement}, {kPackageName, &kPackageElement}}};
 
 const ElementRow kDimElement{
     .type = "dim",
@@ -943,7 +961,7 @@ const ElementRow kProjectElement{
     .children = {{kAboutName, &kAboutElement},
                  {kMaintenancePlanName, &kMaintenancePlanElement},
                  {"material", &kMaterialElement},
-                 {"luminaire-type", &kLuminaireTypeElement},
+                 {"luminaire-type", &kLuminaireTypeElement, kOfLuminaireType},
                  {"scene", &kSceneElement, kOfScene},
                  {"room", &kRoomElement, kOfRoom},
                  {"road", &kRoadElement, kOfRoad},

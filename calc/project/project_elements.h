@@ -57,6 +57,10 @@ extern const ElementRow kMaintenancePlanElement;
 extern const ElementRow kEnergyElement, kEnergyPartElement;
 extern const ElementRow kBuildingElement;
 
+// Of a luminaire type: the element, and the attribute that takes one of them by its article.
+inline constexpr std::string_view kPackageName = "package", kArticleName = "article";
+extern const ElementRow kPackageElement;
+
 // Everything that can stand in a room, in the open space or in an assembly.
 extern const ElementGroup kObjects;
 extern const ElementRow kBoxElement, kQuadElement, kPolygonElement, kMeshElement, kMapElement,

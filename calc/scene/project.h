@@ -74,6 +74,14 @@ struct Housing {
   bool is_round = false;                  // size_m is of an ellipse
 };
 
+// One of the lamps, drivers or currents that a luminaire is sold with: the light of its photometry
+// file, only more or less of it.
+struct LampPackage {
+  std::string article;                  // its name, unique in its type
+  double flux_lm = 0.0, power_w = 0.0;  // of the luminaire, > 0
+  std::optional<double> price = {};     // of one luminaire, as LuminaireType has it
+};
+
 // A luminaire with several emitters is a type for each of them: the first one has its id and power,
 // the others come behind it. So everything that asks for light finds each emitter where it is; what
 // counts luminaires or watts asks counts_as_luminaire().
@@ -91,6 +99,10 @@ struct LuminaireType {
   // Of one luminaire, in the project's own currency; empty = not stated. No light hangs on it.
   std::optional<double> price = {};
   std::optional<Housing> housing = {};
+  // What it is to be had with; `package`: the index of the one whose flux and power it has. Empty:
+  // those of the file or the project's own.
+  std::vector<LampPackage> packages = {};
+  std::optional<std::size_t> package = {};
 
   bool counts_as_luminaire() const { return !is_further_emitter; }
 };

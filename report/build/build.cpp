@@ -110,6 +110,7 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.lamp = web.source().lamp;
   row.colour_temperature = web.source().colour_temperature;
   row.colour_rendering = web.source().colour_rendering;
+  if (type.package) row.package = type.packages[*type.package].article;
   row.count = calc::luminaires_of_type(project, type_index);
   row.flux_lm = calc::luminaire_flux_lm(project, type);
   row.power_w = type.power_w;

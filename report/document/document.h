@@ -71,6 +71,8 @@ struct LuminaireRow {
   // As the photometry file has them, in its own words; "" = not stated.
   std::string maker = {}, article_number = {}, lamp = {}, colour_temperature = {},
               colour_rendering = {};
+  // Article of the lamp package that the project takes, which is then the one to buy; "" = none.
+  std::string package = {};
   int count = 0;
   double flux_lm = 0;  // one luminaire, after any override
   double power_w = 0;  // 0 = not stated
@@ -86,6 +88,9 @@ struct LuminaireRow {
   // Intensities in C0-C180 and C90-C270, every kPolarStep_deg of gamma from -180 (C180, C270) to
   // 180; empty: not known.
   std::vector<double> c0_cd = {}, c90_cd = {};
+
+  // What to order: the package, or the article that the photometry file is of. "" = not stated.
+  const std::string& article() const { return package.empty() ? article_number : package; }
 };
 inline constexpr double kPolarStep_deg = 2.5;
 inline constexpr int kPolarHalfSteps = 72;

@@ -494,7 +494,7 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
         known(aim.tilt_deg),
         known(aim.heading_deg),
         dxf_text(row.maker),
-        dxf_text(row.article_number),
+        dxf_text(row.article()),
         dxf_text(row.photometry_file),
         row.flux_lm > 0.0 ? format_shortest(row.flux_lm) : "",
         row.power_w > 0.0 ? format_shortest(row.power_w) : ""};

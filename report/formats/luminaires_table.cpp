@@ -63,7 +63,7 @@ void visit_luminaire(const ProjectPart& project, const SpacePart& space, std::si
   set("turn_deg", known(aim.turn_deg));
   if (is_known) {
     set("maker", type->maker);
-    set("article", type->article_number);
+    set("article", type->article());
     set("flux_lm", TableNumber{type->flux_lm});
     if (type->power_w > 0.0) set("power_w", TableNumber{type->power_w});
     set("maintenance_factor", TableNumber{type->maintenance_factor});

@@ -139,7 +139,7 @@ std::vector<TableCell> type_row(const ProjectPart& project, const LuminaireRow& 
           row.type_id,
           row.name,
           row.maker,
-          row.article_number,
+          row.article(),
           row.lamp,
           row.colour_temperature,
           row.colour_rendering,

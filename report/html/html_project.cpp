@@ -50,8 +50,8 @@ std::string product_note(const Texts& t, const LuminaireRow& row) {
     if (!text.empty()) words += (words.empty() ? "" : ", ") + text;
   };
   add(escape_html(row.maker));
-  if (!row.article_number.empty() && row.article_number != row.name)
-    add(t.say<Text::article>(escape_html(row.article_number)));
+  if (!row.article().empty() && row.article() != row.name)
+    add(t.say<Text::article>(escape_html(row.article())));
   add(escape_html(row.lamp));
   add(escape_html(row.colour_temperature));
   if (!row.colour_rendering.empty())

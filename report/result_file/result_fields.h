@@ -155,6 +155,10 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
   v.field("lamp", row.lamp, {.presence = kSinceLater});
   v.field("colour_temperature", row.colour_temperature, {.presence = kSinceLater});
   v.field("colour_rendering", row.colour_rendering, {.presence = kSinceLater});
+  v.field("package", row.package,
+          {.words = "Article of the lamp package that the project takes in place of the file's "
+                    "flux and power; \"\" = none.",
+           .presence = kSinceLater});
   v.field("count", row.count);
   v.field("flux_lm", or_null(row.flux_lm), {.words = "Of one luminaire, new, after any override."});
   v.field("power_w", or_null(row.power_w, 0.0), {.words = "null: not stated."});

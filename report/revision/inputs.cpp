@@ -36,6 +36,7 @@ std::string photometry_words(const LuminaireRow& row) {
   std::string words = row.photometry_file.empty() ? "luminous surface"
                                                   : fmt::format("{} ({})", row.photometry_file,
                                                                 row.sha256.substr(0, kShown));
+  if (!row.package.empty()) words += ", package " + row.package;
   if (std::isfinite(row.flux_lm)) words += ", " + format_lumens(row.flux_lm) + " lm";
   if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
   words += ", maintenance factor " + format_shortest(row.maintenance_factor);

@@ -1,5 +1,6 @@
 #include "report/revision/revise.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "report/revision/gate.h"
 #include "report/revision/inputs.h"
@@ -94,14 +95,11 @@ class Reviser {
   void note_provenance() {
     const Provenance &was = before_.provenance, &is = after_.provenance;
     if (was.numbers_version != is.numbers_version) {
-      revision_.notes.push_back(fmt::format(
-          "the baseline was calculated with version {} of the numbers, this result with "
-          "version {}: small differences may come from the program",
+      revision_.notes.push_back(calc::say<calc::Sentence::baseline_other_numbers>(
           was.numbers_version, is.numbers_version));
     }
     if (was.seed != is.seed) {
-      revision_.notes.push_back(
-          fmt::format("the baseline has seed {}, this result {}", was.seed, is.seed));
+      revision_.notes.push_back(calc::say<calc::Sentence::baseline_other_seed>(was.seed, is.seed));
     }
   }
 
@@ -154,10 +152,8 @@ class Reviser {
     }
     if (names.empty()) return;
     constexpr std::size_t kMostNamed = 3;
-    revision_.notes.push_back(
-        fmt::format("{}: not the files of the baseline, though nothing that is compared has "
-                    "changed: {}",
-                    place.project, calc::list_names(names, kMostNamed)));
+    revision_.notes.push_back(calc::say<calc::Sentence::baseline_other_files>(
+        place.project, calc::list_names(names, kMostNamed)));
   }
 
   // Of planes without anything that says so: whoever has renamed one should say `was`.
@@ -172,11 +168,11 @@ class Reviser {
       const bool is_of_workplace = !found->after->made_by.empty();
       if (is_of_workplace && is_workplace_told) continue;  // one id for all its planes
       is_workplace_told = is_workplace_told || is_of_workplace;
-      revision_.notes.push_back(fmt::format(
-          "{}: plane '{}' lies where '{}' was; if it is that plane, {}", room.words,
-          found->after->id, gone.before->id,
-          is_of_workplace ? "was= in its workplace, with the id that the workplace had, says so"
-                          : fmt::format("was=\"{}\" in it says so", gone.before->id)));
+      const std::string &is = found->after->id, &was = gone.before->id;
+      revision_.notes.push_back(
+          is_of_workplace
+              ? calc::say<calc::Sentence::maybe_renamed_workplace>(room.words, is, was)
+              : calc::say<calc::Sentence::maybe_renamed_plane>(room.words, is, was, was));
     }
   }
 
@@ -194,10 +190,8 @@ class Reviser {
     } else {
       if (was.is_judged != is.is_judged) {
         revision_.notes.push_back(
-            place.project +
-            (is.is_judged ? " could not be judged before: there is nothing to compare it with, and "
-                            "all that fails in it is new"
-                          : " could not be judged now"));
+            is.is_judged ? calc::say<calc::Sentence::baseline_not_judged>(place.project)
+                         : calc::say<calc::Sentence::now_not_judged>(place.project));
       }
       // Of what could not be read nothing is known: it is not gone. What could not be judged before
       // is new to the last failure.

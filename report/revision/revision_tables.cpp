@@ -1,6 +1,7 @@
 #include "report/revision/revision_tables.h"
 
 #include "report/revision/gate.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -348,7 +349,7 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
     remarks.push_back(
         t.say<Text::revision_untold>(revision.untold, allowed_words(revision.gate, t)));
   }
-  remarks.insert(remarks.end(), revision.notes.begin(), revision.notes.end());
+  for (const std::string& note : revision.notes) remarks.push_back(sentence(t, note));
   add_gate(document, revision, t, remarks);
   return remarks;
 }

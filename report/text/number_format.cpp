@@ -48,9 +48,11 @@ int decimals_for(double value, int digits) {
 }
 
 int plain_decimals(double value, double spread, std::string_view unit) {
-  const bool is_ratio = unit.empty();
-  const int most = is_ratio ? 3 : std::max(1, decimals_for(value, 4));
-  if (!(spread > 0.0)) return is_ratio ? 3 : most;
+  // Ratios have three at most, ratings such as a UGR of 24 one unless their interval asks for more.
+  constexpr double kLeastRating = 10.0;
+  const bool is_ratio = unit.empty(), is_rating = is_ratio && std::abs(value) >= kLeastRating;
+  const int most = is_ratio && !is_rating ? 3 : std::max(1, decimals_for(value, 4));
+  if (!(spread > 0.0)) return is_rating ? 1 : most;
   int decimals = decimals_for(spread, 2);
   if (rounded(spread, decimals) >= 10.0 * calc::pow(10.0, 1 - decimals) && decimals > 0) --decimals;
   return std::min(decimals, most);

@@ -46,7 +46,8 @@ struct Thresholds {
 
 // "512.3" and "4.1"; `spread` is empty for exact values. The half width has two significant digits
 // and the value ends at the same place (at most four significant digits, at most three decimals for
-// a ratio). With thresholds, digits are added until value and interval ends are on their true side
+// a ratio; a rating, which is one of 10 or more, is like a value with a unit, and exact it has
+// one). With thresholds, digits are added until value and interval ends are on their true side
 // of all of them. spread is the larger of high - value and value - low.
 struct EstimateText {
   std::string value, spread;
