@@ -34,6 +34,18 @@ void TextChange::set(const XmlElement& element, std::string_view name, std::stri
       {end_of_attributes(element), 0, fmt::format(" {}=\"{}\"", name, escaped_attribute(value))});
 }
 
+void TextChange::unset(const XmlElement& element, std::string_view name) {
+  const XmlAttribute* attribute = element.find(name);
+  if (attribute == nullptr) return;
+  std::size_t begin = offset_of(attribute->where);
+  const std::size_t end = value_of(*attribute).second + 1;
+  const std::string_view old(text_.data() + begin, end - begin);
+  const auto lines = static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n'));
+  // One of the blanks about it goes with it, unless they keep others apart or are a line's indent.
+  if (text_[begin - 1] == ' ') --begin;
+  edits_.push_back({begin, end - begin, std::string(lines, '\n')});
+}
+
 void TextChange::set_in_new(const XmlElement& parent, const XmlElement& child,
                             std::string_view name, std::string_view value) {
   new_parent_ = &parent;

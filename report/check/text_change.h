@@ -19,6 +19,8 @@ class TextChange {
 
   // An attribute of this element, with a value that is escaped here.
   void set(const calc::XmlElement& element, std::string_view name, std::string_view value);
+  // Without this attribute, if the element has it; later lines keep their numbers.
+  void unset(const calc::XmlElement& element, std::string_view name);
   // An attribute of a child which the element does not have: it becomes its first one, with all
   // attributes that are set so. One such child at most.
   void set_in_new(const calc::XmlElement& parent, const calc::XmlElement& child,

@@ -11,8 +11,8 @@
 
 namespace cli {
 
-report::PageNumbers places_in_pdf(const std::string& pdf) {
-  report::PageNumbers places;
+std::map<std::string, int> places_in_pdf(const std::string& pdf) {
+  std::map<std::string, int> places;
   try {
     QPDF file;
     file.setSuppressWarnings(true);

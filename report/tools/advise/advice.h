@@ -90,15 +90,48 @@ struct SceneAdvice {
   }
 };
 
+// Light and power of one luminaire.
+struct PackageLight {
+  std::string article;  // "" = that of the photometry file, or the project's own numbers
+  double flux_lm = 0.0, power_w = 0.0;
+};
+
+// A luminaire type that is used and has packages.
+struct AdvisedPackage {
+  std::string type;
+  std::size_t luminaires = 0;
+  PackageLight now, advised;
+};
+
+struct PackageAdvice {
+  std::string problem;      // why there is no advice; "" = there is
+  bool is_by_flux = false;  // the power of one of the types is not known: costs are lumens
+  std::vector<AdvisedPackage> types;
+  // Of all luminaires of these types at full output, W or lm.
+  double now = 0.0, advised = 0.0;
+  std::size_t combinations = 0;  // of packages and what there is now
+  // What the combination next below lacks with the levels of now, in words; "" = there is none.
+  std::string next_below;
+  // Scenes whose levels change with it; the others keep those of now.
+  std::vector<SceneAdvice> scenes;
+  // Of all scenes and rooms: now, and in the check with other random numbers.
+  std::size_t passing_now = 0, passing = 0, asked = 0;
+  bool is_all_met = false;  // these, and what rule packs make of all together
+  std::string text;         // of the project with all of it
+  bool is_as_now() const;
+};
+
 struct Advice {
   std::string project;
   std::vector<SceneAdvice> scenes;
   // What counts, does not pass and hangs on no levels, in words; asked for all scenes only.
   std::vector<std::string> not_met_besides = {};
-  RoomAdvice rooms = {};  // what was asked for of places and surfaces
+  RoomAdvice rooms = {};                       // what was asked for of places and surfaces
+  std::optional<PackageAdvice> packages = {};  // empty: nobody asked
 };
 
 std::string render_advice_text(const Advice& advice);
+std::string render_package_advice_text(const PackageAdvice& advice);
 std::string render_advice_markdown(const Advice& advice);
 std::string render_advice_json(const Advice& advice);
 // JSON Schema (draft 7) of render_advice_json(), made of the same keys. advice.schema.json is what

@@ -130,6 +130,53 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
            "which there may be others.")}};
 }
 
+JsonKeys package_light_keys(const PackageLight& light) {
+  return {{"article", light.article,
+           described_key(type_of("string"),
+                         "Empty: what the photometry file or the project states without one.")},
+          {"flux_lm", light.flux_lm, at_least_type("number", 0)},
+          {"power_w", light.power_w,
+           described_key(at_least_type("number", 0), "Of one luminaire; 0: not known.")}};
+}
+
+JsonKeys package_type_keys(const AdvisedPackage& type) {
+  return {{"type", type.type, type_of("string")},
+          {"luminaires", type.luminaires, at_least_type("integer", 0)},
+          report::object_key("now", package_light_keys(type.now)),
+          report::object_key("advised", package_light_keys(type.advised))};
+}
+
+JsonKeys package_keys(const PackageAdvice& advice) {
+  const bool is_found = advice.problem.empty();
+  return {{"problem", advice.problem, described_key(type_of("string"), "Why there is no advice."),
+           false, !is_found},
+          {"unit", advice.is_by_flux ? "lm" : "W", {{"enum", {"lm", "W"}}}},
+          {"combinations", advice.combinations, at_least_type("integer", 0)},
+          {"now", advice.now,
+           described_key(at_least_type("number", 0), "Of all luminaires of these types.")},
+          {"advised", advice.advised, at_least_type("number", 0), false, is_found},
+          {"is_as_now", is_found && advice.is_as_now(), type_of("boolean")},
+          {"types", list_by_keys(advice.types, package_type_keys),
+           list_of_keys(schema_of_keys(package_type_keys({}))), false, is_found},
+          {"scenes", list_by_keys(advice.scenes, scene_keys),
+           described_key(list_of_keys(schema_of_keys(scene_keys({}))),
+                         "Whose levels change with it; the others keep those of now."),
+           false, is_found},
+          {"next_below", advice.next_below,
+           described_key(type_of("string"),
+                         "What the combination next below lacks with the levels of now."),
+           false, is_found && !advice.next_below.empty()},
+          {"is_all_met", advice.is_all_met,
+           described_key(type_of("boolean"),
+                         "Everything passes in that check, with what rule packs make of it.")},
+          {"passing_now", advice.passing_now, at_least_type("integer", 0)},
+          {"passing", advice.passing,
+           described_key(at_least_type("integer", 0),
+                         "Of all scenes and rooms, by other random numbers."),
+           false, is_found},
+          {"asked", advice.asked, at_least_type("integer", 0), false, is_found}};
+}
+
 JsonKeys advice_keys(const Advice& advice) {
   const RoomAdvice& rooms = advice.rooms;
   return {
@@ -141,6 +188,9 @@ JsonKeys advice_keys(const Advice& advice) {
       {"not_met_besides", advice.not_met_besides,
        described_key(list_of_keys(type_of("string")),
                      "What counts, does not pass and hangs on no levels.")},
+      {"packages", object_of_keys(package_keys(advice.packages.value_or(PackageAdvice{}))),
+       schema_of_keys(package_keys({}), "Of --packages: which lamp packages are enough."), false,
+       advice.packages.has_value()},
       {"places", list_by_keys(rooms.places.value_or(std::vector<RoomPlaces>{}), room_places_keys),
        described_key(list_of_keys(schema_of_keys(room_places_keys({}))),
                      "Of --places: where one luminaire more helps."),

@@ -106,6 +106,7 @@ std::string render_advice_markdown(const Advice& advice) {
   for (const std::string& one : advice.not_met_besides) {
     text += "- " + escape_markdown(one) + "\n";
   }
+  if (advice.packages) text += "\n" + as_code(render_package_advice_text(*advice.packages));
   return text + as_code(render_room_advice_text(advice.rooms));
 }
 

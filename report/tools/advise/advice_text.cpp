@@ -120,6 +120,7 @@ std::string render_advice_text(const Advice& advice) {
   for (const std::string& one : advice.not_met_besides) {
     text += "  " + report::printable(one) + "\n";
   }
+  if (advice.packages) text += "\n" + render_package_advice_text(*advice.packages);
   return text + render_room_advice_text(advice.rooms);
 }
 

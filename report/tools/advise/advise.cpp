@@ -2,7 +2,6 @@
 
 #include "calc/project/project_xml.h"
 #include "calc/store/memory_store.h"
-#include "report/check/scene_levels.h"
 #include "report/formats/write.h"
 #include "report/shell/data_output.h"
 #include "report/shell/interrupt.h"
@@ -13,8 +12,10 @@
 #include "report/shell/project_reader.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_advice.h"
+#include "report/tools/advise/find_packages.h"
 #include "report/tools/advise/find_places.h"
 #include "report/tools/advise/level_solver.h"
+#include "report/tools/advise/written_levels.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
@@ -48,6 +49,8 @@ constexpr const char* kAdviseNotes =
     "level. Luminaires without a group count as one more group.\n"
     "Where no levels meet everything, it is said which requirements exclude each other, and how\n"
     "much more light would meet them, if any does.\n"
+    "--packages looks for the lamp packages of least installed power that are enough, among all\n"
+    "that the project's luminaire types have.\n"
     "--places and --surfaces follow light backwards from the points that lack it, so that every\n"
     "free place of a ceiling grid and every surface is known without a run for it. The best three\n"
     "places, as many together as it takes, and each surface are checked likewise.";
@@ -56,7 +59,7 @@ struct AdviseOptions {
   CheckOptions check;  // of one project
   std::string project;
   std::string scene, write_file;
-  bool has_scene = false, places = false, surfaces = false;
+  bool has_scene = false, packages = false, places = false, surfaces = false;
   int steps = 100;
   std::vector<DataOutput> outputs;
 };
@@ -122,26 +125,6 @@ class ChangedProject : public calc::FileReader {
   const std::string project_, text_;
 };
 
-std::string unused(const std::string& wish, const std::set<std::string>& taken) {
-  std::string name = wish;
-  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{}-{}", wish, i);
-  return name;
-}
-
-check::SceneLevels levels_of(const SceneAdvice& advice, const report::ProjectPart& part) {
-  check::SceneLevels levels;
-  std::set<std::string> scenes, groups;
-  for (const report::SceneRow& scene : part.scenes) scenes.insert(scene.id);
-  for (const AdvisedGroup& group : advice.groups) groups.insert(group.group);
-  levels.takes_full_output = advice.scene.empty();
-  levels.scene = levels.takes_full_output ? unused("advised", scenes) : advice.scene;
-  for (const AdvisedGroup& group : advice.groups) {
-    levels.level_of_group.emplace_back(group.group, group.level);
-  }
-  if (groups.contains("")) levels.group_of_others = unused("others", groups);
-  return levels;
-}
-
 // What counts, does not pass and hangs on no levels, such as the power by area of a room.
 std::vector<std::string> not_met_besides(const Advice& advice, const report::ProjectPart& part) {
   std::set<const rules::Finding*> advised;
@@ -160,29 +143,8 @@ std::vector<std::string> not_met_besides(const Advice& advice, const report::Pro
   return words;
 }
 
-// "" or why the levels are not those of the luminaires in the changed project: not every luminaire
-// can be given a group in the text of the file.
-std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
-                       const report::ProjectPart& changed) {
-  for (const AdvisedGroup& group : advice.groups) {
-    const std::string& name = group.group.empty() ? levels.group_of_others : group.group;
-    std::size_t count = 0;
-    for (const report::SpacePart& space : changed.spaces) {
-      for (const report::LuminaireMark& mark : space.luminaires) count += mark.group == name;
-    }
-    if (count == group.luminaires) continue;
-    return group.group.empty()
-               ? fmt::format(
-                     "{} of {} luminaires without a group cannot be given one in the "
-                     "project's file (those of lists, luminous areas): give them a group",
-                     group.luminaires - std::min(count, group.luminaires), group.luminaires)
-               : fmt::format("group '{}' has {} luminaires, and {} in the changed project",
-                             group.group, group.luminaires, count);
-  }
-  return "";
-}
-
 ExitCode exit_code_of_advice(const Advice& advice) {
+  if (advice.packages && advice.packages->is_all_met) return kAllMet;
   bool is_met = advice.not_met_besides.empty();
   for (const SceneAdvice& scene : advice.scenes) {
     is_met = is_met && scene.outcome == AdviceOutcome::levels && scene.is_all_met();
@@ -235,41 +197,6 @@ void print_error(const std::string& words) {
   print_diagnostics(diagnostics.all(), true);
 }
 
-// All scenes that have levels, in one text. Empty after an error, which has been printed.
-std::optional<std::string> changed_project(const std::string& bytes, const AdviseOptions& options,
-                                           const Advice& advice, const report::ProjectPart& part) {
-  std::string text = bytes;
-  for (const SceneAdvice& scene : advice.scenes) {
-    if (scene.outcome != AdviceOutcome::levels) continue;
-    calc::Diagnostics diagnostics;
-    auto changed =
-        check::with_scene_levels(text, options.project, levels_of(scene, part), diagnostics);
-    if (!changed) {
-      print_diagnostics(diagnostics.all(), true);
-      return std::nullopt;
-    }
-    text = *std::move(changed);
-  }
-  return text;
-}
-
-// What passes now, or was said to pass, and does not in the written project as a whole; "" = all
-// does. Each scene was checked alone.
-std::string lost_by_writing(const Advice& advice, const report::ProjectPart& before,
-                            const report::ProjectPart& after) {
-  for (const SceneAdvice& scene : advice.scenes) {
-    if (scene.outcome != AdviceOutcome::levels) continue;
-    for (const AdvisedRequirement& one : scene.requirements) {
-      const rules::Verdict verdict = finding_at(after, one.where).verdict;
-      if (one.after.verdict == rules::Verdict::pass && verdict != rules::Verdict::pass) {
-        return fmt::format("{} ({})", finding_words(before, one.where), calc::name_of(verdict));
-      }
-    }
-  }
-  const std::vector<std::string> broken = broken_findings(before, after);
-  return broken.empty() ? "" : broken.front();
-}
-
 // False after an error, which has been printed: then nothing is written. The advice holds all the
 // same.
 bool write_changed(const AdviseOptions& options, const Advice& advice,
@@ -283,18 +210,26 @@ bool write_changed(const AdviseOptions& options, const Advice& advice,
     print_error(fmt::format("--write: '{}' is not written: {}", options.write_file, why));
     return false;
   };
+  const auto written = [&](const std::string& text) {
+    const std::string why = report::write_file_atomically(options.write_file, text);
+    if (!why.empty()) print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
+    return why.empty();
+  };
+  if (advice.packages) {
+    if (!advice.packages->problem.empty()) return refused(advice.packages->problem);
+    if (advice.packages->is_as_now()) return refused("its packages are the least already");
+    return written(advice.packages->text);
+  }
   if (scenes == 0) return refused("no scene has levels");
-  const auto text = changed_project(bytes, options, advice, part);
-  if (!text) return false;
+  const LevelsText changed = with_levels(bytes, options.project, advice.scenes, part);
+  if (!changed.text) return refused(changed.problem);
   std::string reason;
-  const auto after = check(*text, reason);
+  const auto after = check(*changed.text, reason);
   if (!after) return refused(reason);
-  if (const std::string lost = lost_by_writing(advice, part, *after); !lost.empty()) {
+  if (const std::string lost = lost_by_writing(advice.scenes, part, *after); !lost.empty()) {
     return refused(fmt::format("as a whole it would not pass: {}", lost));
   }
-  const std::string why = report::write_file_atomically(options.write_file, *text);
-  if (!why.empty()) print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
-  return why.empty();
+  return written(*changed.text);
 }
 
 bool is_readable_or_print(const calc::FileContent& content, const std::string& project) {
@@ -366,24 +301,11 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
                                         : result.diagnostics.back().message;
     return std::nullopt;
   };
-  const auto check_levels = [&](const SceneAdvice& advice,
-                                std::string& reason) -> std::optional<report::ProjectPart> {
-    calc::Diagnostics diagnostics;
-    const check::SceneLevels levels = levels_of(advice, part);
-    const auto text = check::with_scene_levels(project.bytes, options.project, levels, diagnostics);
-    if (text) {
-      auto changed = check_text(*text, reason);
-      if (changed) reason = not_dimmed(advice, levels, *changed);
-      return reason.empty() ? std::move(changed) : std::nullopt;
-    }
-    reason = diagnostics.all().front().message;
-    return std::nullopt;
-  };
-  Advice advice{options.project, {}, {}, {}};
-  advice.scenes = find_advice(
-      part, keeper.light(),
-      {options.steps, check.settings.confidence, options.scene, options.has_scene, interrupted},
-      check_levels);
+  Advice advice{options.project, {}, {}, {}, {}};
+  const AdviceSettings advised{options.steps, check.settings.confidence, options.scene,
+                               options.has_scene, interrupted};
+  advice.scenes = find_advice(part, keeper.light(), advised,
+                              levels_check(project.bytes, options.project, part, check_text));
   if (interrupted()) return kInterrupted;
   if (advice.scenes.empty()) {
     print_error(
@@ -393,7 +315,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     return kNotJudged;
   }
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
-  if (options.places || options.surfaces) {
+  if (options.packages || options.places || options.surfaces) {
     calc::Diagnostics again;
     const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
     if (!loaded) {
@@ -423,6 +345,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
                                   importance,
                                   check_text,
                                   light_apart};
+    if (options.packages) advice.packages = find_packages(questions, advised);
     if (options.places) {
       advice.rooms.places = find_places(questions);
       advice.rooms.spare = find_spare(questions);
@@ -456,6 +379,9 @@ std::string complete_advise(AdviseOptions& options) {
       return "--format: text, json or markdown";
     }
   }
+  if (options.packages && options.has_scene) {
+    return "--packages is about all scenes: leave out --scene";
+  }
   if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
   return complete_work(check.settings.radiosity, check.backend);
 }
@@ -485,6 +411,10 @@ Command advise_command() {
        "Write the project with the levels that were found, for --against or compare; in the\n"
        "folder of the project. What is asked of full output is then asked of a new scene",
        some_text(options->write_file)},
+      {"--packages", "",
+       "Also which lamp packages of the luminaire types (<package> in the project) are enough;\n"
+       "--write then writes these",
+       &options->packages},
       {"--places", "",
        "Also where one luminaire more helps most, in rooms where no levels meet everything,\n"
        "and which ones can go where everything is met",
@@ -510,12 +440,13 @@ Command advise_command() {
                       {"luxgate advise office.xml --places --surfaces",
                        "Also where luminaires more help, and what lighter surfaces add"}};
   command.exit_codes = {
-      {kAllMet, "levels were found for every scene, and everything asked of it passes with them"},
+      {kAllMet,
+       "levels were found for every scene, or packages, and everything asked passes with them"},
       {kNotMet, "for a scene there are none, or something that they cannot mend is not met"},
       {kNotJudged, "usage, input or file error, or the project could not be judged"},
       {kInterrupted, "interrupted"}};
-  command.most_used = {"--scene",    "--steps",     "--write", "--places",
-                       "--surfaces", "--tolerance", "--rules", "--json"};
+  command.most_used = {"--scene",    "--write",     "--packages", "--places",
+                       "--surfaces", "--tolerance", "--rules",    "--json"};
   command.complete = [options](const Environment&) { return complete_advise(*options); };
   command.run = [options](const RunContext& context) { return run_advise(*options, context); };
   return command;

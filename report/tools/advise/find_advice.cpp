@@ -73,14 +73,20 @@ class SceneSearch {
         return std::move(advice_);
       }
       if (take_findings(*changed)) {
-        if (!broken_by_levels().empty()) raise(*found, check);
+        if (broken_by_levels().empty()) return std::move(advice_);
+        if (settings_.is_trial) break;
+        raise(*found, check);
         return std::move(advice_);
       }
       advice_.outcome = AdviceOutcome::none_found;
       advice_.reason =
           "the levels that were found did not pass the check with other random numbers";
     }
-    if (advice_.outcome == AdviceOutcome::none_found && advice_.reason.empty()) explain();
+    if (settings_.is_trial) {
+      advice_.outcome = AdviceOutcome::none_found;
+    } else if (advice_.outcome == AdviceOutcome::none_found && advice_.reason.empty()) {
+      explain();
+    }
     return std::move(advice_);
   }
 
@@ -476,6 +482,20 @@ class SceneSearch {
 };
 
 }  // namespace
+
+std::vector<rules::Finding> judged_by_light(const report::PlanePart& plane, const PlaneLight& light,
+                                            const std::vector<calc::LightScene>& scenes,
+                                            double confidence) {
+  std::vector<rules::Requirement> requirements;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& requirement = finding.requirement;
+    if (rules::counts(rules::outcome_of(finding)) && !requirement.any_one_unit_out &&
+        is_of_points(requirement)) {
+      requirements.push_back(requirement);
+    }
+  }
+  return rules::judge_plane(requirements, light.grid, light.field, scenes, confidence);
+}
 
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
                                      const AdviceSettings& settings, const CheckLevels& check) {

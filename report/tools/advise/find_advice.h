@@ -2,6 +2,7 @@
 // Levels for every scene of a project that has been checked, from the light of its planes.
 
 #include "calc/base/field.h"
+#include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/document/document.h"
 #include "report/tools/advise/advice.h"
@@ -21,18 +22,31 @@ struct PlaneLight {
 };
 using LightOfPlanes = std::map<std::string, PlaneLight>;  // by plane id
 
+// Of a plane's requirements that count and are judged from the light of its points alone, as a
+// check with this light would.
+std::vector<rules::Finding> judged_by_light(const report::PlanePart& plane, const PlaneLight& light,
+                                            const std::vector<calc::LightScene>& scenes,
+                                            double confidence);
+
 struct AdviceSettings {
   int steps = 100;           // levels are multiples of 1 / steps
   double confidence = 0.95;  // of the check
   std::string scene;         // only this one; "" = all
   bool is_one_scene = false;
   std::function<bool()> is_stopped = [] { return false; };  // then what is returned says little
+  // One of many: where there are no levels, or none that break nothing which passes now, nobody
+  // asks why.
+  bool is_trial = false;
 };
 
 // The changed project, checked with other random numbers. Empty: it could not be; `reason` says
 // why.
 using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
                                                                      std::string& reason)>;
+
+// Likewise of the changed project's text.
+using CheckText =
+    std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
 
 // part: judged. A scene's requirements that are waived, or only advice, are left out.
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,

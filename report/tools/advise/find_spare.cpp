@@ -1,7 +1,6 @@
 #include "report/check/room_changes.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_places.h"
-#include "rules/verdict/judge.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
@@ -20,11 +19,6 @@ namespace {
 
 // Every one of them is judged without any other one.
 constexpr std::size_t kMostLuminairesTried = 200;
-
-// Judged anew from the light of its points.
-bool is_judged_by_points(const rules::Requirement& requirement) {
-  return !requirement.any_one_unit_out && is_of_points(requirement);
-}
 
 bool counts_here(const rules::Finding& finding) {
   return rules::counts(rules::outcome_of(finding));
@@ -123,16 +117,10 @@ class SpareSearch {
       std::size_t without) const {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [plane, light] : planes) {
-      calc::PlaneField field = light.field;
-      switch_off(field, without);
-      std::vector<rules::Requirement> requirements;
-      for (const rules::Finding& finding : plane->findings) {
-        if (counts_here(finding) && is_judged_by_points(finding.requirement)) {
-          requirements.push_back(finding.requirement);
-        }
-      }
-      for (const rules::Finding& finding : rules::judge_plane(
-               requirements, light.grid, field, questions_.project.scenes, questions_.confidence)) {
+      PlaneLight left = light;
+      switch_off(left.field, without);
+      for (const rules::Finding& finding :
+           judged_by_light(*plane, left, questions_.project.scenes, questions_.confidence)) {
         if (finding.verdict != rules::Verdict::pass) return std::nullopt;
         least = std::min(least, finding.margin);
       }
@@ -220,8 +208,7 @@ class SpareSearch {
     }
     found_.problem = "without them something is not met, as the check says";
     if (!broken_findings(questions_.part, *part).empty()) return false;
-    PassCount count;
-    for (const FindingPlace& where : counted_findings(*part)) count.add(finding_at(*part, where));
+    const PassCount count = count_all(*part);
     found_.passing = count.passing;
     found_.asked = count.asked;
     return true;

@@ -40,6 +40,12 @@ bool is_of_points(const rules::Requirement& requirement) {
          source == rules::MetricSource::neighbours;
 }
 
+PassCount count_all(const report::ProjectPart& part) {
+  PassCount count;
+  for (const FindingPlace& where : counted_findings(part)) count.add(finding_at(part, where));
+  return count;
+}
+
 std::vector<std::string> broken_findings(const report::ProjectPart& before,
                                          const report::ProjectPart& after) {
   std::vector<std::string> broken;

@@ -17,11 +17,6 @@
 
 namespace cli {
 
-// The changed project's text, checked with other random numbers. Empty: it could not be; `reason`
-// says why.
-using CheckText =
-    std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
-
 // What searches in rooms stand on.
 struct RoomQuestions {
   const std::string& file;   // path of the project

@@ -1,0 +1,58 @@
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "report/tools/advise/advice.h"
+#include "report/tools/advise/advice_words.h"
+
+#include <fmt/format.h>
+
+namespace cli {
+namespace {
+
+std::string light_words(const PackageLight& light) {
+  return fmt::format(
+      "{}{} lm, {}", light.article.empty() ? "" : report::printable(light.article) + ": ",
+      report::format_lumens(light.flux_lm),
+      light.power_w > 0.0 ? report::format_watts(light.power_w) + " W" : "power not known");
+}
+
+std::string type_words(const AdvisedPackage& type) {
+  const bool stays = type.now.article == type.advised.article;
+  return fmt::format("    {}, {} luminaires: {}{}\n", report::printable(type.type), type.luminaires,
+                     light_words(type.advised),
+                     stays ? ", as now" : " instead of " + light_words(type.now));
+}
+
+std::string level_words(const SceneAdvice& scene) {
+  std::string words;
+  for (const AdvisedGroup& group : scene.groups) {
+    words += fmt::format("{}{} {:.4g} %", words.empty() ? "" : ", ", name_of_group(group.group),
+                         100.0 * group.level);
+  }
+  return fmt::format("    {}: {}\n", scene_words(scene.scene), words);
+}
+
+}  // namespace
+
+std::string render_package_advice_text(const PackageAdvice& advice) {
+  std::string text = "Lamp packages that are enough\n";
+  if (!advice.problem.empty()) {
+    return text + fmt::format("  No advice: {}\n", report::printable(advice.problem));
+  }
+  const auto cost = [&](double sum) { return cost_words(sum, advice.is_by_flux); };
+  text += fmt::format(
+      "  {}{} installed, now {}; checked with other random numbers, {} of {} requirements of all\n"
+      "  rooms and scenes pass, now {}. Of {} combinations none that takes less is enough.\n",
+      advice.is_as_now() ? "Those of now: " : "", cost(advice.advised), cost(advice.now),
+      advice.passing, advice.asked, advice.passing_now, advice.combinations);
+  if (advice.is_by_flux) text += std::string("  ") + kByFlux + "\n";
+  for (const AdvisedPackage& type : advice.types) text += type_words(type);
+  if (!advice.scenes.empty()) text += "  With these levels:\n";
+  for (const SceneAdvice& scene : advice.scenes) text += level_words(scene);
+  if (!advice.next_below.empty()) {
+    text += fmt::format("  The next one below, with the levels of now: {}\n",
+                        report::printable(advice.next_below));
+  }
+  return text;
+}
+
+}  // namespace cli

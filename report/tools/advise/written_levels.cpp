@@ -1,0 +1,101 @@
+#include "report/tools/advise/written_levels.h"
+
+#include "report/tools/advise/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace cli {
+namespace {
+
+std::string unused(const std::string& wish, const std::set<std::string>& taken) {
+  std::string name = wish;
+  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{}-{}", wish, i);
+  return name;
+}
+
+}  // namespace
+
+check::SceneLevels levels_of(const SceneAdvice& advice, const report::ProjectPart& part) {
+  check::SceneLevels levels;
+  std::set<std::string> scenes, groups;
+  for (const report::SceneRow& scene : part.scenes) scenes.insert(scene.id);
+  for (const AdvisedGroup& group : advice.groups) groups.insert(group.group);
+  levels.takes_full_output = advice.scene.empty();
+  levels.scene = levels.takes_full_output ? unused("advised", scenes) : advice.scene;
+  for (const AdvisedGroup& group : advice.groups) {
+    levels.level_of_group.emplace_back(group.group, group.level);
+  }
+  if (groups.contains("")) levels.group_of_others = unused("others", groups);
+  return levels;
+}
+
+LevelsText with_levels(const std::string& bytes, const std::string& file,
+                       const std::vector<SceneAdvice>& scenes, const report::ProjectPart& part) {
+  std::string text = bytes;
+  for (const SceneAdvice& scene : scenes) {
+    if (scene.outcome != AdviceOutcome::levels) continue;
+    calc::Diagnostics diagnostics;
+    auto changed = check::with_scene_levels(text, file, levels_of(scene, part), diagnostics);
+    if (!changed) return {std::nullopt, diagnostics.all().front().message};
+    text = *std::move(changed);
+  }
+  return {std::move(text), ""};
+}
+
+CheckLevels levels_check(const std::string& bytes, const std::string& file,
+                         const report::ProjectPart& part, const CheckText& check) {
+  return [&](const SceneAdvice& advice, std::string& reason) -> std::optional<report::ProjectPart> {
+    calc::Diagnostics diagnostics;
+    const check::SceneLevels levels = levels_of(advice, part);
+    const auto text = check::with_scene_levels(bytes, file, levels, diagnostics);
+    if (!text) {
+      reason = diagnostics.all().front().message;
+      return std::nullopt;
+    }
+    auto changed = check(*text, reason);
+    if (changed) reason = not_dimmed(advice, levels, *changed);
+    return reason.empty() ? std::move(changed) : std::nullopt;
+  };
+}
+
+std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
+                       const report::ProjectPart& changed) {
+  for (const AdvisedGroup& group : advice.groups) {
+    const std::string& name = group.group.empty() ? levels.group_of_others : group.group;
+    std::size_t count = 0;
+    for (const report::SpacePart& space : changed.spaces) {
+      for (const report::LuminaireMark& mark : space.luminaires) count += mark.group == name;
+    }
+    if (count == group.luminaires) continue;
+    return group.group.empty()
+               ? fmt::format(
+                     "{} of {} luminaires without a group cannot be given one in the "
+                     "project's file (those of lists, luminous areas): give them a group",
+                     group.luminaires - std::min(count, group.luminaires), group.luminaires)
+               : fmt::format("group '{}' has {} luminaires, and {} in the changed project",
+                             group.group, group.luminaires, count);
+  }
+  return "";
+}
+
+std::string lost_by_writing(const std::vector<SceneAdvice>& scenes,
+                            const report::ProjectPart& before, const report::ProjectPart& after) {
+  for (const SceneAdvice& scene : scenes) {
+    if (scene.outcome != AdviceOutcome::levels) continue;
+    for (const AdvisedRequirement& one : scene.requirements) {
+      const rules::Verdict verdict = finding_at(after, one.where).verdict;
+      if (one.after.verdict == rules::Verdict::pass && verdict != rules::Verdict::pass) {
+        return fmt::format("{} ({})", finding_words(before, one.where), calc::name_of(verdict));
+      }
+    }
+  }
+  const std::vector<std::string> broken = broken_findings(before, after);
+  return broken.empty() ? "" : broken.front();
+}
+
+}  // namespace cli
