@@ -7,6 +7,7 @@ luxgate_test(cli_tests
     unit/report/check/in_order_test.cpp
     unit/report/check/units_test.cpp
     unit/report/check/selection_test.cpp
+    unit/report/check/package_changes_test.cpp
     unit/report/check/room_changes_test.cpp
     unit/report/check/scene_levels_test.cpp
     unit/report/check/set_values_test.cpp

@@ -233,11 +233,121 @@ def known_cases(luxgate, examples, work):
             ("folder", [case("x", single), "--write", os.path.join(os.path.dirname(work), "elsewhere.xml")], "folder"),
             ("itself", [case("x", single), "--write", os.path.join(work, "x.xml")], "project itself"),
             ("steps", [case("x", single), "--steps", "0"], "--steps"),
-            ("html", [case("x", single), "--format", "html"], "text, json or markdown"),
+            ("csv", [case("x", single), "--format", "csv"], "text, json, html or markdown"),
             ("broken", [write(os.path.join(work, "broken.xml"), "<luxgate")], "broken.xml")):
         done = run(luxgate, "advise", *command)
         expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")
     expect(not os.path.exists(os.path.join(os.path.dirname(work), "elsewhere.xml")), "nothing is written elsewhere")
+
+
+def packages(luxgate, work):
+    """Which lamp packages are enough: cases whose answer is known, and one against all combinations."""
+    listed = ('<package article="S-800" flux-lm="800" power-w="7"/><package article="M-1600" flux-lm="1600" power-w="13"/>'
+              '<package article="L-3200" flux-lm="3200" power-w="25"/><package article="XL &amp; more" flux-lm="6400" '
+              'power-w="60"/>')
+    typed = 'photometry="batwing_1200.ies" power-w="36"/>'
+
+    def case(name, requirements, types=typed.replace("/>", f">{listed}</luminaire-type>"), **more):
+        return write(os.path.join(work, name + ".xml"), room(requirements, **more).replace(typed, types))
+
+    def average(path):
+        result = path[:-4] + ".json"
+        run(luxgate, "check", path, "--goal", "accuracy", "--tolerance", "0.005", "--quiet", "--format", "json=" + result)
+        with open(result, encoding="utf-8") as file:
+            return json.load(file)["projects"][0]["spaces"][0]["planes"][0]["findings"][0]["measured"]["value"]
+
+    # The light goes with the flux, so that the least package follows from one average.
+    value = average(case("packages-now", '<require id="mean" quantity="average" at-least="1"/>'))
+    flux = {"S-800": 800, "M-1600": 1600, "L-3200": 3200, "XL & more": 6400}
+    path = os.path.join(work, "packages-now.xml")
+    _, advice, _ = advise(luxgate, path, "--packages")
+    expect(advice["packages"]["types"][0]["now"]["article"] == "" and advice["packages"]["combinations"] == 5,
+           "now there is none of them, and that is one choice")
+    own = advice["packages"]["types"][0]["now"]["flux_lm"]
+    for wanted in flux:
+        limit = 0.93 * value * flux[wanted] / own
+        path = case("packages-" + wanted[0], f'<require id="mean" quantity="average" at-least="{limit:.5g}"/>')
+        written = path[:-4] + "-written.xml"
+        code, advice, told = advise(luxgate, path, "--packages", "--write", written)
+        found = advice["packages"]
+        as_now = own <= flux[wanted] and own >= flux[wanted] * 0.95
+        expect(code == 0 and found["is_all_met"] and not found["scenes"], f"{wanted}: {code} {told} {found}")
+        if not as_now:
+            one = found["types"][0]["advised"]
+            expect(one["article"] == wanted and found["advised"] == 2 * one["power_w"], f"{wanted} is the least: {found}")
+            expect(run(luxgate, "check", written, "--seed", "55", "--quiet").returncode == 0, f"{wanted}: it passes")
+            tree = xml.etree.ElementTree.parse(written).find("luminaire-type")
+            expect(tree.get("package") == wanted and tree.get("power-w") is None, f"{wanted} is written: {tree.attrib}")
+            again = written[:-4] + "-again.xml"
+            _, same, told = advise(luxgate, written, "--packages", "--write", again)
+            expect(same["packages"]["is_as_now"] and "least already" in told and not os.path.exists(again),
+                   f"{wanted}: nothing more to be had: {told}")
+            if wanted != "S-800":
+                expect("average" in found["next_below"], f"{wanted}: it is said what less would lack: {found}")
+    # More than any has.
+    limit = 2 * value * 6400 / own
+    code, advice, told = advise(luxgate, case("packages-none", f'<require quantity="average" at-least="{limit:.5g}"/>'),
+                                "--packages", "--write", os.path.join(work, "never.xml"))
+    expect(code == 2 and "no combination" in advice["packages"]["problem"] and "no combination" in told
+           and not os.path.exists(os.path.join(work, "never.xml")), f"none is enough: {code} {told}")
+
+    # Two types that share a group and a limit from above that only less light or other levels meet.
+    two = ('<package article="lo" flux-lm="{}" power-w="{}"/><package article="mid" flux-lm="{}" power-w="{}"/>'
+           '<package article="hi" flux-lm="{}" power-w="{}"/>')
+    types = typed.replace("/>", ">" + two.format(900, 9, 2000, 18, 4100, 40) + "</luminaire-type>") + \
+        '<luminaire-type id="t2" photometry="batwing_1200.ies" power-w="30">' + \
+        two.format(700, 8, 1900, 14, 3900, 41) + "</luminaire-type>"
+
+    def text(requirements, chosen=("", ""), name="packages-two"):
+        done = room(requirements, groups=(("g", "1.5 2 2.79"), ("g", "4.5 2 2.79"), ("h", "3 1 2.79")))
+        done = done.replace('id="L1" type="t"', 'id="L1" type="t2"').replace(typed, types)
+        for number, article in zip(("t", "t2"), chosen):
+            if article:
+                done = done.replace(f'id="{number}" photometry', f'id="{number}" package="{article}" photometry')
+                power = ' power-w="36"' if number == "t" else ' power-w="30"'
+                done = done.replace(f'package="{article}" photometry="batwing_1200.ies"{power}',
+                                    f'package="{article}" photometry="batwing_1200.ies"')
+        return write(os.path.join(work, name + ".xml"), done)
+
+    asked = ('<require id="mean" quantity="average" at-least="{:.5g}"/><require id="low" quantity="minimum" '
+             'at-least="{:.5g}"/>')
+    result = os.path.join(work, "packages-two.json")
+    run(luxgate, "check", text(asked.format(1, 1)), "--goal", "accuracy", "--tolerance", "0.005", "--quiet", "--format",
+        "json=" + result)
+    with open(result, encoding="utf-8") as file:
+        mean, low = (one["measured"]["value"]
+                     for one in json.load(file)["projects"][0]["spaces"][0]["planes"][0]["findings"])
+    power = {("t", "lo"): 9, ("t", "mid"): 18, ("t", "hi"): 40, ("t2", "lo"): 8, ("t2", "mid"): 14, ("t2", "hi"): 41,
+             ("t", ""): 36, ("t2", ""): 30}
+    for share in (0.5, 0.9, 1.3):
+        limits = asked.format(share * mean, share * low)
+        enough = {}
+        for one in ("", "lo", "mid", "hi"):
+            for other in ("", "lo", "mid", "hi"):
+                done = run(luxgate, "check", text(limits, (one, other), "packages-try"), "--seed", "4", "--quiet")
+                enough[(one, other)] = (done.returncode == 0, 2 * power["t", one] + power["t2", other])
+        least = min(watts for passes, watts in enough.values() if passes)
+        code, advice, told = advise(luxgate, text(limits), "--packages")
+        found = advice["packages"]
+        expect(code == 0 and abs(found["advised"] - least) < 1e-9 and found["combinations"] == 16,
+               f"two types, {share}: {found['advised'] if 'advised' in found else found} W, by all runs {least} W {told}")
+
+    # What passes only with other levels too, of a scene that is dimmed now.
+    scene = '<scene id="s"><dim group="a" level="0.5"/><dim group="b" level="0.5"/></scene>'
+    limit = 0.9 * value * 3200 / own
+    path = case("packages-dimmed", f'<require id="mean" quantity="average" at-least="{limit:.5g}" scene="s"/>', scenes=scene)
+    code, advice, told = advise(luxgate, path, "--packages", "--write", path[:-4] + "-written.xml")
+    found = advice["packages"]
+    expect(code == 0 and found["types"][0]["advised"]["article"] == "L-3200" and len(found["scenes"]) == 1,
+           f"the least package with other levels: {found} {told}")
+    expect(run(luxgate, "check", path[:-4] + "-written.xml", "--seed", "66", "--quiet").returncode == 0,
+           "it passes with these levels")
+
+    path = case("packages-without", '<require quantity="average" at-least="1"/>', types=typed)
+    code, advice, told = advise(luxgate, path, "--packages")
+    expect(code == 0 and "<package>" in advice["packages"]["problem"], f"no type has packages: {told}")
+    done = run(luxgate, "advise", path, "--packages", "--scene", "full-output")
+    expect(done.returncode == 2 and "--scene" in done.stderr, f"packages are of all scenes: {done.stderr}")
 
 
 def random_case(luxgate, work, number):
@@ -296,6 +406,7 @@ def main():
     else:
         print("python3-jsonschema is not installed: the schema is not looked at")
     known_cases(luxgate, examples, work)
+    packages(luxgate, work)
     shares = [random_case(luxgate, work, number) for number in range(1, count + 1)]
     print(f"{count} random rooms: on average {100 * sum(shares) / max(1, count):.1f} % of the power of the levels drawn")
     return 1 if failures else 0

@@ -132,6 +132,8 @@ struct Advice {
 
 std::string render_advice_text(const Advice& advice);
 std::string render_package_advice_text(const PackageAdvice& advice);
+// A page without a script; with maps of ceilings where places were asked for.
+std::string render_advice_html(const Advice& advice);
 std::string render_advice_markdown(const Advice& advice);
 std::string render_advice_json(const Advice& advice);
 // JSON Schema (draft 7) of render_advice_json(), made of the same keys. advice.schema.json is what

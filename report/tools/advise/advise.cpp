@@ -360,9 +360,16 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const std::string text = write_data_outputs(
       options.outputs,
       [&](DataFormat kind) {
-        return kind == DataFormat::json       ? render_advice_json(advice)
-               : kind == DataFormat::markdown ? render_advice_markdown(advice)
-                                              : render_advice_text(advice);
+        switch (kind) {
+          case DataFormat::json:
+            return render_advice_json(advice);
+          case DataFormat::html:
+            return render_advice_html(advice);
+          case DataFormat::markdown:
+            return render_advice_markdown(advice);
+          default:
+            return render_advice_text(advice);
+        }
       },
       check.output.quiet, written);
   print_diagnostics(written.all(), true);
@@ -375,9 +382,7 @@ std::string complete_advise(AdviseOptions& options) {
   CheckOptions& check = options.check;
   check.input.projects = {options.project};
   for (const DataOutput& output : options.outputs) {
-    if (output.kind == DataFormat::csv || output.kind == DataFormat::html) {
-      return "--format: text, json or markdown";
-    }
+    if (output.kind == DataFormat::csv) return "--format: text, json, html or markdown";
   }
   if (options.packages && options.has_scene) {
     return "--packages is about all scenes: leave out --scene";
@@ -422,10 +427,11 @@ Command advise_command() {
       {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
        &options->surfaces}};
   add(command.options,
-      data_format_options(options->outputs,
-                          "text, json or markdown, into a file or to standard output; default\n"
-                          "text. Can be repeated",
-                          true));
+      data_format_options(
+          options->outputs,
+          "text, json, html (with maps of ceilings) or markdown, into a file or to\n"
+          "standard output; default text. Can be repeated",
+          true));
   for (Option& option : accuracy_options(check.settings)) {
     if (option.names != "--goal" && option.names != "--by-luminaire") {
       command.options.push_back(std::move(option));

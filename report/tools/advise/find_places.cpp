@@ -50,6 +50,10 @@ class PlaceSearch {
     found_.scene = scene;
     found_.space = report::title_of(questions.part.spaces[part_index].name, space.id);
     found_.space_id = space.id;
+    if (space.shell) found_.outline_m = space.shell->footprint_m;
+    for (const calc::Luminaire& one : space.luminaires) {
+      if (type_of(one).counts_as_luminaire()) found_.luminaires_m.emplace_back(one.position_m);
+    }
   }
 
   // Empty: nothing lacks light here.

@@ -42,6 +42,8 @@ struct CheckedPlaces {
 
 struct RoomPlaces {
   std::string scene, space, space_id;
+  // For a map: of the room and of the luminaires that it has, world.
+  std::vector<glm::dvec2> outline_m, luminaires_m;
   bool is_by_flux = false;                    // costs are lumens
   std::string problem;                        // why there is no advice; "" = there is
   std::vector<RoomRequirement> requirements;  // that more light would help

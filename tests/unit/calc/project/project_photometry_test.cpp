@@ -113,5 +113,42 @@ TEST(ProjectPhotometry, CubicInterpolationIsAChoiceOfTheType) {
   EXPECT_NEAR(half_way_cd(1), 62.5, 1e-9);
 }
 
+LuminaireType lamp_type(const std::string& attributes, const std::string& packages) {
+  MemoryFileReader files = testing::project_files(testing::in_project(
+      "<luminaire-type id=\"lamp\" photometry=\"ies/lamp.ies\"" + attributes + ">" + packages +
+      "</luminaire-type>\n"
+      "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">"
+      "<luminaire id=\"a\" type=\"lamp\" position=\"1 1.5 2\"/>"
+      "<plane id=\"task\" height=\"0.75\"/></room>"));
+  files.add("dir/ies/lamp.ies", testing::kSpotIes);
+  const testing::Loaded loaded = load(files);
+  EXPECT_TRUE(loaded.project) << loaded.messages;
+  return loaded.project ? loaded.project->luminaire_types.back() : LuminaireType{};
+}
+
+// The chosen package has the say, and nothing hangs on the others.
+TEST(ProjectPhotometry, APackageStandsForFluxPowerAndPrice) {
+  const std::string packages =
+      "<package article=\"low\" flux-lm=\"50\" power-w=\"5\"/>"
+      "<package article=\"a &amp; b\" flux-lm=\"150\" power-w=\"15\" price=\"20\"/>";
+  const LuminaireType plain = lamp_type(" price=\"8\"", "");
+  const LuminaireType unchosen = lamp_type(" price=\"8\"", packages);
+  EXPECT_EQ(unchosen.flux_scale, plain.flux_scale);
+  EXPECT_EQ(unchosen.power_w, plain.power_w);
+  EXPECT_EQ(unchosen.price, 8.0);
+  ASSERT_EQ(unchosen.packages.size(), 2u);
+  EXPECT_FALSE(unchosen.package);
+  const LuminaireType chosen = lamp_type(" price=\"8\" package=\"a &amp; b\"", packages);
+  const LuminaireType by_hand = lamp_type(" flux-lm=\"150\" power-w=\"15\"", "");
+  EXPECT_EQ(chosen.flux_scale, by_hand.flux_scale);
+  EXPECT_NE(chosen.flux_scale, plain.flux_scale);
+  EXPECT_EQ(chosen.power_w, 15.0);
+  EXPECT_EQ(chosen.file_power_w, plain.file_power_w);
+  EXPECT_EQ(chosen.price, 20.0);
+  EXPECT_EQ(chosen.package, 1u);
+  EXPECT_EQ(lamp_type(" price=\"8\" package=\"low\"", packages).price, 8.0)
+      << "without one of its own";
+}
+
 }  // namespace
 }  // namespace calc

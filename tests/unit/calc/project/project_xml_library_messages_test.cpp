@@ -98,6 +98,22 @@ const std::vector<MessageCase> kCases{
          R"(<luminaire-type id="t" photometry="spot.ies" maintenance-factor="0.8" lmf="0.9"/>)"),
      "dir/p.xml:4:71: error[exclusive-attributes]: <luminaire-type> has both 'maintenance-factor' "
      "and 'lmf'; give only one of them"},
+    {"PackageWithoutPower", in_project(R"(<luminaire-type id="t" photometry="spot.ies">
+<package article="warm-900" flux-lm="900"/></luminaire-type>)"),
+     "dir/p.xml:5:1: error[missing-attribute]: <package> needs the attribute 'power-w'"},
+    {"PackageTwice", in_project(R"(<luminaire-type id="t" photometry="spot.ies">
+<package article="warm" flux-lm="900" power-w="9"/>
+<package article="warm" flux-lm="800" power-w="9"/></luminaire-type>)"),
+     "dir/p.xml:6:10: error[duplicate-id]: the package 'warm' is given twice, also in line 5"},
+    {"UnknownPackage", in_project(R"(<luminaire-type id="t" photometry="spot.ies" package="wram">
+<package article="warm" flux-lm="900" power-w="9"/></luminaire-type>)"),
+     "dir/p.xml:4:46: error[unknown-reference]: attribute 'package' of <luminaire-type>: there is "
+     "no package 'wram'; defined: warm; did you mean 'warm'?"},
+    {"PackageAndPower",
+     in_project(R"(<luminaire-type id="t" photometry="spot.ies" package="warm" power-w="8">
+<package article="warm" flux-lm="900" power-w="9"/></luminaire-type>)"),
+     "dir/p.xml:4:61: error[exclusive-attributes]: <luminaire-type> has both 'package' and "
+     "'power-w'; give only one of them"},
     {"UnknownOpening",
      in_project(R"(<luminaire-type id="t" photometry="spot.ies" opening="points"/>)"),
      "dir/p.xml:4:46: error[unknown-value]: attribute 'opening' of <luminaire-type>: unknown value "

@@ -155,8 +155,9 @@ TEST(SetValues, SaysWhatIsWrongWithAPath) {
   expect_error(
       "spot.flux-lx",
       "p.xml:4:3: error[value-not-set]: --set spot.flux-lx: <luminaire-type> has no "
-      "attribute 'flux-lx'; allowed: flux-lm, power-w, price, maintenance-factor, llmf, lsf, lmf, "
-      "rsmf, opening, interpolation, lamp-set, variant or emitter; did you mean 'flux-lm'?");
+      "attribute 'flux-lx'; allowed: flux-lm, power-w, package, price, maintenance-factor, llmf, "
+      "lsf, lmf, rsmf, opening, interpolation, lamp-set, variant or emitter; did you mean "
+      "'flux-lm'?");
   expect_error(
       "material.light.id",
       "p.xml:3:3: error[value-not-set]: --set material.light.id: 'id' of <material> cannot "

@@ -60,6 +60,9 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
               testing::HasSubstr(
                   at + ",1,L.1,panel,\"Maker, Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8\r\n"));
   EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,\r\n"));
+  // What to order where the project takes a package.
+  project.luminaires[0].package = "warm-900";
+  EXPECT_THAT(render_luminaires_csv(document), testing::HasSubstr("\"Maker, Ltd\",warm-900,,1.5"));
 }
 
 }  // namespace
