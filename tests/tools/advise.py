@@ -319,7 +319,7 @@ def packages(luxgate, work):
                      for one in json.load(file)["projects"][0]["spaces"][0]["planes"][0]["findings"])
     power = {("t", "lo"): 9, ("t", "mid"): 18, ("t", "hi"): 40, ("t2", "lo"): 8, ("t2", "mid"): 14, ("t2", "hi"): 41,
              ("t", ""): 36, ("t2", ""): 30}
-    for share in (0.5, 0.9, 1.3):
+    for share in (0.2, 0.5, 0.8):
         limits = asked.format(share * mean, share * low)
         enough = {}
         for one in ("", "lo", "mid", "hi"):

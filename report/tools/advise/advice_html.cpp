@@ -34,8 +34,6 @@ ul.plain { margin: .4rem 0 1.2rem; padding-left: 1.2rem; }
 pre.same { overflow-x: auto; font-size: .82rem; }
 )css";
 
-std::string percent(double level) { return fmt::format("{:.4g} %", 100.0 * level); }
-
 std::string words(const std::string& text) { return escape_html(text); }
 
 std::string badge(rules::Verdict verdict) { return report::badge(report::Texts(), verdict); }
@@ -48,8 +46,8 @@ std::string groups_table(const SceneAdvice& advice) {
     html += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num\">{}</td>"
         "<td class=\"num\">{}</td></tr>\n",
-        words(name_of_group(group.group)), group.luminaires, percent(group.now),
-        percent(group.level));
+        words(name_of_group(group.group)), group.luminaires, level_words(group.now),
+        level_words(group.level));
   }
   return report::scroll_box("Levels of groups", html + "</tbody></table>\n");
 }

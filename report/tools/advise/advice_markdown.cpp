@@ -15,13 +15,11 @@ namespace {
 
 using report::escape_markdown;
 
-std::string percent(double level) { return fmt::format("{:.4g} %", 100.0 * level); }
-
 std::string groups(const SceneAdvice& advice) {
   std::string text = "| group | luminaires | now | advised |\n|---|--:|--:|--:|\n";
   for (const AdvisedGroup& group : advice.groups) {
     text += fmt::format("| {} | {} | {} | {} |\n", escape_markdown(name_of_group(group.group)),
-                        group.luminaires, percent(group.now), percent(group.level));
+                        group.luminaires, level_words(group.now), level_words(group.level));
   }
   return text;
 }

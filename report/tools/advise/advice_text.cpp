@@ -29,8 +29,7 @@ std::string group_table(const SceneAdvice& advice) {
   std::string text = fmt::format("    {}  luminaires     now  advised\n", padded("group"));
   for (const AdvisedGroup& group : advice.groups) {
     text += fmt::format("    {}  {:>10}  {:>6}  {:>7}\n", padded(name_of_group(group.group)),
-                        group.luminaires, fmt::format("{:.4g} %", 100.0 * group.now),
-                        fmt::format("{:.4g} %", 100.0 * group.level));
+                        group.luminaires, level_words(group.now), level_words(group.level));
   }
   return text;
 }

@@ -27,6 +27,8 @@ std::string cost_words(double cost, bool is_by_flux) {
   return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
 }
 
+std::string level_words(double level) { return fmt::format("{:.4g} %", 100.0 * level); }
+
 std::string name_of_group(const std::string& group) {
   return group.empty() ? "(without a group)" : report::printable(group);
 }

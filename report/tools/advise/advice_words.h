@@ -18,6 +18,8 @@ inline constexpr const char* kRaised =
     "They are nearer to those of now than the least ones, which would not meet what the search "
     "does "
     "not know:";
+// "64 %"
+std::string level_words(double level);
 std::string name_of_group(const std::string& group);
 // scene: an id; "" = full output.
 std::string scene_words(const std::string& scene);

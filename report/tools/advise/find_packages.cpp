@@ -20,7 +20,7 @@
 namespace cli {
 namespace {
 
-constexpr std::size_t kMostCombinations = 1000, kMostChecked = 8;
+constexpr std::size_t kMostCombinations = 1000, kMostTried = 8;
 
 struct Combination {
   std::vector<std::size_t> choice;  // [type], of TypeChoices::light
@@ -72,7 +72,7 @@ class PackageSearch {
     std::size_t checked = 0;
     for (const Combination& one : combinations) {
       if (settings_.is_stopped()) return std::move(found_);
-      if (checked == kMostChecked) {
+      if (checked == kMostTried) {
         found_.problem = fmt::format(
             "{} combinations that are enough by the same light do not pass the check; the last: {}",
             checked, why_not_checked_);

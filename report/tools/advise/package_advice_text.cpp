@@ -22,11 +22,11 @@ std::string type_words(const AdvisedPackage& type) {
                      stays ? ", as now" : " instead of " + light_words(type.now));
 }
 
-std::string level_words(const SceneAdvice& scene) {
+std::string scene_levels(const SceneAdvice& scene) {
   std::string words;
   for (const AdvisedGroup& group : scene.groups) {
-    words += fmt::format("{}{} {:.4g} %", words.empty() ? "" : ", ", name_of_group(group.group),
-                         100.0 * group.level);
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name_of_group(group.group),
+                         level_words(group.level));
   }
   return fmt::format("    {}: {}\n", scene_words(scene.scene), words);
 }
@@ -47,7 +47,7 @@ std::string render_package_advice_text(const PackageAdvice& advice) {
   if (advice.is_by_flux) text += std::string("  ") + kByFlux + "\n";
   for (const AdvisedPackage& type : advice.types) text += type_words(type);
   if (!advice.scenes.empty()) text += "  With these levels:\n";
-  for (const SceneAdvice& scene : advice.scenes) text += level_words(scene);
+  for (const SceneAdvice& scene : advice.scenes) text += scene_levels(scene);
   if (!advice.next_below.empty()) {
     text += fmt::format("  The next one below, with the levels of now: {}\n",
                         report::printable(advice.next_below));
