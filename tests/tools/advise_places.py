@@ -15,6 +15,7 @@ import resource
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 try:
     import jsonschema
@@ -177,6 +178,24 @@ def office(luxgate, examples, work, count):
     expect(together["is_checked"] and together["passing"] == together["asked"] == 9 and not together["broken"],
            "what is advised together meets everything")
     expect(len(together["places"]) < 9, "and takes fewer luminaires than were taken away")
+    page = os.path.join(work, "office", "advice.html")
+    written = os.path.join(work, "office", "written.xml")
+    done = run(luxgate, "advise", project, "--quiet", "--places", "--format", "html=" + page, "--write", written)
+    expect(done.returncode == 1, f"a page, and the places are written: {done.returncode} {done.stderr}")
+    tree = xml.etree.ElementTree.fromstring(read(page).replace("<!DOCTYPE html>", ""))
+    maps = [one for one in tree.iter("svg") if one.get("class") == "map"]
+    expect(len(maps) == min(3, len(room["requirements"])), f"one map for each of up to three requirements: {len(maps)}")
+    for number, drawn in enumerate(maps):
+        told = sorted(one.find("title").text for one in drawn.iter("rect"))
+        spots = {tuple(f"{x:.2f}" for x in one["position_m"]) for one in room["places"]}
+        expect(len(told) == len(room["places"]) == len(spots), f"map {number}: every free place: {len(told)}")
+        best = max(one["gain_lx"][number]["value"] for one in room["places"])
+        shown = max(float(re.match(r"\(.*\): (-?[0-9.]+)", one).group(1)) for one in told)
+        expect(abs(shown - best) < 0.06, f"map {number}: the largest gain is {best}, drawn {shown}")
+    expect(not list(tree.iter("script")), "the page has no script")
+    expect(read(written).count("added-") == len(together["places"]), "the luminaires that are enough are written")
+    code, measured = findings(luxgate, written, "--seed", "78")
+    expect(code == 0, f"and the written project passes: {code} {measured}")
     path = write(os.path.join(work, "office", "together.xml"), with_luminaires(read(project), together["places"]))
     code, measured = findings(luxgate, path, "--seed", "77")
     expect(code == 0, f"and passes with other random numbers: {code} {measured}")

@@ -16,6 +16,7 @@
 #include "report/tools/advise/find_places.h"
 #include "report/tools/advise/level_solver.h"
 #include "report/tools/advise/written_levels.h"
+#include "report/tools/advise/written_places.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
@@ -201,7 +202,7 @@ void print_error(const std::string& words) {
 // same.
 bool write_changed(const AdviseOptions& options, const Advice& advice,
                    const report::ProjectPart& part, const std::string& bytes,
-                   const CheckText& check) {
+                   const std::optional<PlacesText>& places, const CheckText& check) {
   const auto has_levels = [](const SceneAdvice& scene) {
     return scene.outcome == AdviceOutcome::levels;
   };
@@ -220,6 +221,7 @@ bool write_changed(const AdviseOptions& options, const Advice& advice,
     if (advice.packages->is_as_now()) return refused("its packages are the least already");
     return written(advice.packages->text);
   }
+  if (places) return places->text ? written(*places->text) : refused(places->problem);
   if (scenes == 0) return refused("no scene has levels");
   const LevelsText changed = with_levels(bytes, options.project, advice.scenes, part);
   if (!changed.text) return refused(changed.problem);
@@ -315,6 +317,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     return kNotJudged;
   }
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
+  std::optional<PlacesText> places;  // that are to be written
   if (options.packages || options.places || options.surfaces) {
     calc::Diagnostics again;
     const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
@@ -349,12 +352,15 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     if (options.places) {
       advice.rooms.places = find_places(questions);
       advice.rooms.spare = find_spare(questions);
+      if (!options.write_file.empty() && !advice.rooms.places->empty()) {
+        places = with_places(questions, *advice.rooms.places);
+      }
     }
     if (options.surfaces) advice.rooms.surfaces = find_surfaces(questions);
     if (interrupted()) return kInterrupted;
   }
-  const bool is_written =
-      options.write_file.empty() || write_changed(options, advice, part, project.bytes, check_text);
+  const bool is_written = options.write_file.empty() ||
+                          write_changed(options, advice, part, project.bytes, places, check_text);
   if (interrupted()) return kInterrupted;
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
@@ -387,6 +393,9 @@ std::string complete_advise(AdviseOptions& options) {
   if (options.packages && options.has_scene) {
     return "--packages is about all scenes: leave out --scene";
   }
+  if (options.packages && options.places && !options.write_file.empty()) {
+    return "--write: packages or places, one after the other";
+  }
   if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
   return complete_work(check.settings.radiosity, check.backend);
 }
@@ -418,11 +427,12 @@ Command advise_command() {
        some_text(options->write_file)},
       {"--packages", "",
        "Also which lamp packages of the luminaire types (<package> in the project) are enough;\n"
-       "--write then writes these",
+       "--write then writes them",
        &options->packages},
       {"--places", "",
        "Also where one luminaire more helps most, in rooms where no levels meet everything,\n"
-       "and which ones can go where everything is met",
+       "and which ones can go where everything is met; --write then writes those more, if there\n"
+       "are any",
        &options->places},
       {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
        &options->surfaces}};

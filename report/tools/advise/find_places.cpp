@@ -82,7 +82,7 @@ class PlaceSearch {
     rank(light);
     check_best();
     if (std::none_of(found_.best.begin(), found_.best.end(),
-                     [](const CheckedPlaces& one) { return is_met(one); })) {
+                     [](const CheckedPlaces& one) { return is_enough(one); })) {
       find_together(light);
     }
     return std::move(found_);
@@ -291,13 +291,6 @@ class PlaceSearch {
     return least;
   }
 
-  static bool is_met(const CheckedPlaces& checked) {
-    return checked.problem.empty() && !checked.after.empty() && checked.broken.empty() &&
-           std::all_of(checked.after.begin(), checked.after.end(), [](const rules::Finding& one) {
-             return one.verdict == rules::Verdict::pass;
-           });
-  }
-
   // Whether the changed project has them where they were meant to be.
   static bool has_them(const report::SpacePart& room,
                        const std::vector<check::AddedLuminaire>& added) {
@@ -404,7 +397,7 @@ class PlaceSearch {
       std::vector<AdvisedPlace> places;
       for (const std::size_t c : chosen) places.push_back(told(light, c));
       found_.together = checked(std::move(places));
-      if (is_met(*found_.together) || !found_.together->problem.empty()) return;
+      if (is_enough(*found_.together) || !found_.together->problem.empty()) return;
     }
   }
 
@@ -418,6 +411,12 @@ class PlaceSearch {
 };
 
 }  // namespace
+
+bool is_enough(const CheckedPlaces& checked) {
+  return checked.problem.empty() && !checked.after.empty() && checked.broken.empty() &&
+         std::all_of(checked.after.begin(), checked.after.end(),
+                     [](const rules::Finding& one) { return one.verdict == rules::Verdict::pass; });
+}
 
 std::vector<RoomPlaces> find_places(const RoomQuestions& questions) {
   std::vector<RoomPlaces> all;

@@ -12,6 +12,9 @@ namespace cli {
 // together as it takes, are checked. Where there is no advice, `problem` says why.
 std::vector<RoomPlaces> find_places(const RoomQuestions& questions);
 
+// Everything that the places were looked for is met with them, and nothing is lost.
+bool is_enough(const CheckedPlaces& checked);
+
 // One for each room with luminaires in which everything is met, in all scenes: which luminaires can
 // go, one after the other, as long as everything that hangs on points stays met; the whole is
 // checked.

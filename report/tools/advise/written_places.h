@@ -1,0 +1,20 @@
+#pragma once
+// Advised luminaires in the text of a project.
+
+#include "report/tools/advise/room_light.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// With the luminaires that are enough in each of these rooms, the cheapest of them where there are
+// several; checked as a whole with other random numbers. Empty: `problem` says why.
+struct PlacesText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+PlacesText with_places(const RoomQuestions& questions, const std::vector<RoomPlaces>& rooms);
+
+}  // namespace cli
