@@ -31,7 +31,7 @@ constexpr const char* kAdviceStyle = R"css(
 .map .there { fill: none; stroke: #191d21; stroke-width: 1.8; } .map .halo { fill: none; stroke: #fff; stroke-width: 4; }
 .map .best { fill: #fff; stroke: #191d21; stroke-width: 2; }
 ul.plain { margin: .4rem 0 1.2rem; padding-left: 1.2rem; }
-pre.same { overflow-x: auto; font-size: .82rem; }
+pre.same { font-size: .82rem; }
 )css";
 
 std::string words(const std::string& text) { return escape_html(text); }
@@ -127,7 +127,13 @@ std::string scene_html(const SceneAdvice& advice) {
 
 // Beside pictures, all that the text says: said once, there.
 std::string same_text(const std::string& text) {
-  return "<pre class=\"same\">" + escape_html(text) + "</pre>\n";
+  std::string lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!lines.empty() || end > begin) lines += words(text.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
+  return "<pre class=\"same\">" + lines + "</pre>\n";
 }
 
 std::string maps_of(const RoomPlaces& room) {
@@ -142,10 +148,9 @@ std::string maps_of(const RoomPlaces& room) {
       types.resize(kMostMaps);
     }
     for (const std::string& type : types) {
-      html += fmt::format("<h3>{}: {}, now {}. What one {} more adds, lx</h3>\n",
-                          words(report::printable(one.plane)),
+      html += fmt::format("<h3>{}: {}, now {}. What one {} more adds, lx</h3>\n", words(one.plane),
                           words(asked_words(one.before.requirement)),
-                          words(value_words(one.before)), words(report::printable(type))) +
+                          words(value_words(one.before)), words(type)) +
               ceiling_map(room, r, type);
     }
   }
@@ -154,9 +159,8 @@ std::string maps_of(const RoomPlaces& room) {
 }
 
 std::string places_html(const RoomPlaces& room) {
-  std::string html =
-      fmt::format("<h2>{}, {}: where a luminaire more helps</h2>\n", words(scene_words(room.scene)),
-                  words(report::printable(room.space)));
+  std::string html = fmt::format("<h2>{}, {}: where a luminaire more helps</h2>\n",
+                                 words(scene_words(room.scene)), words(room.space));
   if (room.problem.empty() && !room.places.empty()) {
     html +=
         "<p class=\"quiet\">Every square is a free place. Crosses are luminaires that are there, "
@@ -170,14 +174,16 @@ std::string places_html(const RoomPlaces& room) {
 
 std::string render_advice_html(const Advice& advice) {
   report::ToolPage page;
-  page.title = words(report::printable(advice.project));
+  const std::string name = report::printable(advice.project);
+  page.title = words(name.substr(name.rfind('/') + 1));
   page.eyebrow = "advise";
   page.style = kAdviceStyle;
-  page.foot = report::printable(advice.project);
-  std::string html = report::tool_page_start(report::Texts(), page) +
-                     "<p class=\"quiet\">What would make it pass, with the least power. Levels, "
-                     "packages and places were checked with other random numbers than those that "
-                     "found them.</p>\n</header>\n<main id=\"main\">\n";
+  page.foot = name;
+  std::string html =
+      report::tool_page_start(report::Texts(), page) + "<p class=\"quiet\">" + words(name) +
+      "</p>\n<p class=\"quiet\">What would make it pass, with the least power. Levels, "
+      "packages and places were checked with other random numbers than those that "
+      "found them.</p>\n</header>\n<main id=\"main\">\n";
   for (const SceneAdvice& one : advice.scenes) html += scene_html(one);
   if (!advice.not_met_besides.empty()) {
     html += "<h2>Not met, whatever the levels</h2>\n" + list_of(advice.not_met_besides);
