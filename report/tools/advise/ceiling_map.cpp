@@ -130,14 +130,16 @@ std::string room_lines(const RoomPlaces& room, const Frame& frame) {
   return svg;
 }
 
-// Those of the list of the best places that are of this type.
+// Those of the list of the best places that are of this type; beside the number of their square.
 std::string best_marks(const RoomPlaces& room, const std::string& type, const Frame& frame) {
-  constexpr double kRadius_px = 9.0;
+  constexpr double kRadius_px = 8.0;
+  const glm::dvec2 corner_px = 0.5 * room.step_m * frame.px_by_m;
   std::string svg;
   for (std::size_t i = 0; i < room.best.size(); ++i) {
     const AdvisedPlace& place = room.best[i].places.front();
     if (place.type != type) continue;
-    const glm::dvec2 at = frame.at(glm::dvec2(place.position_m));
+    const glm::dvec2 at =
+        frame.at(glm::dvec2(place.position_m)) + glm::dvec2(corner_px.x, -corner_px.y);
     svg += fmt::format(
         "<circle class=\"best\" cx=\"{0}\" cy=\"{1}\" r=\"{2}\"/><text class=\"number\" x=\"{0}\" "
         "y=\"{3}\">{4}</text>\n",
