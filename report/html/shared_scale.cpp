@@ -70,8 +70,14 @@ ColourScale scale_of_all(std::vector<PlaneRange> planes, double highest, bool is
   }
   const ColourScale even = make_colour_scale(all.low, all.high);
   if (!is_of_light || !(all.low >= 0.0) || !(all.high > 0.0)) return even;
+  // Of one colour says nothing of how light falls off; what is told apart by fewer colours is read
+  // more easily.
   const ColourScale classes = make_class_scale(all.low, all.high);
-  return fewest_colours(classes, planes) > fewest_colours(even, planes) ? classes : even;
+  const ColourScale& best =
+      fewest_colours(classes, planes) > fewest_colours(even, planes) ? classes : even;
+  if (fewest_colours(best, planes) > 1) return best;
+  const ColourScale fine = make_class_scale(all.low, all.high, ClassSeries::fine);
+  return fewest_colours(fine, planes) > 1 ? fine : best;
 }
 
 bool has_drawing(const PlanePart& plane) { return has_cells(plane) && has_all_values(plane); }

@@ -24,7 +24,8 @@ struct PlaneScale {
 };
 
 // Planes share a scale that are of one unit: bands of equal width, or classes (make_class_scale())
-// where those give the plane that has the fewest colours more of them. What is far below the
+// where those give the plane that has the fewest colours more of them; finer classes where it would
+// be of one colour all the same. What is far below the
 // brightest of them (less than a tenth, as emergency light is of a workplace's) would be of one
 // colour, and has a scale of its own.
 class ColourScales {

@@ -45,12 +45,14 @@ double round_step(double value) {
 constexpr double kSame = 1e-9;  // relative
 
 // From whole numbers, so that borders are the numbers that they are called.
-std::vector<double> class_borders() {
-  constexpr double kParts = 100.0;  // of 1 lx
+std::vector<double> class_borders(ClassSeries series) {
+  constexpr double kParts = 1000.0;  // of 1 lx
+  const std::vector<double> parts =
+      series == ClassSeries::fine ? std::vector<double>{10, 12, 15, 20, 25, 30, 40, 50, 60, 75}
+                                  : std::vector<double>{10, 15, 20, 30, 50, 75};
   std::vector<double> borders;
   for (double power = 1.0; power < 1e10; power *= 10.0) {
-    for (const double part : {1.0, 1.5, 2.0, 3.0, 5.0, 7.5})
-      borders.push_back(part * power / kParts);
+    for (const double part : parts) borders.push_back(part * power / kParts);
   }
   return borders;
 }
@@ -89,9 +91,9 @@ ColourScale make_colour_scale(double lowest, double highest) {
   return scale;
 }
 
-ColourScale make_class_scale(double lowest, double highest) {
+ColourScale make_class_scale(double lowest, double highest, ClassSeries of) {
   constexpr std::size_t kMostBands = 12;
-  const std::vector<double> series = class_borders();
+  const std::vector<double> series = class_borders(of);
   // As in band_of(): a value on a border is above it.
   const auto border_above = [&](double value) {
     return static_cast<std::size_t>(

@@ -44,8 +44,11 @@ ColourScale make_colour_scale(double lowest, double highest);
 // Classes by the series 1, 1.5, 2, 3, 5, 7.5, 10 that standards step illuminances by, so that a
 // corridor and a task area both show how their light falls off (scale of illuminance in EN
 // 12464-1). They cover [lowest, highest], 0 <= lowest <= highest > 0, both finite; the first one
-// begins at 0 where lowest is below 0.01, or more than 12 would be needed.
-ColourScale make_class_scale(double lowest, double highest);
+// begins at 0 where lowest is below 0.01, or more than 12 would be needed. fine: with 1.2, 2.5, 4
+// and 6 as well.
+enum class ClassSeries { of_standards, fine };
+ColourScale make_class_scale(double lowest, double highest,
+                             ClassSeries series = ClassSeries::of_standards);
 // Index of the band of a value; values outside go to the first or last band.
 int band_of(const ColourScale& scale, double value);
 Rgb band_colour(const ColourScale& scale, int band);

@@ -94,6 +94,24 @@ TEST(ColourScales, AreClassesWhereAPlaneWouldBeOfOneColour) {
   EXPECT_LT(band_of(desk.scale, 520), band_of(desk.scale, 900));
 }
 
+// Beside a bright hall a corridor has one colour by equal bands and by the classes of standards.
+TEST(ColourScales, AreFineClassesWhereOthersGiveOneColour) {
+  ProjectPart project = project_of();
+  project.spaces[0].planes = {plane_of("hall", 850, 1200)};
+  project.spaces[1].planes = {plane_of("corridor", 122, 149)};
+  const ColourScales scales(project, ScaleSharing::project);
+  const PlaneScale hall = scales.of(project.spaces[0], project.spaces[0].planes[0]);
+  EXPECT_TRUE(is_same(hall.scale, make_class_scale(122, 1200))) << "nothing tells them apart";
+  project.spaces[1].planes = {plane_of("corridor", 112, 149)};
+  const ColourScales finer(project, ScaleSharing::project);
+  const PlaneScale corridor = finer.of(project.spaces[1], project.spaces[1].planes[0]);
+  EXPECT_TRUE(corridor.is_shared);
+  EXPECT_TRUE(is_same(corridor.scale, make_class_scale(112, 1200, ClassSeries::fine)));
+  EXPECT_EQ(band_of(make_class_scale(112, 1200), 112), band_of(make_class_scale(112, 1200), 149));
+  EXPECT_LT(band_of(corridor.scale, 112), band_of(corridor.scale, 149));
+  EXPECT_LT(band_of(corridor.scale, 850), band_of(corridor.scale, 1200));
+}
+
 TEST(ColourScales, ALimitWidensThem) {
   ProjectPart project = project_of();
   project.spaces[0].planes[0].findings = {

@@ -69,6 +69,8 @@ TEST(ClassScale, FollowsTheSeriesAndCoversTheValues) {
               testing::ElementsAre(75, 100, 150, 200, 300, 500, 750, 1000));
   EXPECT_THAT(make_class_scale(100, 300).classes, testing::ElementsAre(100, 150, 200, 300));
   EXPECT_THAT(make_class_scale(500, 500).classes, testing::ElementsAre(500, 750));
+  EXPECT_THAT(make_class_scale(110, 700, ClassSeries::fine).classes,
+              testing::ElementsAre(100, 120, 150, 200, 250, 300, 400, 500, 600, 750));
   for (const auto& [low, high] : std::vector<std::pair<double, double>>{
            {0, 0.004}, {0, 7}, {0.3, 1200}, {1e-9, 1e-9}, {3, 3e7}, {0.07, 0.08}, {0, 1e12}}) {
     const ColourScale scale = make_class_scale(low, high);
