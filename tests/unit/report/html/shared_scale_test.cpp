@@ -101,7 +101,7 @@ TEST(ColourScales, AreFineClassesWhereOthersGiveOneColour) {
   project.spaces[1].planes = {plane_of("corridor", 122, 149)};
   const ColourScales scales(project, ScaleSharing::project);
   const PlaneScale hall = scales.of(project.spaces[0], project.spaces[0].planes[0]);
-  EXPECT_TRUE(is_same(hall.scale, make_class_scale(122, 1200))) << "nothing tells them apart";
+  EXPECT_TRUE(is_same(hall.scale, make_colour_scale(122, 1200))) << "nothing tells more apart";
   project.spaces[1].planes = {plane_of("corridor", 112, 149)};
   const ColourScales finer(project, ScaleSharing::project);
   const PlaneScale corridor = finer.of(project.spaces[1], project.spaces[1].planes[0]);
