@@ -168,6 +168,23 @@ def contents():
         expect(prints == (2 if is_long else 1), f"{project} is printed {prints} times")
 
 
+def many_planes():
+    """40 planes in five rooms come in 25 pages, on either paper."""
+    rooms = ""
+    for r in range(5):
+        planes = "".join(f'<plane id="r{r}p{k}" name="Task {k}" origin="{0.4 + 1.4 * (k % 4)} {0.5 + 1.8 * (k // 4)} 0.75" u="1.2 0 0" v="0 1.4 0" count="6 7">'
+                         '<require id="mean" quantity="average" at-least="100"/><require id="even" quantity="Uo" at-least="0.1"/></plane>' for k in range(8))
+        rooms += (f'<room id="r{r}" name="Office {r}" origin="{10 * r} 0 0" size="6 4 2.8" ceiling="light" walls="light" floor="dark">'
+                  f'<luminaire-grid id="L{r}" type="spot" origin="0 0 2.79" size="6 4" columns="3" rows="2"/>{planes}</room>')
+    (WORK / "many.xml").write_text('<luxgate version="1" name="Forty planes" maintenance-factor="0.8"><material id="light" reflectance="0.7"/>'
+                                   f'<material id="dark" reflectance="0.3"/><luminaire-type id="spot" photometry="spot.ies"/>{rooms}</luxgate>')
+    done = luxgate("check", "many.xml", "--annex", "never", "--format", "json=many.json")
+    expect(done.returncode in (0, 1), f"many: {done.returncode}, {done.stderr}")
+    for paper in ["a4", "letter"]:
+        luxgate("report", "many.json", "--annex", "never", "--paper", paper, "--format", "pdf=many.pdf")
+        expect(0 < pages("many.pdf") <= 25, f"40 planes take {pages('many.pdf')} pages on {paper}")
+
+
 def data_sheet():
     """Of photometry: one page, the same bytes twice, and without Chromium an error that leaves nothing."""
     done = luxgate("photometry", "spot.ies", "--sheet", "none.pdf", PATH="/nowhere")
@@ -195,5 +212,6 @@ if CHROMIUM is None:
 else:
     prints()
     contents()
+    many_planes()
     print("\n".join(problems))
 sys.exit(1 if problems else 0)
