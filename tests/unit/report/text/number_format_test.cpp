@@ -41,6 +41,10 @@ TEST(NumberFormat, ExactValuesHaveNoHalfWidth) {
 TEST(NumberFormat, RatiosHaveThreeDecimals) {
   EXPECT_EQ(format_measured(plus_minus(0.61234, 0), ""), "0.612");
   EXPECT_EQ(format_measured(plus_minus(0.61234, 0.0041), ""), "0.612 ± 0.004");
+  // A UGR is no ratio.
+  EXPECT_EQ(format_measured(plus_minus(24.302, 0), ""), "24.3");
+  EXPECT_EQ(format_measured(plus_minus(24.302, 0.012), ""), "24.30 ± 0.01");
+  EXPECT_EQ(format_measured(plus_minus(24.302, 0), "", at_most(24.3)), "24.302");
 }
 
 // "21.35 ± 0.68" would say that 22 may be passed, and the interval ends before.
