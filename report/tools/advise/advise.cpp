@@ -52,15 +52,17 @@ constexpr const char* kAdviseNotes =
     "much more light would meet them, if any does.\n"
     "--packages looks for the lamp packages of least installed power that are enough, among all\n"
     "that the project's luminaire types have.\n"
-    "--places and --surfaces follow light backwards from the points that lack it, so that every\n"
-    "free place of a ceiling grid and every surface is known without a run for it. The best three\n"
-    "places, as many together as it takes, and each surface are checked likewise.";
+    "--places, --turns and --surfaces follow light backwards from the points that lack it, so "
+    "that\n"
+    "every free place of a ceiling grid, every way of hanging a luminaire and every surface is\n"
+    "known without a run for it. The best three places and turns, as many together as it takes,\n"
+    "and each surface are checked likewise.";
 
 struct AdviseOptions {
   CheckOptions check;  // of one project
   std::string project;
   std::string scene, write_file;
-  bool has_scene = false, packages = false, places = false, surfaces = false;
+  bool has_scene = false, packages = false, places = false, surfaces = false, turns = false;
   int steps = 100;
   std::vector<DataOutput> outputs;
 };
@@ -318,7 +320,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   }
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
   std::optional<PlacesText> places;  // that are to be written
-  if (options.packages || options.places || options.surfaces) {
+  if (options.packages || options.places || options.surfaces || options.turns) {
     calc::Diagnostics again;
     const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
     if (!loaded) {
@@ -356,6 +358,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
         places = with_places(questions, *advice.rooms.places);
       }
     }
+    if (options.turns) advice.rooms.turns = find_turns(questions);
     if (options.surfaces) advice.rooms.surfaces = find_surfaces(questions);
     if (interrupted()) return kInterrupted;
   }
@@ -434,6 +437,9 @@ Command advise_command() {
        "and which ones can go where everything is met; --write then writes those more, if there\n"
        "are any",
        &options->places},
+      {"--turns", "",
+       "Also which luminaires to turn or tilt, in rooms where no levels meet everything",
+       &options->turns},
       {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
        &options->surfaces}};
   add(command.options,

@@ -1,9 +1,8 @@
 #include "report/tools/advise/find_places.h"
 
-#include "calc/scene/point_filter.h"
 #include "calc/scene/solids.h"
-#include "report/check/room_changes.h"
 #include "report/text/words.h"
+#include "report/tools/advise/room_check.h"
 
 #include <fmt/format.h>
 
@@ -162,20 +161,6 @@ class PlaceSearch {
     return glm::length(a.position_m - b.position_m) >= least_distance_m(a, b);
   }
 
-  // The centre and the corners of its opening lie in the room's air.
-  bool has_room(const calc::PointFilter& filter, const calc::Luminaire& luminaire) const {
-    const glm::dvec3 half = 0.5 * opening_m(luminaire);
-    const glm::dmat3& frame = luminaire.world_from_luminaire;
-    for (const glm::dvec2& corner : {glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(1, -1),
-                                     glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
-      const glm::dvec3 at =
-          luminaire.position_m + frame[0] * (corner.x * half.x) + frame[1] * (corner.y * half.y);
-      const calc::PointStand stand = filter.stand({at, -frame[2], -frame[2]});
-      if (stand.dropped || filter.is_beside_room(at)) return false;
-    }
-    return true;
-  }
-
   void find_free_places() {
     calc::BoundingBox box;
     for (const glm::dvec2& corner : space_.shell->footprint_m) {
@@ -207,7 +192,7 @@ class PlaceSearch {
           const bool is_free =
               std::all_of(space_.luminaires.begin(), space_.luminaires.end(),
                           [&](const calc::Luminaire& other) { return is_apart(place, other); });
-          if (!is_free || !has_room(filter, place)) continue;
+          if (!is_free || !has_room(questions_.project, filter, place)) continue;
           place.group = nearest_group(place);
           candidates_.push_back(std::move(place));
         }
@@ -235,16 +220,6 @@ class PlaceSearch {
                              : type.power_w;
   }
 
-  // Of what lacks (times `more`), on average over the requirements.
-  double share(const std::vector<double>& gain_lx, double more) const {
-    double sum = 0.0;
-    for (std::size_t r = 0; r < asked_.size(); ++r) {
-      const double lack = more * std::max(asked_[r].lack_lx, 1.0e-9);
-      sum += std::clamp(gain_lx[r] / lack, 0.0, 1.0);
-    }
-    return sum / static_cast<double>(asked_.size());
-  }
-
   AdvisedPlace told(const RoomLight& light, std::size_t candidate) const {
     const calc::Luminaire& luminaire = candidates_[candidate];
     AdvisedPlace place;
@@ -260,7 +235,7 @@ class PlaceSearch {
       // The best of many would often be the luckiest: what is sure counts.
       gain_lx.push_back(place.gain_lx.back().low);
     }
-    place.share = share(gain_lx, 1.0);
+    place.share = mended_share(asked_, gain_lx, 1.0);
     return place;
   }
 
@@ -291,20 +266,6 @@ class PlaceSearch {
     return least;
   }
 
-  // Whether the changed project has them where they were meant to be.
-  static bool has_them(const report::SpacePart& room,
-                       const std::vector<check::AddedLuminaire>& added) {
-    return std::all_of(added.begin(), added.end(), [&](const check::AddedLuminaire& one) {
-      return std::any_of(
-          room.luminaires.begin(), room.luminaires.end(), [&](const report::LuminaireMark& mark) {
-            return mark.id == one.id && mark.type_id == one.type && mark.group == one.group &&
-                   glm::length(mark.position_m - one.position_m) < kSamePlace_m &&
-                   glm::length(mark.c0 - one.c0) < kSamePlace_m &&
-                   glm::length(mark.axis - one.axis) < kSamePlace_m;
-          });
-    });
-  }
-
   CheckedPlaces checked(std::vector<AdvisedPlace> places) const {
     CheckedPlaces result;
     std::vector<check::AddedLuminaire> added;
@@ -314,24 +275,9 @@ class PlaceSearch {
                        place.c0, place.axis, place.group});
     }
     result.places = std::move(places);
-    const check::ChangedText changed =
-        check::with_luminaires(questions_.bytes, questions_.file, space_.id, added);
-    result.problem = changed.problem;
-    if (!changed.text) return result;
-    const std::optional<report::ProjectPart> part = questions_.check(*changed.text, result.problem);
-    if (!part) return result;
-    const report::SpacePart& room = part->spaces[part_index_];
-    if (!has_them(room, added)) {
-      result.problem = "the changed project does not have them where they were meant to be";
-      return result;
-    }
-    for (const AskedOfRoom& one : asked_) {
-      result.after.push_back(room.planes[one.plane].findings[one.finding]);
-    }
-    const PassCount count = count_passes(*part, found_.scene);
-    result.passing = count.passing;
-    result.asked = count.asked;
-    result.broken = broken_findings(questions_.part, *part);
+    check_in_room(questions_, part_index_, found_.scene, asked_,
+                  check::with_luminaires(questions_.bytes, questions_.file, space_.id, added),
+                  added, result);
     return result;
   }
 
@@ -360,7 +306,7 @@ class PlaceSearch {
         gain_lx.push_back(least -
                           *std::min_element(asked_[r].value_lx.begin(), asked_[r].value_lx.end()));
       }
-      return share(gain_lx, more);
+      return mended_share(asked_, gain_lx, more);
     };
     std::vector<std::size_t> chosen;
     double now = 0.0;

@@ -20,6 +20,10 @@ bool is_enough(const CheckedPlaces& checked);
 // checked.
 std::vector<RoomSpare> find_spare(const RoomQuestions& questions);
 
+// One for each scene and room with requirements that more light would help and that no levels
+// meet: which of its luminaires to turn or tilt. The best three, and several together, are checked.
+std::vector<RoomTurns> find_turns(const RoomQuestions& questions);
+
 // One for each scene and room with such requirements; without any, of those that are met. Each
 // surface is checked with 0.1 more of reflectance.
 std::vector<RoomSurfaces> find_surfaces(const RoomQuestions& questions);

@@ -57,6 +57,32 @@ struct RoomPlaces {
   std::optional<CheckedPlaces> together;      // as many as it takes, by the same light
 };
 
+// A luminaire that is there, aimed another way.
+struct AdvisedTurn {
+  std::string id;
+  std::size_t luminaire = 0;  // of the room, from 0
+  AdvisedPlace place;         // as it would hang; gains against now, no cost
+  // About its axis, counter-clockwise seen from behind (from above, if it shines down); or its axis
+  // towards the C plane `tilt_to_deg` of its own. Degrees; one of the two is 0.
+  double turn_deg = 0.0, tilt_deg = 0.0, tilt_to_deg = 0.0;
+};
+
+struct CheckedTurns {
+  std::vector<AdvisedTurn> turns;
+  CheckedPlaces check;  // its places are those of the turns
+};
+
+struct RoomTurns {
+  std::string scene, space, space_id;
+  std::string problem;  // why there is no advice; "" = there is
+  std::vector<RoomRequirement> requirements;
+  std::vector<std::string> left_out;      // luminaires that were not looked at, and why
+  std::size_t luminaires = 0, tried = 0;  // that were looked at, and in how many ways together
+  std::size_t passing = 0, asked = 0;     // as of CheckedPlaces, before
+  std::vector<CheckedTurns> best;         // one luminaire; those that mend most
+  std::optional<CheckedTurns> together;   // of several, each as it mends most
+};
+
 struct LighterSurface {
   std::string surface;       // "floor", "ceiling", "walls"
   double reflectance = 0.0;  // by area
@@ -95,6 +121,7 @@ struct RoomAdvice {
   std::optional<std::vector<RoomPlaces>> places;
   std::optional<std::vector<RoomSpare>> spare;  // together with places
   std::optional<std::vector<RoomSurfaces>> surfaces;
+  std::optional<std::vector<RoomTurns>> turns;
 };
 
 std::string render_room_advice_text(const RoomAdvice& advice);

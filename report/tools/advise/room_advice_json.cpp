@@ -79,6 +79,30 @@ JsonKeys checked_keys(const CheckedPlaces& checked) {
            false, is_checked}};
 }
 
+JsonKeys turn_keys(const AdvisedTurn& turn) {
+  return {{"id", turn.id, type_of("string")},
+          {"type", turn.place.type, type_of("string")},
+          {"group", turn.place.group, type_of("string")},
+          {"position_m", vector_json(turn.place.position_m), vector_type()},
+          {"turn_deg", turn.turn_deg,
+           described_key(type_of("number"), "About its axis, counter-clockwise seen from behind.")},
+          {"tilt_deg", turn.tilt_deg,
+           described_key(type_of("number"), "Of its axis, towards a C plane of its own.")},
+          {"tilt_to_deg", turn.tilt_to_deg, described_key(type_of("number"), "That C plane.")},
+          {"c0", vector_json(turn.place.c0), vector_type()},
+          {"axis", vector_json(turn.place.axis), vector_type()},
+          {"share", turn.place.share,
+           described_key(type_of("number"),
+                         "Of what lacks, by the lower ends of gains; losses count against it.")},
+          {"gain_lx", gains_json(turn.place.gain_lx), gains_type("As many as requirements.")}};
+}
+
+JsonKeys checked_turns_keys(const CheckedTurns& checked) {
+  return {{"turns", list_by_keys(checked.turns, turn_keys),
+           list_of_keys(schema_of_keys(turn_keys({})))},
+          report::object_key("check", checked_keys(checked.check))};
+}
+
 JsonKeys spare_luminaire_keys(const SpareLuminaire& one) {
   return {{"id", one.id, type_of("string")},
           {"type", one.type, type_of("string")},
@@ -136,6 +160,24 @@ JsonKeys room_spare_keys(const RoomSpare& room) {
           {"luminaires", list_by_keys(room.luminaires, spare_luminaire_keys),
            described_key(list_of_keys(schema_of_keys(spare_luminaire_keys({}))),
                          "That can go together.")}};
+}
+
+JsonKeys room_turns_keys(const RoomTurns& room) {
+  return {{"scene", room.scene, type_of("string")},
+          {"space", room.space_id, type_of("string")},
+          problem_key(room.problem, "Why there is no advice."),
+          {"requirements", list_by_keys(room.requirements, asked_keys), asked_type()},
+          {"left_out", room.left_out,
+           described_key(text_list(), "Luminaires and requirements that were not looked at.")},
+          {"luminaires", room.luminaires, count_type()},
+          {"tried", room.tried, described_key(count_type(), "Other ways of hanging them.")},
+          {"passing", room.passing, count_type()},
+          {"asked", room.asked, count_type()},
+          {"best", list_by_keys(room.best, checked_turns_keys),
+           described_key(list_of_keys(schema_of_keys(checked_turns_keys({}))), "One of them.")},
+          {"together", object_of_keys(checked_turns_keys(room.together.value_or(CheckedTurns{}))),
+           schema_of_keys(checked_turns_keys({}), "Several, each as it mends most."), false,
+           room.together.has_value()}};
 }
 
 JsonKeys room_surfaces_keys(const RoomSurfaces& room) {

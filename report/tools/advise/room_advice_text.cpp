@@ -32,23 +32,25 @@ std::string place_words(const AdvisedPlace& place, bool is_by_flux) {
                      cost_words(place.cost, is_by_flux));
 }
 
-std::string place_check_words(const CheckedPlaces& checked, const RoomPlaces& room) {
+std::string place_check_words(const CheckedPlaces& checked,
+                              const std::vector<RoomRequirement>& requirements,
+                              std::size_t passing_before) {
   if (!checked.problem.empty()) {
     return fmt::format("      not checked: {}\n", report::printable(checked.problem));
   }
   std::string text =
       fmt::format("      checked with other random numbers: {} of {} pass, before {}\n",
-                  checked.passing, checked.asked, room.passing);
-  for (std::size_t r = 0; r < room.requirements.size(); ++r) {
+                  checked.passing, checked.asked, passing_before);
+  for (std::size_t r = 0; r < requirements.size(); ++r) {
     const std::string gain =
         checked.places.size() == 1
             ? fmt::format(" (expected to add {}{})",
                           report::format_measured(checked.places.front().gain_lx[r], "lx"),
-                          points_words(room.requirements[r]))
+                          points_words(requirements[r]))
             : "";
-    text += fmt::format("        {}: {}, now {}{}, {}\n", asked_on_plane(room.requirements[r]),
-                        value_words(checked.after[r]), value_words(room.requirements[r].before),
-                        gain, calc::name_of(checked.after[r].verdict));
+    text += fmt::format("        {}: {}, now {}{}, {}\n", asked_on_plane(requirements[r]),
+                        value_words(checked.after[r]), value_words(requirements[r].before), gain,
+                        calc::name_of(checked.after[r].verdict));
   }
   for (const std::string& one : checked.broken) {
     text += fmt::format("        no longer met: {}\n", report::printable(one));
@@ -77,7 +79,7 @@ std::string places_text(const RoomPlaces& room) {
       room.is_by_flux ? "lumens (the power of a luminaire is not known)" : "watts");
   for (const CheckedPlaces& one : room.best) {
     text += fmt::format("    {}\n", place_words(one.places.front(), room.is_by_flux)) +
-            place_check_words(one, room);
+            place_check_words(one, room.requirements, room.passing);
   }
   if (room.together) {
     double cost = 0.0;
@@ -88,7 +90,41 @@ std::string places_text(const RoomPlaces& room) {
     for (const AdvisedPlace& place : room.together->places) {
       text += fmt::format("      {}\n", place_words(place, room.is_by_flux));
     }
-    text += place_check_words(*room.together, room);
+    text += place_check_words(*room.together, room.requirements, room.passing);
+  }
+  return text + left_out_words(room.left_out);
+}
+
+std::string turn_words(const AdvisedTurn& turn) {
+  const std::string way =
+      turn.tilt_deg == 0.0
+          ? fmt::format("turned by {:g} degrees, counter-clockwise from behind", turn.turn_deg)
+          : fmt::format("tilted by {:g} degrees towards its C{:g}", turn.tilt_deg,
+                        turn.tilt_to_deg);
+  return fmt::format("{} ({}) at {}: {}", report::printable(turn.id),
+                     report::printable(turn.place.type),
+                     report::format_position(turn.place.position_m), way);
+}
+
+std::string turns_text(const RoomTurns& room) {
+  std::string text = room_heading(room.scene, room.space, "which luminaires to turn or tilt");
+  if (!room.problem.empty()) {
+    return text + fmt::format("  None: {}\n", report::printable(room.problem)) +
+           left_out_words(room.left_out);
+  }
+  text += fmt::format("  {} luminaires in {} other ways; the best by what each surely mends:\n",
+                      room.luminaires, room.tried);
+  for (const CheckedTurns& one : room.best) {
+    text += fmt::format("    {}\n", turn_words(one.turns.front())) +
+            place_check_words(one.check, room.requirements, room.passing);
+  }
+  if (room.together) {
+    text += fmt::format("    {} together{}:\n", room.together->turns.size(),
+                        room.together->check.broken.empty() ? "" : ", but not all stays met");
+    for (const AdvisedTurn& turn : room.together->turns) {
+      text += fmt::format("      {}\n", turn_words(turn));
+    }
+    text += place_check_words(room.together->check, room.requirements, room.passing);
   }
   return text + left_out_words(room.left_out);
 }
@@ -151,6 +187,12 @@ std::string render_room_advice_text(const RoomAdvice& advice) {
   }
   if (advice.spare) {
     for (const RoomSpare& room : *advice.spare) text += "\n" + spare_text(room);
+  }
+  if (advice.turns) {
+    if (advice.turns->empty()) {
+      text += "\nNo luminaire was turned: no requirement lacks light that levels do not give.\n";
+    }
+    for (const RoomTurns& room : *advice.turns) text += "\n" + turns_text(room);
   }
   if (advice.surfaces) {
     if (advice.surfaces->empty()) {

@@ -239,6 +239,14 @@ calc::Estimate RoomLight::gain_lx(const AskedOfRoom& asked, std::size_t luminair
   });
 }
 
+calc::Estimate RoomLight::gain_instead_lx(const AskedOfRoom& asked, std::size_t luminaire,
+                                          std::size_t of) const {
+  return grown(asked, [&](std::size_t batch, std::size_t target) {
+    return weight(asked, luminaire) * light_.total_lx(batch, target, luminaire) -
+           weight(asked, of) * light_.total_lx(batch, target, of);
+  });
+}
+
 std::vector<double> RoomLight::added_lx(const AskedOfRoom& asked, std::size_t luminaire) const {
   std::vector<double> lx(asked.value_lx.size());
   for (std::size_t i = 0; i < lx.size(); ++i) {

@@ -65,6 +65,9 @@ class RoomLight {
   // By how much the requirement's value grows with this luminaire; the interval holds at the run's
   // confidence.
   calc::Estimate gain_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
+  // Likewise with this luminaire in place of another one; what both owe to the same paths cancels.
+  calc::Estimate gain_instead_lx(const AskedOfRoom& asked, std::size_t luminaire,
+                                 std::size_t of) const;
   // What it adds to each of the requirement's values, see AskedOfRoom::value_lx.
   std::vector<double> added_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
   // What a surface adds, lit by all of the luminaires; is_slope: by what it begins with.

@@ -1,0 +1,74 @@
+#include "report/tools/advise/room_check.h"
+
+#include "report/tools/advise/findings.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace cli {
+namespace {
+
+constexpr double kSamePlace_m = 1.0e-6;
+
+// Whether the changed project has them where they were meant to be.
+bool has_them(const report::SpacePart& room, const std::vector<check::AddedLuminaire>& added) {
+  return std::all_of(added.begin(), added.end(), [&](const check::AddedLuminaire& one) {
+    return std::any_of(
+        room.luminaires.begin(), room.luminaires.end(), [&](const report::LuminaireMark& mark) {
+          return mark.id == one.id && mark.type_id == one.type && mark.group == one.group &&
+                 glm::length(mark.position_m - one.position_m) < kSamePlace_m &&
+                 glm::length(mark.c0 - one.c0) < kSamePlace_m &&
+                 glm::length(mark.axis - one.axis) < kSamePlace_m;
+        });
+  });
+}
+
+}  // namespace
+
+double mended_share(const std::vector<AskedOfRoom>& asked, const std::vector<double>& gain_lx,
+                    double more, double least) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < asked.size(); ++r) {
+    const double lack = more * std::max(asked[r].lack_lx, 1.0e-9);
+    sum += std::clamp(gain_lx[r] / lack, least, 1.0);
+  }
+  return sum / static_cast<double>(asked.size());
+}
+
+bool has_room(const calc::Project& project, const calc::PointFilter& filter,
+              const calc::Luminaire& luminaire) {
+  const glm::dvec3 half =
+      0.5 * project.webs[project.luminaire_types[luminaire.type].web].opening().size_m();
+  const glm::dmat3& frame = luminaire.world_from_luminaire;
+  for (const glm::dvec2& corner : {glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(1, -1),
+                                   glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
+    const glm::dvec3 at =
+        luminaire.position_m + frame[0] * (corner.x * half.x) + frame[1] * (corner.y * half.y);
+    const calc::PointStand stand = filter.stand({at, -frame[2], -frame[2]});
+    if (stand.dropped || filter.is_beside_room(at)) return false;
+  }
+  return true;
+}
+
+void check_in_room(const RoomQuestions& questions, std::size_t part_index, const std::string& scene,
+                   const std::vector<AskedOfRoom>& asked, const check::ChangedText& changed,
+                   const std::vector<check::AddedLuminaire>& added, CheckedPlaces& result) {
+  result.problem = changed.problem;
+  if (!changed.text) return;
+  const std::optional<report::ProjectPart> part = questions.check(*changed.text, result.problem);
+  if (!part) return;
+  const report::SpacePart& room = part->spaces[part_index];
+  if (!has_them(room, added)) {
+    result.problem = "the changed project does not have them where they were meant to be";
+    return;
+  }
+  for (const AskedOfRoom& one : asked) {
+    result.after.push_back(room.planes[one.plane].findings[one.finding]);
+  }
+  const PassCount count = count_passes(*part, scene);
+  result.passing = count.passing;
+  result.asked = count.asked;
+  result.broken = broken_findings(questions.part, *part);
+}
+
+}  // namespace cli
