@@ -8,7 +8,7 @@
 namespace cli {
 namespace {
 
-constexpr double kSamePlace_m = 1.0e-6;
+constexpr double kMeantPlace_m = 1.0e-6;
 
 // Whether the changed project has them where they were meant to be.
 bool has_them(const report::SpacePart& room, const std::vector<check::AddedLuminaire>& added) {
@@ -16,9 +16,9 @@ bool has_them(const report::SpacePart& room, const std::vector<check::AddedLumin
     return std::any_of(
         room.luminaires.begin(), room.luminaires.end(), [&](const report::LuminaireMark& mark) {
           return mark.id == one.id && mark.type_id == one.type && mark.group == one.group &&
-                 glm::length(mark.position_m - one.position_m) < kSamePlace_m &&
-                 glm::length(mark.c0 - one.c0) < kSamePlace_m &&
-                 glm::length(mark.axis - one.axis) < kSamePlace_m;
+                 glm::length(mark.position_m - one.position_m) < kMeantPlace_m &&
+                 glm::length(mark.c0 - one.c0) < kMeantPlace_m &&
+                 glm::length(mark.axis - one.axis) < kMeantPlace_m;
         });
   });
 }
