@@ -267,6 +267,69 @@ def room(luminaires, types="", more="", head="", plane='<require quantity="avera
 """
 
 
+def turns(luxgate, examples, work):
+    """Luminaires aimed another way, against a run for each way that is said to mend something."""
+    for name in ("wallwasher.ies", "spot_8deg.ies"):
+        shutil.copy(os.path.join(examples, "07-spot-and-wall-washer", "photometry", name), work)
+    types = '<luminaire-type id="w" photometry="wallwasher.ies" power-w="30"/>' \
+            '<luminaire-type id="s" photometry="spot_8deg.ies" power-w="9"/>'
+    hung = '<luminaire id="A" type="w" position="2.5 2 2.3" rotation="160"/>' \
+           '<luminaire-line id="B" type="w" from="1 0 2.3" to="5 0 2.3" count="2" rotation="20"/>' \
+           '<luminaire id="S" type="s" position="3.8 1.6 2.2"/>'.replace("0 2.3", "1 2.3")
+    plane = 'origin="4 0.5 0.75" u="1.5 0 0" v="0 3 0" count="4 6"'
+    text = room(hung, types, 'size="6 4 2.8"', plane='<require id="mean" quantity="average" at-least="2000"/>'
+                '<require id="low" quantity="minimum" at-least="900"/>').replace("PLANE", plane)
+    path = write(os.path.join(work, "turns.xml"), text)
+    code, advice, told = advise(luxgate, path, "--turns", "--tolerance", "0.005")
+    expect(code == 1 and len(advice["turns"]) == 1, f"turns: {code} {told}")
+    found = advice["turns"][0]
+    expect(found["luminaires"] == 4 and len(found["best"]) == 3, f"four luminaires: {found.get('problem')}")
+    shares = [one["share"] for one in found["turns"]]
+    expect(shares == sorted(shares, reverse=True) and shares[-1] >= 0.01, f"the best first: {shares}")
+    expect(not [one for one in found["turns"] if one["id"] == "S" and one["turn_deg"]],
+           "a spot that is the same all around is not turned about its axis")
+    expect({one["id"] for one in found["turns"]} >= {"A", "S"}, f"both kinds can mend: {found['turns']}")
+    before = findings(luxgate, path, "--seed", "5", "--goal", "accuracy", "--tolerance", "0.005")[1]
+    where = {"A": '<luminaire id="A" type="w" position="2.5 2 2.3" rotation="160"/>',
+             "S": '<luminaire id="S" type="s" position="3.8 1.6 2.2"/>'}
+    compared = 0
+    for one in found["turns"]:
+        if one["id"] not in where:
+            continue
+        changed = (f'<luminaire id="{one["id"]}" type="{one["type"]}" position="{numbers(one["position_m"])}" '
+                   f'axis="{numbers(one["axis"])}" c0="{numbers(one["c0"])}"/>')
+        expect(where[one["id"]] in text, "the luminaire is in the text")
+        trial = write(os.path.join(work, "turned.xml"), text.replace(where[one["id"]], changed))
+        after = findings(luxgate, trial, "--seed", "6", "--goal", "accuracy", "--tolerance", "0.005")[1]
+        for number, asked in enumerate(found["requirements"]):
+            name = asked["plane"], asked["id"]
+            gain, was, is_now = one["gain_lx"][number], before[name], after[name]
+            difference = is_now["value"] - was["value"]
+            off = sum(((x["high"] - x["low"]) / 2) ** 2 for x in (gain, was, is_now)) ** 0.5
+            # What is the least point after may be none of those that light was followed from.
+            is_followed = asked["points"] == 0 or asked["points"] == asked["of_points"]
+            expect(abs(gain["value"] - difference) <= 1.4 * off or (not is_followed and difference <= gain["high"] + off),
+                   f"{one['id']} {one['turn_deg']} {one['tilt_deg']} {name}: {gain} by paths, {difference} by runs")
+        compared += 1
+    expect(compared > 3, f"several ways were compared: {compared}")
+    print(f"turns: {len(found['turns'])} of {found['tried']} ways mend something, {compared} against runs")
+    for best in found["best"] + [found["together"]] * ("together" in found):
+        expect(best["check"]["is_checked"], f"the best are checked: {best['check'].get('problem')}")
+    together = found.get("together")
+    expect(together and len({(one["id"]) for one in together["turns"]}) == len(together["turns"]) > 1,
+           f"several together, each once: {together and together['turns']}")
+    gains = [sum(one["gain_lx"][0]["value"] for one in together["turns"]),
+             together["check"]["after"][0]["value"] - found["requirements"][0]["before"]["value"]]
+    expect(abs(gains[0] / gains[1] - 1) < 0.05, f"gains of several add up: {gains}")
+    # A ceiling in which nothing can be tilted: what is above it is no place.
+    low = room('<luminaire id="A" type="t" position="3 2 2.799"/>', "", 'size="6 4 2.8"').replace("PLANE", plane)
+    _, advice, _ = advise(luxgate, write(os.path.join(work, "ceiling.xml"), low), "--turns")
+    ways = advice["turns"][0]
+    expect(ways["tried"] == 7, f"at the ceiling it is turned, and not tilted: {ways['tried']}")
+    done = run(luxgate, "advise", path, "--turns", "--quiet")
+    expect("which luminaires to turn or tilt" in done.stdout and "towards its C" in done.stdout, done.stdout)
+
+
 def cases(luxgate, examples, work):
     shutil.copy(os.path.join(examples, "04-office", "photometry", "batwing_1200.ies"), work)
     metres = 'height="0.75" margin="0.5"'
@@ -341,6 +404,7 @@ def main():
     office(luxgate, examples, work, count)
     spare(luxgate, examples, work)
     surfaces(luxgate, work)
+    turns(luxgate, examples, work)
     cases(luxgate, examples, work)
     return 1 if failures else 0
 

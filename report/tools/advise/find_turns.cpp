@@ -75,15 +75,15 @@ class TurnSearch {
     const RoomLight light(questions_, space_, found_.scene, asked_, candidates_, {});
     found_.problem = light.problem();
     if (!found_.problem.empty()) return told();
-    const std::vector<AdvisedTurn> turns = ranked(light);
-    if (turns.empty()) {
+    found_.turns = ranked(light);
+    if (found_.turns.empty()) {
       found_.problem = "no other way of hanging one of them surely mends a hundredth of what lacks";
       return told();
     }
-    for (std::size_t t = 0; t < std::min(kMostTriedByRun, turns.size()); ++t) {
-      found_.best.push_back(checked({turns[t]}));
+    for (std::size_t t = 0; t < std::min(kMostTriedByRun, found_.turns.size()); ++t) {
+      found_.best.push_back(checked({found_.turns[t]}));
     }
-    std::vector<AdvisedTurn> several = together(turns);
+    std::vector<AdvisedTurn> several = together(found_.turns);
     if (several.size() > 1) found_.together = checked(std::move(several));
     return told();
   }

@@ -79,6 +79,7 @@ struct RoomTurns {
   std::vector<std::string> left_out;      // luminaires that were not looked at, and why
   std::size_t luminaires = 0, tried = 0;  // that were looked at, and in how many ways together
   std::size_t passing = 0, asked = 0;     // as of CheckedPlaces, before
+  std::vector<AdvisedTurn> turns;         // that surely mend something, best first
   std::vector<CheckedTurns> best;         // one luminaire; those that mend most
   std::optional<CheckedTurns> together;   // of several, each as it mends most
 };
