@@ -195,7 +195,7 @@ std::string render_advice_html(const Advice& advice) {
     for (const RoomPlaces& room : *advice.rooms.places) html += places_html(room);
   }
   if (const std::string text = render_room_advice_text(advice.rooms); !text.empty()) {
-    html += "<h2>Places and surfaces in words</h2>\n" + same_text(text);
+    html += "<h2>Places, turns and surfaces in words</h2>\n" + same_text(text);
   }
   return html + report::tool_page_end("luxgate advise");
 }
