@@ -425,8 +425,9 @@ Command advise_command() {
       {"--steps", "N", "Levels are multiples of 1/N, from 1 to 1000; default 100",
        whole_number(options->steps, 1, 1000)},
       {"--write", "FILE",
-       "Write the project with the levels that were found, for --against or compare; in the\n"
-       "folder of the project. What is asked of full output is then asked of a new scene",
+       "Write the project with the levels that were found (or packages, or places: see there),\n"
+       "for --against or compare; in the folder of the project. What is asked of full output is\n"
+       "then asked of a new scene",
        some_text(options->write_file)},
       {"--packages", "",
        "Also which lamp packages of the luminaire types (<package> in the project) are enough;\n"
