@@ -489,8 +489,7 @@ std::vector<rules::Finding> judged_by_light(const report::PlanePart& plane, cons
   std::vector<rules::Requirement> requirements;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& requirement = finding.requirement;
-    if (rules::counts(rules::outcome_of(finding)) && !requirement.any_one_unit_out &&
-        is_of_points(requirement)) {
+    if (rules::counts(rules::outcome_of(finding)) && is_judged_by_light(requirement)) {
       requirements.push_back(requirement);
     }
   }

@@ -228,8 +228,12 @@ class PackageSearch {
     }
   }
 
-  // With the levels of now, by the same light: what does not pass first, in words; "" = all does.
-  std::string not_met_now() const {
+  struct NotMet {
+    std::string scene, words;
+  };
+  // With the levels of now, by the same light.
+  std::vector<NotMet> not_met_now() const {
+    std::vector<NotMet> all;
     for (const report::SpacePart& space : questions_.part.spaces) {
       for (const report::PlanePart& plane : space.planes) {
         const auto light = scaled_.find(plane.id);
@@ -237,17 +241,18 @@ class PackageSearch {
         for (const rules::Finding& finding : judged_by_light(
                  plane, light->second, questions_.project.scenes, questions_.confidence)) {
           if (finding.verdict == rules::Verdict::pass) continue;
-          return fmt::format("{}, {}: {}, {}", report::title_of(space.name, space.id),
-                             report::title_of(plane.name, plane.id),
-                             asked_words(finding.requirement), value_words(finding));
+          all.push_back({finding.requirement.scene,
+                         fmt::format("{}, {}: {}, {}", report::title_of(space.name, space.id),
+                                     report::title_of(plane.name, plane.id),
+                                     asked_words(finding.requirement), value_words(finding))});
         }
       }
     }
-    return "";
+    return all;
   }
 
   bool is_good(const Combination& one, std::size_t& checked) {
-    const std::string not_met = not_met_now();
+    const std::vector<NotMet> not_met = not_met_now();
     calc::Diagnostics diagnostics;
     std::map<std::string, std::string> articles;
     for (std::size_t t = 0; t < types_.size(); ++t) {
@@ -258,17 +263,22 @@ class PackageSearch {
         check::with_packages(questions_.bytes, questions_.file, articles, diagnostics);
     if (!text) return false;  // it has been read before
     if (not_met.empty() && is_confirmed(*text, {}, checked)) return true;
-    const std::vector<SceneAdvice> scenes = other_levels(*text);
+    const std::vector<SceneAdvice> scenes = other_levels(*text, not_met);
     if (!scenes.empty() && is_confirmed(*text, scenes, checked)) return true;
-    found_.next_below = not_met.empty() ? "the check does not pass: " + why_not_checked_ : not_met;
+    found_.next_below =
+        not_met.empty() ? "the check does not pass: " + why_not_checked_ : not_met.front().words;
     return false;
   }
 
   // For scenes in which something is not met with the levels of now; empty: there are none.
-  std::vector<SceneAdvice> other_levels(const std::string& text) {
+  std::vector<SceneAdvice> other_levels(const std::string& text,
+                                        const std::vector<NotMet>& not_met) {
     std::vector<SceneAdvice> scenes;
     for (const SceneAdvice& scene : questions_.scenes) {
-      if (is_met_now(scene.scene)) continue;
+      if (std::none_of(not_met.begin(), not_met.end(),
+                       [&](const NotMet& one) { return one.scene == scene.scene; })) {
+        continue;
+      }
       AdviceSettings one = settings_;
       one.is_one_scene = true;
       one.scene = scene.scene;
@@ -278,22 +288,6 @@ class PackageSearch {
       scenes.push_back(std::move(found.front()));
     }
     return scenes;
-  }
-
-  bool is_met_now(const std::string& scene) const {
-    for (const report::SpacePart& space : questions_.part.spaces) {
-      for (const report::PlanePart& plane : space.planes) {
-        const auto light = scaled_.find(plane.id);
-        if (light == scaled_.end() || !light->second.field.problem.empty()) continue;
-        for (const rules::Finding& finding : judged_by_light(
-                 plane, light->second, questions_.project.scenes, questions_.confidence)) {
-          if (finding.requirement.scene == scene && finding.verdict != rules::Verdict::pass) {
-            return false;
-          }
-        }
-      }
-    }
-    return true;
   }
 
   // By other random numbers.
@@ -316,9 +310,7 @@ class PackageSearch {
     }
     for (const FindingPlace& where : counted_findings(*part)) {
       const rules::Finding& finding = finding_at(*part, where);
-      const rules::Requirement& requirement = finding.requirement;
-      if (finding.verdict != rules::Verdict::pass && !requirement.any_one_unit_out &&
-          is_of_points(requirement)) {
+      if (finding.verdict != rules::Verdict::pass && is_judged_by_light(finding.requirement)) {
         why_not_checked_ =
             fmt::format("{} ({})", finding_words(*part, where), calc::name_of(finding.verdict));
         return false;

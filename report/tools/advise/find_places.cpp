@@ -162,11 +162,7 @@ class PlaceSearch {
   }
 
   void find_free_places() {
-    calc::BoundingBox box;
-    for (const glm::dvec2& corner : space_.shell->footprint_m) {
-      box.add({corner.x, corner.y, space_.shell->floor_z_m});
-      box.add({corner.x, corner.y, space_.shell->floor_z_m + space_.shell->height_m});
-    }
+    const calc::BoundingBox box = box_of(space_);
     const glm::dvec2 size_m(box.upper - box.lower);
     const double wanted_m =
         std::sqrt(size_m.x * size_m.y * static_cast<double>(mountings_.size()) / kMostCells);

@@ -1,6 +1,6 @@
-#include "report/check/room_changes.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_places.h"
+#include "report/tools/advise/room_check.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
@@ -173,31 +173,12 @@ class SpareSearch {
     return gone;
   }
 
-  // The elements that place them are replaced by those of their luminaires that stay.
   bool is_confirmed(const std::vector<std::size_t>& gone) {
-    const auto is_gone = [&](std::size_t l) {
-      return std::find(gone.begin(), gone.end(), l) != gone.end();
-    };
-    std::vector<calc::SourceLocation> elements;
-    const auto is_replaced = [&](const calc::SourceLocation& where) {
-      return std::any_of(elements.begin(), elements.end(), [&](const calc::SourceLocation& one) {
-        return one.file == where.file && one.line == where.line && one.column == where.column;
-      });
-    };
-    for (const std::size_t l : gone) {
-      const calc::SourceLocation& where = space_.luminaires[l].where;
-      if (!is_replaced(where)) elements.push_back(where);
-    }
-    std::vector<check::AddedLuminaire> kept;
-    for (std::size_t l = 0; l < space_.luminaires.size(); ++l) {
-      const calc::Luminaire& one = space_.luminaires[l];
-      if (!is_replaced(one.where) || is_gone(l)) continue;
-      kept.push_back({unused_luminaire_id(questions_.project, fmt::format("kept-{}", l + 1)),
-                      type_of(one).id, one.position_m, one.world_from_luminaire[0],
-                      -one.world_from_luminaire[2], one.group});
-    }
+    std::map<std::size_t, std::optional<AdvisedPlace>> without;
+    for (const std::size_t l : gone) without[l] = std::nullopt;
+    const OneByOne left = one_by_one(questions_, space_, without);
     const check::ChangedText changed = check::with_luminaires_instead(
-        questions_.bytes, questions_.file, space_.id, elements, kept);
+        questions_.bytes, questions_.file, space_.id, left.elements, left.luminaires);
     found_.problem = changed.problem;
     if (!changed.text) return false;
     const auto part = questions_.check(*changed.text, found_.problem);

@@ -7,9 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -37,7 +37,7 @@ std::vector<Way> all_ways() {
   return ways;
 }
 
-// Columns C0, C90 and backwards, all to 1 / -1 again.
+// frame: its columns are C0, C90 and backwards.
 glm::dmat3 turned(const glm::dmat3& frame, const Way& way) {
   const auto rotated = [&](const glm::dmat3& matrix, double degrees, const glm::dvec3& about) {
     return glm::dmat3(glm::rotate(glm::dmat4(1.0), calc::radians_from_degrees(degrees), about)) *
@@ -122,12 +122,7 @@ class TurnSearch {
       found_.problem = fmt::format("only rooms of up to {} luminaires are looked at", kMostTurned);
       return;
     }
-    calc::BoundingBox box;
-    for (const glm::dvec2& corner : space_.shell->footprint_m) {
-      box.add({corner.x, corner.y, space_.shell->floor_z_m});
-      box.add({corner.x, corner.y, space_.shell->floor_z_m + space_.shell->height_m});
-    }
-    const calc::PointFilter filter(space_, calc::ReceiverKernel::planar, box);
+    const calc::PointFilter filter(space_, calc::ReceiverKernel::planar, box_of(space_));
     std::set<std::string> refused;
     for (std::size_t l = 0; l < space_.luminaires.size(); ++l) {
       const calc::Luminaire& luminaire = space_.luminaires[l];
@@ -214,39 +209,18 @@ class TurnSearch {
     return chosen;
   }
 
-  // The elements that place them are replaced by luminaires one by one.
   CheckedTurns checked(std::vector<AdvisedTurn> turns) const {
     CheckedTurns result;
-    std::vector<calc::SourceLocation> elements;
-    const auto is_replaced = [&](const calc::SourceLocation& where) {
-      return std::any_of(elements.begin(), elements.end(), [&](const calc::SourceLocation& one) {
-        return one.file == where.file && one.line == where.line && one.column == where.column;
-      });
-    };
+    std::map<std::size_t, std::optional<AdvisedPlace>> changed;
     for (const AdvisedTurn& turn : turns) {
-      const calc::SourceLocation& where = space_.luminaires[turn.luminaire].where;
-      if (!is_replaced(where)) elements.push_back(where);
+      changed[turn.luminaire] = turn.place;
       result.check.places.push_back(turn.place);
     }
-    std::vector<check::AddedLuminaire> instead;
-    for (std::size_t l = 0; l < space_.luminaires.size(); ++l) {
-      const calc::Luminaire& one = space_.luminaires[l];
-      if (!is_replaced(one.where)) continue;
-      const auto turn = std::find_if(turns.begin(), turns.end(), [&](const AdvisedTurn& known) {
-        return known.luminaire == l;
-      });
-      const bool is_turned = turn != turns.end();
-      instead.push_back(
-          {unused_luminaire_id(questions_.project,
-                               fmt::format("{}-{}", is_turned ? "turned" : "kept", l + 1)),
-           type_of(one).id, one.position_m,
-           is_turned ? turn->place.c0 : one.world_from_luminaire[0],
-           is_turned ? turn->place.axis : -one.world_from_luminaire[2], one.group});
-    }
+    const OneByOne other = one_by_one(questions_, space_, changed);
     check_in_room(questions_, part_index_, found_.scene, asked_,
                   check::with_luminaires_instead(questions_.bytes, questions_.file, space_.id,
-                                                 elements, instead),
-                  instead, result.check);
+                                                 other.elements, other.luminaires),
+                  other.luminaires, result.check);
     result.turns = std::move(turns);
     return result;
   }

@@ -46,6 +46,10 @@ PassCount count_all(const report::ProjectPart& part) {
   return count;
 }
 
+bool is_judged_by_light(const rules::Requirement& requirement) {
+  return !requirement.any_one_unit_out && is_of_points(requirement);
+}
+
 std::vector<std::string> broken_findings(const report::ProjectPart& before,
                                          const report::ProjectPart& after) {
   std::vector<std::string> broken;

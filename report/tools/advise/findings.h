@@ -26,6 +26,9 @@ std::string finding_words(const report::ProjectPart& part, const FindingPlace& w
 // Values of points are judged anew from their light; what is of the space needs the project.
 bool is_of_points(const rules::Requirement& requirement);
 
+// Likewise, and from the light of all luminaires together.
+bool is_judged_by_light(const rules::Requirement& requirement);
+
 // How many of those that count pass.
 struct PassCount {
   std::size_t passing = 0, asked = 0;

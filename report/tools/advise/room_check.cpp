@@ -2,8 +2,9 @@
 
 #include "report/tools/advise/findings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
 
 namespace cli {
 namespace {
@@ -48,6 +49,43 @@ bool has_room(const calc::Project& project, const calc::PointFilter& filter,
     if (stand.dropped || filter.is_beside_room(at)) return false;
   }
   return true;
+}
+
+calc::BoundingBox box_of(const calc::Space& room) {
+  calc::BoundingBox box;
+  for (const glm::dvec2& corner : room.shell->footprint_m) {
+    box.add({corner.x, corner.y, room.shell->floor_z_m});
+    box.add({corner.x, corner.y, room.shell->floor_z_m + room.shell->height_m});
+  }
+  return box;
+}
+
+OneByOne one_by_one(const RoomQuestions& questions, const calc::Space& room,
+                    const std::map<std::size_t, std::optional<AdvisedPlace>>& changed) {
+  OneByOne result;
+  const auto is_replaced = [&](const calc::SourceLocation& where) {
+    return std::any_of(
+        result.elements.begin(), result.elements.end(), [&](const calc::SourceLocation& one) {
+          return one.file == where.file && one.line == where.line && one.column == where.column;
+        });
+  };
+  for (const auto& [luminaire, place] : changed) {
+    const calc::SourceLocation& where = room.luminaires[luminaire].where;
+    if (!is_replaced(where)) result.elements.push_back(where);
+  }
+  for (std::size_t l = 0; l < room.luminaires.size(); ++l) {
+    const calc::Luminaire& one = room.luminaires[l];
+    const auto other = changed.find(l);
+    const bool is_other = other != changed.end();
+    if (!is_replaced(one.where) || (is_other && !other->second)) continue;
+    result.luminaires.push_back(
+        {unused_luminaire_id(questions.project,
+                             fmt::format("{}-{}", is_other ? "changed" : "kept", l + 1)),
+         questions.project.luminaire_types[one.type].id, one.position_m,
+         is_other ? other->second->c0 : one.world_from_luminaire[0],
+         is_other ? other->second->axis : -one.world_from_luminaire[2], one.group});
+  }
+  return result;
 }
 
 void check_in_room(const RoomQuestions& questions, std::size_t part_index, const std::string& scene,

@@ -7,6 +7,8 @@
 #include "report/tools/advise/room_light.h"
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,18 @@ double mended_share(const std::vector<AskedOfRoom>& asked, const std::vector<dou
 // The centre and the corners of its opening lie in the room's air.
 bool has_room(const calc::Project& project, const calc::PointFilter& filter,
               const calc::Luminaire& luminaire);
+
+// Of the room from floor to ceiling; it has a shell.
+calc::BoundingBox box_of(const calc::Space& room);
+
+// Elements of the text that place several luminaires, and what takes their place: luminaires one by
+// one. changed: by their numbers in the room, from 0; without a place they are gone.
+struct OneByOne {
+  std::vector<calc::SourceLocation> elements;
+  std::vector<check::AddedLuminaire> luminaires;
+};
+OneByOne one_by_one(const RoomQuestions& questions, const calc::Space& room,
+                    const std::map<std::size_t, std::optional<AdvisedPlace>>& changed);
 
 // The project with another text, checked with other random numbers; `added`, to 1e-6, must be
 // luminaires of the room then. Findings of `asked`, passes of the scene and what is broken go to
