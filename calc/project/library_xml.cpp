@@ -134,8 +134,7 @@ std::vector<LampPackage> read_packages(const ProjectContext& context, const XmlE
 // The package that the type takes.
 void choose_package(ElementReader& reader, LuminaireType& type) {
   if (!reader.has(kPackageName)) return;
-  reader.exclude(kPackageName, "flux-lm");
-  reader.exclude(kPackageName, "power-w");
+  for (const std::string_view other : kReplacedByPackage) reader.exclude(kPackageName, other);
   const std::string article = reader.text(kPackageName);
   if (article.empty()) return;
   Names known;

@@ -372,22 +372,31 @@ void warn_efficacies(const Project& project, Diagnostics& diagnostics) {
   for (const Space& space : project.spaces) {
     for (const Luminaire& luminaire : space.luminaires) used.insert(luminaire.type);
   }
-  std::vector<const LuminaireType*> unusual;
-  const auto flux_lm = [&project](const LuminaireType& type) {
-    return luminaire_flux_lm(project, type);
+  struct Efficacy {
+    const LuminaireType* type = nullptr;
+    std::string name;  // within the quotes of the message
+    double flux_lm = 0.0, power_w = 0.0;
+    double lm_w() const { return flux_lm / power_w; }
+  };
+  std::vector<Efficacy> unusual;
+  const auto look_at = [&](const Efficacy& one) {
+    if (!(one.power_w > 0.0)) return;
+    if (one.lm_w() < kLowest_lm_w || one.lm_w() > kHighest_lm_w) unusual.push_back(one);
   };
   for (const std::size_t index : used) {
     const LuminaireType& type = project.luminaire_types[index];
-    if (!(type.power_w > 0.0)) continue;
-    const double efficacy_lm_w = flux_lm(type) / type.power_w;
-    if (efficacy_lm_w < kLowest_lm_w || efficacy_lm_w > kHighest_lm_w) unusual.push_back(&type);
+    look_at({&type, type.id, luminaire_flux_lm(project, type), type.power_w});
+    for (std::size_t p = 0; p < type.packages.size(); ++p) {
+      if (p == type.package) continue;
+      const LampPackage& package = type.packages[p];
+      look_at({&type, fmt::format("{}' with '{}", type.id, package.article), package.flux_lm,
+               package.power_w});
+    }
   }
-  warn_of_first_few<const LuminaireType*>(
-      unusual, "types", [&](const LuminaireType* type, const std::string& more) {
-        diagnostics.report(DiagnosticId::efficacy_unusual, type->where, type->id, more,
-                           flux_lm(*type), type->power_w, flux_lm(*type) / type->power_w,
-                           kLowest_lm_w, kHighest_lm_w);
-      });
+  warn_of_first_few<Efficacy>(unusual, "types", [&](const Efficacy& one, const std::string& more) {
+    diagnostics.report(DiagnosticId::efficacy_unusual, one.type->where, one.name, more, one.flux_lm,
+                       one.power_w, one.lm_w(), kLowest_lm_w, kHighest_lm_w);
+  });
 }
 
 void warn_luminaires(const Project& project, const Space& space, Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 
 #include "calc/base/element_table.h"
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,8 @@ extern const ElementRow kBuildingElement;
 // Of a luminaire type: the element, and the attribute that takes one of them by its article.
 inline constexpr std::string_view kPackageName = "package", kArticleName = "article";
 extern const ElementRow kPackageElement;
+// Attributes of the type that the package takes the place of.
+inline constexpr std::array<std::string_view, 2> kReplacedByPackage{"flux-lm", "power-w"};
 
 // Everything that can stand in a room, in the open space or in an assembly.
 extern const ElementGroup kObjects;

@@ -22,7 +22,7 @@ std::optional<std::string> with_packages(const std::string& bytes, const std::st
     if (type.name != "luminaire-type" || id == nullptr) continue;
     const auto package = article_of_type.find(id->value);
     if (package == article_of_type.end()) continue;
-    for (const std::string_view replaced : {"flux-lm", "power-w"}) change.unset(type, replaced);
+    for (const std::string_view other : calc::kReplacedByPackage) change.unset(type, other);
     change.set(type, calc::kPackageName, package->second);
   }
   return change.apply();

@@ -16,7 +16,10 @@ namespace {
 
 using calc::XmlElement;
 
-std::string vector_words(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+// No "-0".
+std::string vector_words(const glm::dvec3& v) {
+  return fmt::format("{} {} {}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
 
 // A file that has been read before, so that what is wrong with it is a surprise.
 struct RoomOfText {

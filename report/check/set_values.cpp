@@ -180,6 +180,13 @@ std::optional<std::string> changed_text(std::string text, const XmlElement& root
       change.set(*place->element, attribute, value.value);
     }
   }
+  // Unless somebody sets both, which the reader refuses.
+  for (const auto& [set, path] : taken) {
+    if (set.second != calc::kPackageName) continue;
+    for (const std::string_view replaced : calc::kReplacedByPackage) {
+      if (!taken.contains({set.first, replaced})) change.unset(*set.first, replaced);
+    }
+  }
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return change.apply();
 }

@@ -152,6 +152,16 @@ std::string escaped_attribute(std::string_view value) {
       case '\'':
         text += "&apos;";
         break;
+      // As they are, they would be read as blanks.
+      case '\n':
+        text += "&#10;";
+        break;
+      case '\r':
+        text += "&#13;";
+        break;
+      case '\t':
+        text += "&#9;";
+        break;
       default:
         text += c;
     }

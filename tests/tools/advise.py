@@ -343,6 +343,42 @@ def packages(luxgate, work):
     expect(run(luxgate, "check", path[:-4] + "-written.xml", "--seed", "66", "--quiet").returncode == 0,
            "it passes with these levels")
 
+    # Near a limit: what is not told apart is checked, or it is said that it is not excluded.
+    chosen = 0
+    path = case("packages-near", f'<require quantity="average" at-least="{value * 1600 / own / 1.006:.6g}"/>')
+    for seed in ("1", "2", "3", "4"):
+        code, advice, told = advise(luxgate, path, "--packages", "--seed", seed)
+        found = advice["packages"]
+        is_chosen = found["types"][0]["advised"]["article"] == "M-1600"
+        chosen += is_chosen
+        expect(is_chosen or found["not_excluded"] > 0, f"near the limit, seed {seed}: {code} {found} {told}")
+    expect(chosen > 0, "what the light leaves open a check decides")
+
+    # Where nothing is asked nothing gets darker for it, unless the type is one.
+    def with_dark(kind):
+        return (f'<room id="s" origin="20 0 0" size="6 4 2.8" floor="m" ceiling="m" walls="m">'
+                f'<luminaire id="K" type="{kind}" position="3 2 2.79"/></room></luxgate>')
+    dark = f'<luminaire-type id="k" photometry="batwing_1200.ies" power-w="30">{listed}</luminaire-type>'
+    asked = f'<require quantity="average" at-least="{0.9 * value * 1600 / own:.5g}"/>'
+    for kind, elsewhere in (("k", 0), ("t", 1)):
+        path = case("packages-dark", asked)
+        with open(path, encoding="utf-8") as file:
+            changed = file.read().replace("</luxgate>", with_dark(kind)).replace("<room id=\"r\"", dark + "<room id=\"r\"")
+        found = advise(luxgate, write(path, changed), "--packages")[1]["packages"]
+        expect([(one["type"], one["where_nothing_is_asked"]) for one in found["types"]] == [("t", elsewhere)],
+               f"a room in which nothing is asked, type {kind}: {found['types']}")
+
+    # Names are no markup, wherever the block stands.
+    hostile = "a ``` b **d** [x](http://e) &lt;img src=x&gt;"
+    path = case("packages-hostile", asked, types=typed.replace(
+        "/>", f'><package article="{hostile}" flux-lm="1600" power-w="13"/></luminaire-type>'))
+    done = run(luxgate, "advise", path, "--packages", "--quiet", "--format", "markdown")
+    blocks = done.stdout.split("````text\n")
+    expect(len(blocks) == 2 and "**d** [x](http://e) <img src=x>" in blocks[1].split("\n````\n")[0], done.stdout)
+    # --set takes one in place of flux and power.
+    done = run(luxgate, "check", case("packages-set", asked), "--set", "t.package=M-1600", "--quiet")
+    expect(done.returncode == 0, f"--set of a package: {done.stderr}")
+
     path = case("packages-without", '<require quantity="average" at-least="1"/>', types=typed)
     code, advice, told = advise(luxgate, path, "--packages")
     expect(code == 0 and "<package>" in advice["packages"]["problem"], f"no type has packages: {told}")

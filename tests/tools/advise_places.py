@@ -346,6 +346,19 @@ def cases(luxgate, examples, work):
     expect(found["best"][0]["is_checked"], f"in another unit: {found['best'][0].get('problem')}")
     at = found["best"][0]["places"][0]["position_m"]
     expect(10 < at[0] < 16 and -5 < at[1] < -1 and abs(at[2] - 5.79) < 1e-9, f"it hangs in the room: {at}")
+    # A scene that fails now and has levels is not left behind in what is written.
+    text = room('<luminaire id="L" type="t" position="1 2 2.79" group="g"/>', more='size="6 4 2.8"',
+                types='<scene id="s"><dim group="g" level="0.05"/></scene>',
+                plane='<require quantity="average" at-least="150"/>'
+                '<require id="dim" quantity="average" at-least="20" scene="s"/>').replace("PLANE", metres)
+    written = os.path.join(work, "scene-written.xml")
+    path = write(os.path.join(work, "scene.xml"), text)
+    code, advice, told = advise(luxgate, path, "--places", "--write", written)
+    told = advice.get("written", {})
+    expect(code == 1 and told.get("what") == "places" and told["passing"] == told["asked"] == 2 and told["not_met"] == [],
+           f"places and levels are written: {code} {told} {advice['places'][0].get('problem')}")
+    code, measured = findings(luxgate, written, "--seed", "31")
+    expect(code == 0, f"and pass in both scenes: {measured}")
     # A single least point, and all else above: a place over it comes first.
     text = room('<luminaire id="L" type="t" position="1 2 2.79"/>', more='size="6 4 2.8"',
                 plane='<require quantity="minimum" at-least="60"/>').replace("PLANE", metres)

@@ -96,10 +96,11 @@ struct PackageLight {
   double flux_lm = 0.0, power_w = 0.0;
 };
 
-// A luminaire type that is used and has packages.
+// A luminaire type that has packages and hangs in a room in which light is asked for.
 struct AdvisedPackage {
   std::string type;
   std::size_t luminaires = 0;
+  std::size_t where_nothing_is_asked = 0;  // of them: they change as well
   PackageLight now, advised;
 };
 
@@ -110,15 +111,26 @@ struct PackageAdvice {
   // Of all luminaires of these types at full output, W or lm.
   double now = 0.0, advised = 0.0;
   std::size_t combinations = 0;  // of packages and what there is now
+  // Of those that take less: how many are not surely too little. Their levels were not found, the
+  // intervals are too wide, or the check did not pass.
+  std::size_t not_excluded = 0;
   // What the combination next below lacks with the levels of now, in words; "" = there is none.
   std::string next_below;
   // Scenes whose levels change with it; the others keep those of now.
   std::vector<SceneAdvice> scenes;
   // Of all scenes and rooms: now, and in the check with other random numbers.
   std::size_t passing_now = 0, passing = 0, asked = 0;
-  bool is_all_met = false;  // these, and what rule packs make of all together
-  std::string text;         // of the project with all of it
+  bool is_all_met = false;           // these, and what rule packs make of all together
+  std::vector<std::string> not_met;  // with it, what counts, in words
+  std::string text;                  // of the project with all of it
   bool is_as_now() const;
+};
+
+// Of --write: what went into the file, and what a check of it says with other random numbers.
+struct WrittenAdvice {
+  std::string file, what;  // "levels", "packages" or "places"
+  std::size_t passing = 0, asked = 0;
+  std::vector<std::string> not_met = {};
 };
 
 struct Advice {
@@ -128,6 +140,7 @@ struct Advice {
   std::vector<std::string> not_met_besides = {};
   RoomAdvice rooms = {};                       // what was asked for of places and surfaces
   std::optional<PackageAdvice> packages = {};  // empty: nobody asked
+  std::optional<WrittenAdvice> written = {};
 };
 
 std::string render_advice_text(const Advice& advice);

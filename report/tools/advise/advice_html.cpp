@@ -29,6 +29,7 @@ constexpr const char* kAdviceStyle = R"css(
 .map text { font-family: inherit; text-anchor: middle; } .map .number { font-size: 11px; font-weight: 700; fill: #000; }
 .map .walls { fill: none; stroke: var(--wall); stroke-width: 2.5; stroke-linejoin: round; }
 .map .there { fill: none; stroke: #191d21; stroke-width: 1.8; } .map .halo { fill: none; stroke: #fff; stroke-width: 4; }
+.map .together { fill: none; stroke: #191d21; stroke-width: 2.4; } .map .around { fill: none; stroke: #fff; stroke-width: 5; }
 .map .best { fill: #fff; stroke: #191d21; stroke-width: 2; }
 ul.plain { margin: .4rem 0 1.2rem; padding-left: 1.2rem; }
 pre.same { font-size: .82rem; }
@@ -55,20 +56,25 @@ std::string groups_table(const SceneAdvice& advice) {
 std::string requirements_table(const SceneAdvice& advice) {
   const bool has_levels = advice.has_levels();
   std::string html = fmt::format(
-      "<table><thead><tr><th>Requirement</th><th class=\"num\">Now</th>{}</tr></thead><tbody>\n",
-      has_levels ? "<th class=\"num\">With these levels</th><th>Verdict</th>"
-                 : "<th>Verdict now</th>");
+      "<table><thead><tr><th>Requirement</th><th class=\"num\">Now</th><th>Verdict now</th>{}</tr>"
+      "</thead><tbody>\n",
+      has_levels ? "<th class=\"num\">With these levels</th><th>Verdict with them</th>" : "");
   for (const AdvisedRequirement& one : advice.requirements) {
-    html += fmt::format("<tr><th scope=\"row\">{}{}</th><td class=\"num\">{}</td>",
+    html += fmt::format("<tr><th scope=\"row\">{}{}</th><td class=\"num\">{}</td><td>{}</td>",
                         words(requirement_words(one)),
                         one.not_searched.empty()
                             ? ""
                             : fmt::format("<span class=\"note\">no part of the search: {}</span>",
                                           words(one.not_searched)),
-                        words(value_words(one.before)));
-    html += has_levels ? fmt::format("<td class=\"num\">{}</td><td>{}</td></tr>\n",
-                                     words(value_words(one.after)), badge(one.after.verdict))
-                       : fmt::format("<td>{}</td></tr>\n", badge(one.before.verdict));
+                        words(value_words(one.before)), badge(one.before.verdict));
+    if (has_levels) {
+      // What no luminaire gives is not green.
+      html +=
+          fmt::format("<td class=\"num\">{}</td><td>{}</td>", words(value_words(one.after)),
+                      advice.outcome == AdviceOutcome::levels ? badge(one.after.verdict)
+                                                              : words(verdict_words(advice, one)));
+    }
+    html += "</tr>\n";
   }
   return report::scroll_box("Requirements", html + "</tbody></table>\n");
 }
@@ -164,7 +170,9 @@ std::string places_html(const RoomPlaces& room) {
   if (room.problem.empty() && !room.places.empty()) {
     html +=
         "<p class=\"quiet\">Every square is a free place. Crosses are luminaires that are there, "
-        "numbers the best places, which were checked by a run each.</p>\n" +
+        "numbers the best places for one more, diamonds those that were found to do it together. "
+        "Gains are values without their intervals, which stand in the title of each square; what "
+        "checks said is below.</p>\n" +
         maps_of(room);
   }
   return html;
@@ -181,13 +189,14 @@ std::string render_advice_html(const Advice& advice) {
   page.foot = name;
   std::string html =
       report::tool_page_start(report::Texts(), page) + "<p class=\"quiet\">" + words(name) +
-      "</p>\n<p class=\"quiet\">What would make it pass, with the least power. Levels, "
-      "packages and places were checked with other random numbers than those that "
-      "found them.</p>\n</header>\n<main id=\"main\">\n";
+      "</p>\n<p class=\"quiet\">What would make it pass, with the least power. What is said to be "
+      "checked was checked with other random numbers than those that found "
+      "it.</p>\n</header>\n<main id=\"main\">\n";
   for (const SceneAdvice& one : advice.scenes) html += scene_html(one);
   if (!advice.not_met_besides.empty()) {
     html += "<h2>Not met, whatever the levels</h2>\n" + list_of(advice.not_met_besides);
   }
+  if (advice.written) html += "<h2>Written</h2>\n" + same_text(written_words(*advice.written));
   if (advice.packages) {
     html += "<h2>Lamp packages</h2>\n" + same_text(render_package_advice_text(*advice.packages));
   }

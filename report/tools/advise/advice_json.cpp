@@ -142,6 +142,8 @@ JsonKeys package_light_keys(const PackageLight& light) {
 JsonKeys package_type_keys(const AdvisedPackage& type) {
   return {{"type", type.type, type_of("string")},
           {"luminaires", type.luminaires, at_least_type("integer", 0)},
+          {"where_nothing_is_asked", type.where_nothing_is_asked,
+           described_key(at_least_type("integer", 0), "Of them; they change as well.")},
           report::object_key("now", package_light_keys(type.now)),
           report::object_key("advised", package_light_keys(type.advised))};
 }
@@ -152,6 +154,10 @@ JsonKeys package_keys(const PackageAdvice& advice) {
            false, !is_found},
           {"unit", advice.is_by_flux ? "lm" : "W", {{"enum", {"lm", "W"}}}},
           {"combinations", advice.combinations, at_least_type("integer", 0)},
+          {"not_excluded", advice.not_excluded,
+           described_key(at_least_type("integer", 0),
+                         "Of those that take less: not found to be enough, and not surely too "
+                         "little either.")},
           {"now", advice.now,
            described_key(at_least_type("number", 0), "Of all luminaires of these types.")},
           {"advised", advice.advised, at_least_type("number", 0), false, is_found},
@@ -169,12 +175,23 @@ JsonKeys package_keys(const PackageAdvice& advice) {
           {"is_all_met", advice.is_all_met,
            described_key(type_of("boolean"),
                          "Everything passes in that check, with what rule packs make of it.")},
+          {"not_met", advice.not_met,
+           described_key(list_of_keys(type_of("string")), "In that check, what counts."), false,
+           is_found},
           {"passing_now", advice.passing_now, at_least_type("integer", 0)},
           {"passing", advice.passing,
            described_key(at_least_type("integer", 0),
                          "Of all scenes and rooms, by other random numbers."),
            false, is_found},
           {"asked", advice.asked, at_least_type("integer", 0), false, is_found}};
+}
+
+JsonKeys written_keys(const WrittenAdvice& written) {
+  return {{"file", written.file, type_of("string")},
+          {"what", written.what, {{"enum", {"levels", "packages", "places"}}}},
+          {"passing", written.passing, at_least_type("integer", 0)},
+          {"asked", written.asked, at_least_type("integer", 0)},
+          {"not_met", written.not_met, list_of_keys(type_of("string"))}};
 }
 
 JsonKeys advice_keys(const Advice& advice) {
@@ -188,6 +205,9 @@ JsonKeys advice_keys(const Advice& advice) {
       {"not_met_besides", advice.not_met_besides,
        described_key(list_of_keys(type_of("string")),
                      "What counts, does not pass and hangs on no levels.")},
+      {"written", object_of_keys(written_keys(advice.written.value_or(WrittenAdvice{}))),
+       schema_of_keys(written_keys({}), "Of --write: the file, and what a check of it says."),
+       false, advice.written.has_value()},
       {"packages", object_of_keys(package_keys(advice.packages.value_or(PackageAdvice{}))),
        schema_of_keys(package_keys({}), "Of --packages: which lamp packages are enough."), false,
        advice.packages.has_value()},

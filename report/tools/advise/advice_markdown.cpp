@@ -30,7 +30,7 @@ std::string requirements(const SceneAdvice& advice) {
   for (const AdvisedRequirement& one : advice.requirements) {
     text += fmt::format("| {} | {} | {} | {}{} |\n", escape_markdown(requirement_words(one)),
                         escape_markdown(value_words(one.before)),
-                        escape_markdown(value_words(one.after)), calc::name_of(one.after.verdict),
+                        escape_markdown(value_words(one.after)), verdict_words(advice, one),
                         one.not_searched.empty() ? "" : "; " + escape_markdown(one.not_searched));
   }
   return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n",
@@ -84,15 +84,18 @@ std::string scene(const SceneAdvice& advice) {
   return text;
 }
 
-// Tables of blanks stay tables, and nothing in them is markup.
+// Tables of blanks stay tables, and nothing in them is markup: the fence is longer than any in the
+// text.
 std::string as_code(const std::string& text) {
-  std::string code;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    code += end > begin ? "    " + text.substr(begin, end - begin) + "\n" : "\n";
-    begin = end + 1;
+  if (text.empty()) return "";
+  std::size_t longest = 2, run = 0;
+  for (const char c : text) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
   }
-  return code;
+  const std::string fence(longest + 1, '`');
+  const std::size_t begin = text.find_first_not_of('\n');
+  return "\n" + fence + "text\n" + text.substr(begin) + fence + "\n";
 }
 
 }  // namespace
@@ -104,8 +107,9 @@ std::string render_advice_markdown(const Advice& advice) {
   for (const std::string& one : advice.not_met_besides) {
     text += "- " + escape_markdown(one) + "\n";
   }
-  if (advice.packages) text += "\n" + as_code(render_package_advice_text(*advice.packages));
-  return text + as_code(render_room_advice_text(advice.rooms));
+  if (advice.packages) text += as_code(render_package_advice_text(*advice.packages));
+  text += as_code(render_room_advice_text(advice.rooms));
+  return advice.written ? text + "\nWritten:\n" + as_code(written_words(*advice.written)) : text;
 }
 
 }  // namespace cli

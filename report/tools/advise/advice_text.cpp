@@ -120,7 +120,8 @@ std::string render_advice_text(const Advice& advice) {
     text += "  " + report::printable(one) + "\n";
   }
   if (advice.packages) text += "\n" + render_package_advice_text(*advice.packages);
-  return text + render_room_advice_text(advice.rooms);
+  text += render_room_advice_text(advice.rooms);
+  return advice.written ? text + "\nWritten: " + written_words(*advice.written) : text;
 }
 
 }  // namespace cli

@@ -49,6 +49,23 @@ std::string value_words(const rules::Finding& finding) {
   return report::format_measured(finding.measured, rules::unit_of(finding.requirement));
 }
 
+std::string written_words(const WrittenAdvice& written) {
+  std::string text =
+      fmt::format("{}: {}; {} of {} requirements pass in it\n", report::printable(written.file),
+                  written.what, written.passing, written.asked);
+  for (const std::string& one : written.not_met) {
+    text += fmt::format("  not met: {}\n", report::printable(one));
+  }
+  return text;
+}
+
+std::string verdict_words(const SceneAdvice& advice, const AdvisedRequirement& one) {
+  const std::string name(calc::name_of(one.after.verdict));
+  return advice.outcome == AdviceOutcome::more_light && one.after.verdict == rules::Verdict::pass
+             ? "would pass"
+             : name;
+}
+
 std::string cost_sentence(const SceneAdvice& advice) {
   const auto words = [&](double cost) { return cost_words(cost, advice.is_by_flux); };
   return fmt::format(

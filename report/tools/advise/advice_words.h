@@ -35,6 +35,10 @@ std::string contradiction_words(const SceneAdvice& advice);
 std::string asked_words(const rules::Requirement& requirement);
 std::string requirement_words(const AdvisedRequirement& one);
 std::string value_words(const rules::Finding& finding);
+// Lines.
+std::string written_words(const WrittenAdvice& written);
+// Of the requirement with the levels: what nobody has installed would only pass.
+std::string verdict_words(const SceneAdvice& advice, const AdvisedRequirement& one);
 // Shares of the groups in the light where a limit has the least room, largest first; "" where all
 // is of one.
 std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit);

@@ -202,9 +202,9 @@ void print_error(const std::string& words) {
 
 // False after an error, which has been printed: then nothing is written. The advice holds all the
 // same.
-bool write_changed(const AdviseOptions& options, const Advice& advice,
-                   const report::ProjectPart& part, const std::string& bytes,
-                   const std::optional<PlacesText>& places, const CheckText& check) {
+bool write_changed(const AdviseOptions& options, Advice& advice, const report::ProjectPart& part,
+                   const std::string& bytes, const std::optional<PlacesText>& places,
+                   const CheckText& check) {
   const auto has_levels = [](const SceneAdvice& scene) {
     return scene.outcome == AdviceOutcome::levels;
   };
@@ -213,17 +213,25 @@ bool write_changed(const AdviseOptions& options, const Advice& advice,
     print_error(fmt::format("--write: '{}' is not written: {}", options.write_file, why));
     return false;
   };
-  const auto written = [&](const std::string& text) {
+  const auto written = [&](const std::string& text, WrittenAdvice told) {
     const std::string why = report::write_file_atomically(options.write_file, text);
-    if (!why.empty()) print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
-    return why.empty();
+    if (!why.empty()) {
+      print_error(fmt::format("cannot write '{}': {}", options.write_file, why));
+      return false;
+    }
+    told.file = options.write_file;
+    advice.written = std::move(told);
+    return true;
   };
   if (advice.packages) {
     if (!advice.packages->problem.empty()) return refused(advice.packages->problem);
     if (advice.packages->is_as_now()) return refused("its packages are the least already");
-    return written(advice.packages->text);
+    const PackageAdvice& found = *advice.packages;
+    return written(found.text, {"", "packages", found.passing, found.asked, found.not_met});
   }
-  if (places) return places->text ? written(*places->text) : refused(places->problem);
+  if (places) {
+    return places->text ? written(*places->text, places->told) : refused(places->problem);
+  }
   if (scenes == 0) return refused("no scene has levels");
   const LevelsText changed = with_levels(bytes, options.project, advice.scenes, part);
   if (!changed.text) return refused(changed.problem);
@@ -233,7 +241,9 @@ bool write_changed(const AdviseOptions& options, const Advice& advice,
   if (const std::string lost = lost_by_writing(advice.scenes, part, *after); !lost.empty()) {
     return refused(fmt::format("as a whole it would not pass: {}", lost));
   }
-  return written(*changed.text);
+  const PassCount count = count_all(*after);
+  return written(*changed.text,
+                 {"", "levels", count.passing, count.asked, not_met_findings(*after)});
 }
 
 bool is_readable_or_print(const calc::FileContent& content, const std::string& project) {

@@ -148,6 +148,25 @@ std::string best_marks(const RoomPlaces& room, const std::string& type, const Fr
   return svg;
 }
 
+// Those that do it together.
+std::string together_marks(const RoomPlaces& room, const std::string& type, const Frame& frame) {
+  if (!room.together) return "";
+  const glm::dvec2 half_px = 0.46 * room.step_m * frame.px_by_m;
+  const double reach = std::min(half_px.x, half_px.y);
+  std::string path;
+  for (const AdvisedPlace& place : room.together->places) {
+    if (place.type != type) continue;
+    const glm::dvec2 at = frame.at(glm::dvec2(place.position_m));
+    path += fmt::format("M{0},{1}l{2},{2} {2},-{2} -{2},-{2}Z", svg_number(at.x - reach),
+                        svg_number(at.y), svg_number(reach));
+  }
+  return path.empty() ? ""
+                      : fmt::format(
+                            "<path class=\"around\" d=\"{0}\"/><path class=\"together\" "
+                            "d=\"{0}\"/>\n",
+                            path);
+}
+
 }  // namespace
 
 std::vector<std::string> types_on_map(const RoomPlaces& room, std::size_t requirement) {
@@ -192,7 +211,7 @@ std::string ceiling_map(const RoomPlaces& room, std::size_t requirement, const s
                  report::format_measured((*most)->gain_lx[requirement], "lx"),
                  report::format_position((*most)->position_m)))) +
          cells(places, requirement, scale, frame, room.step_m) + room_lines(room, frame) +
-         best_marks(room, type, frame) + "</svg>\n" +
+         together_marks(room, type, frame) + best_marks(room, type, frame) + "</svg>\n" +
          report::html_colour_bar(report::Texts(), scale, {}) + "</figure>\n";
 }
 

@@ -73,7 +73,9 @@ class SceneSearch {
         return std::move(advice_);
       }
       if (take_findings(*changed)) {
-        if (broken_by_levels().empty()) return std::move(advice_);
+        if (settings_.is_trial ? is_all_that_is_known_met() : broken_by_levels().empty()) {
+          return std::move(advice_);
+        }
         if (settings_.is_trial) break;
         raise(*found, check);
         return std::move(advice_);
@@ -83,7 +85,9 @@ class SceneSearch {
           "the levels that were found did not pass the check with other random numbers";
     }
     if (settings_.is_trial) {
-      advice_.outcome = AdviceOutcome::none_found;
+      for (Asked& asked : asked_) asked.safety = 1.0;
+      advice_.outcome =
+          can_be_met(0.0, {}) == Can::no ? AdviceOutcome::contradiction : AdviceOutcome::none_found;
     } else if (advice_.outcome == AdviceOutcome::none_found && advice_.reason.empty()) {
       explain();
     }
@@ -337,6 +341,15 @@ class SceneSearch {
       }
     }
     return broken;
+  }
+
+  // Also what takes no part in the search, as far as light alone judges it.
+  bool is_all_that_is_known_met() const {
+    return std::all_of(advice_.requirements.begin(), advice_.requirements.end(),
+                       [](const AdvisedRequirement& one) {
+                         return !is_judged_by_light(one.after.requirement) ||
+                                one.after.verdict == rules::Verdict::pass;
+                       });
   }
 
   bool is_all_searched_met_now() const {

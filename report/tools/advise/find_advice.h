@@ -34,8 +34,8 @@ struct AdviceSettings {
   std::string scene;         // only this one; "" = all
   bool is_one_scene = false;
   std::function<bool()> is_stopped = [] { return false; };  // then what is returned says little
-  // One of many: where there are no levels, or none that break nothing which passes now, nobody
-  // asks why.
+  // One of many: nobody asks why there are no levels, only whether there surely are none
+  // (`contradiction`).
   bool is_trial = false;
 };
 

@@ -6,6 +6,7 @@
 #include "report/tools/advise/advice_words.h"
 #include "report/tools/advise/findings.h"
 #include "report/tools/advise/written_levels.h"
+#include "rules/verdict/judge.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
@@ -61,6 +62,10 @@ class PackageSearch {
   PackageSearch(const RoomQuestions& questions, const AdviceSettings& settings)
       : questions_(questions), settings_(settings), part_(questions.part) {
     settings_.is_trial = true;
+    // It is copied again and again.
+    for (report::SpacePart& space : part_.spaces) {
+      for (report::PlanePart& plane : space.planes) plane.points.clear();
+    }
     find_types();
   }
 
@@ -68,25 +73,38 @@ class PackageSearch {
     found_.problem = why_none();
     if (!found_.problem.empty()) return std::move(found_);
     take_light();
-    const std::vector<Combination> combinations = all_combinations();
-    std::size_t checked = 0;
-    for (const Combination& one : combinations) {
+    for (const Combination& one : all_combinations()) {
       if (settings_.is_stopped()) return std::move(found_);
-      if (checked == kMostTried) {
+      if (checked_ == 2 * kMostTried) {
         found_.problem = fmt::format(
-            "{} combinations that are enough by the same light do not pass the check; the last: {}",
-            checked, why_not_checked_);
+            "{} combinations that may be enough by the same light do not pass the check; the last: "
+            "{}",
+            checked_, why_not_checked_);
         return std::move(found_);
       }
       take(one);
-      if (is_good(one, checked)) return std::move(found_);
+      switch (look_at(one)) {
+        case Enough::yes:
+          return std::move(found_);
+        case Enough::maybe:
+          ++found_.not_excluded;
+          break;
+        case Enough::no:
+          break;
+      }
     }
     found_.problem =
-        checked > 0
-            ? "what is enough by the same light does not pass the check: " + why_not_checked_
-            : "no combination of the packages meets everything that is judged from light; "
-              "with the dearest one " +
+        checked_ > 0
+            ? "what may be enough by the same light does not pass the check: " + why_not_checked_
+            : std::string(
+                  "no combination of the packages was found that meets all "
+                  "that is judged from light; with the dearest one ") +
                   found_.next_below;
+    if (found_.not_excluded > 0) {
+      found_.problem +=
+          fmt::format("; {} of {} are not surely too little, and a smaller --tolerance may help",
+                      found_.not_excluded, found_.combinations);
+    }
     found_.next_below.clear();
     return std::move(found_);
   }
@@ -105,8 +123,17 @@ class PackageSearch {
     const calc::Project& project = questions_.project;
     for (std::size_t i = 0; i < project.luminaire_types.size(); ++i) {
       const calc::LuminaireType& type = project.luminaire_types[i];
-      const int count = calc::luminaires_of_type(project, i);
-      if (type.packages.empty() || count == 0) continue;
+      if (type.packages.empty() || type.is_further_emitter) continue;
+      std::size_t asked = 0, unasked = 0;
+      for (std::size_t s = 0; s < questions_.part.spaces.size(); ++s) {
+        const calc::Space* space = space_of(questions_, s);
+        if (space == nullptr) continue;
+        const auto count = static_cast<std::size_t>(
+            std::count_if(space->luminaires.begin(), space->luminaires.end(),
+                          [&](const calc::Luminaire& one) { return one.type == i; }));
+        (asks_for_light(questions_.part.spaces[s]) ? asked : unasked) += count;
+      }
+      if (asked == 0) continue;
       TypeChoices choices{i, {}, 0};
       if (!type.package) {
         choices.light.push_back({"", calc::luminaire_flux_lm(project, type), type.power_w});
@@ -117,10 +144,23 @@ class PackageSearch {
       }
       choices.now = type.package.value_or(0);
       const PackageLight& now = choices.light[choices.now];
-      found_.types.push_back({type.id, static_cast<std::size_t>(count), now, now});
+      found_.types.push_back({type.id, asked + unasked, unasked, now, now});
       types_.push_back(std::move(choices));
     }
     found_.passing_now = count_all(questions_.part).passing;
+  }
+
+  // Where nothing is asked darkness would be cheapest, and nobody wants that.
+  static bool asks_for_light(const report::SpacePart& space) {
+    return std::any_of(
+        space.planes.begin(), space.planes.end(), [](const report::PlanePart& plane) {
+          return std::any_of(plane.findings.begin(), plane.findings.end(),
+                             [](const rules::Finding& one) {
+                               return rules::counts(rules::outcome_of(one)) &&
+                                      is_judged_by_light(one.requirement) &&
+                                      rules::is_lower_limit(one.requirement.comparison);
+                             });
+        });
   }
 
   double cost(const AdvisedPackage& type, const PackageLight& light) const {
@@ -130,7 +170,16 @@ class PackageSearch {
 
   std::string why_none() {
     if (types_.empty()) {
-      return "no luminaire type that is used has a <package>, which says what it can be had with";
+      return "no luminaire type that hangs where light is asked for has a <package>, which says "
+             "what "
+             "it can be had with";
+    }
+    for (const FindingPlace& where : counted_findings(questions_.part)) {
+      const rules::Finding& finding = finding_at(questions_.part, where);
+      if (finding.verdict != rules::Verdict::not_judged) continue;
+      if (!is_judged_by_light(finding.requirement)) continue;
+      return fmt::format("{} is not judged, whatever the light: {}",
+                         finding_words(questions_.part, where), finding.reason);
     }
     std::size_t combinations = 1;
     for (const TypeChoices& type : types_) {
@@ -230,6 +279,7 @@ class PackageSearch {
 
   struct NotMet {
     std::string scene, words;
+    bool is_sure = false;  // it fails, and is not only undecided
   };
   // With the levels of now, by the same light.
   std::vector<NotMet> not_met_now() const {
@@ -244,14 +294,17 @@ class PackageSearch {
           all.push_back({finding.requirement.scene,
                          fmt::format("{}, {}: {}, {}", report::title_of(space.name, space.id),
                                      report::title_of(plane.name, plane.id),
-                                     asked_words(finding.requirement), value_words(finding))});
+                                     asked_words(finding.requirement), value_words(finding)),
+                         finding.verdict == rules::Verdict::fail});
         }
       }
     }
     return all;
   }
 
-  bool is_good(const Combination& one, std::size_t& checked) {
+  enum class Enough { yes, no, maybe };
+
+  Enough look_at(const Combination& one) {
     const std::vector<NotMet> not_met = not_met_now();
     calc::Diagnostics diagnostics;
     std::map<std::string, std::string> articles;
@@ -261,19 +314,30 @@ class PackageSearch {
     }
     const auto text =
         check::with_packages(questions_.bytes, questions_.file, articles, diagnostics);
-    if (!text) return false;  // it has been read before
-    if (not_met.empty() && is_confirmed(*text, {}, checked)) return true;
-    const std::vector<SceneAdvice> scenes = other_levels(*text, not_met);
-    if (!scenes.empty() && is_confirmed(*text, scenes, checked)) return true;
+    if (!text) return Enough::maybe;  // it has been read before
+    const bool may_be_met = std::none_of(not_met.begin(), not_met.end(),
+                                         [](const NotMet& known) { return known.is_sure; });
+    // What is undecided here is decided there, as the check goes on until it is.
+    // Many of these would leave no run for what is surely enough.
+    const bool may_be_tried = checked_ < kMostTried;
+    if (may_be_met && (not_met.empty() || may_be_tried) && is_confirmed(*text, {})) {
+      return Enough::yes;
+    }
+    const OtherLevels other = other_levels(not_met);
+    if (other.is_found && may_be_tried && is_confirmed(*text, other.scenes)) return Enough::yes;
     found_.next_below =
-        not_met.empty() ? "the check does not pass: " + why_not_checked_ : not_met.front().words;
-    return false;
+        may_be_met ? "the check does not pass: " + why_not_checked_ : not_met.front().words;
+    return other.is_surely_none && !may_be_met ? Enough::no : Enough::maybe;
   }
 
-  // For scenes in which something is not met with the levels of now; empty: there are none.
-  std::vector<SceneAdvice> other_levels(const std::string& text,
-                                        const std::vector<NotMet>& not_met) {
+  struct OtherLevels {
+    bool is_found = false, is_surely_none = false;
     std::vector<SceneAdvice> scenes;
+  };
+
+  // For scenes in which something is not met with the levels of now.
+  OtherLevels other_levels(const std::vector<NotMet>& not_met) const {
+    OtherLevels other;
     for (const SceneAdvice& scene : questions_.scenes) {
       if (std::none_of(not_met.begin(), not_met.end(),
                        [&](const NotMet& one) { return one.scene == scene.scene; })) {
@@ -282,18 +346,51 @@ class PackageSearch {
       AdviceSettings one = settings_;
       one.is_one_scene = true;
       one.scene = scene.scene;
-      std::vector<SceneAdvice> found = find_advice(
-          part_, scaled_, one, levels_check(text, questions_.file, part_, questions_.check));
-      if (found.empty() || found.front().outcome != AdviceOutcome::levels) return {};
-      scenes.push_back(std::move(found.front()));
+      std::vector<SceneAdvice> found =
+          find_advice(part_, scaled_, one, [this](const SceneAdvice& advice, std::string&) {
+            return std::optional(by_the_same_light(advice));
+          });
+      if (found.empty() || found.front().outcome != AdviceOutcome::levels) {
+        other.is_surely_none =
+            !found.empty() && found.front().outcome == AdviceOutcome::contradiction;
+        return other;
+      }
+      other.scenes.push_back(std::move(found.front()));
     }
-    return scenes;
+    other.is_found = !other.scenes.empty();
+    return other;
+  }
+
+  // The project as a check with these levels would judge it, by the light that is known.
+  report::ProjectPart by_the_same_light(const SceneAdvice& advice) const {
+    calc::LightScene levels;
+    levels.id = "advised";
+    for (const AdvisedGroup& group : advice.groups) {
+      levels.level_of_group.emplace_back(group.group, group.level);
+    }
+    report::ProjectPart judged = part_;
+    for (report::SpacePart& space : judged.spaces) {
+      for (report::PlanePart& plane : space.planes) {
+        const auto light = scaled_.find(plane.id);
+        if (light == scaled_.end() || !light->second.field.problem.empty()) continue;
+        for (rules::Finding& finding : plane.findings) {
+          if (finding.requirement.scene != advice.scene) continue;
+          if (!is_judged_by_light(finding.requirement)) continue;
+          rules::Requirement requirement = finding.requirement;
+          requirement.scene = levels.id;
+          finding = rules::judge_plane({requirement}, light->second.grid, light->second.field,
+                                       {levels}, questions_.confidence)
+                        .front();
+          finding.requirement.scene = advice.scene;
+        }
+      }
+    }
+    return judged;
   }
 
   // By other random numbers.
-  bool is_confirmed(const std::string& text, const std::vector<SceneAdvice>& scenes,
-                    std::size_t& checked) {
-    ++checked;
+  bool is_confirmed(const std::string& text, const std::vector<SceneAdvice>& scenes) {
+    ++checked_;
     const LevelsText whole = with_levels(text, questions_.file, scenes, part_);
     why_not_checked_ = whole.problem;
     if (!whole.text) return false;
@@ -336,6 +433,7 @@ class PackageSearch {
   std::vector<TypeChoices> types_;
   LightOfPlanes light_, scaled_;
   std::map<std::string, std::vector<std::size_t>> types_of_channels_;  // by plane id
+  std::size_t checked_ = 0;  // combinations that were checked by a run
   std::string why_not_checked_;
   PackageAdvice found_;
 };

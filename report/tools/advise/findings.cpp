@@ -50,6 +50,23 @@ bool is_judged_by_light(const rules::Requirement& requirement) {
   return !requirement.any_one_unit_out && is_of_points(requirement);
 }
 
+std::vector<std::string> not_met_findings(const report::ProjectPart& part) {
+  std::vector<std::string> words;
+  for (const FindingPlace& where : counted_findings(part)) {
+    const rules::Verdict verdict = finding_at(part, where).verdict;
+    if (verdict == rules::Verdict::pass) continue;
+    words.push_back(fmt::format("{} ({})", finding_words(part, where), calc::name_of(verdict)));
+  }
+  for (const rules::AggregateFinding& finding : part.aggregates) {
+    if (!rules::counts(rules::outcome_of(finding)) || finding.verdict == rules::Verdict::pass) {
+      continue;
+    }
+    words.push_back(fmt::format("{} ({})", finding.clause.empty() ? finding.id : finding.clause,
+                                calc::name_of(finding.verdict)));
+  }
+  return words;
+}
+
 std::vector<std::string> broken_findings(const report::ProjectPart& before,
                                          const report::ProjectPart& after) {
   std::vector<std::string> broken;

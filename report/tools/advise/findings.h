@@ -41,6 +41,9 @@ struct PassCount {
 // Of all scenes and rooms.
 PassCount count_all(const report::ProjectPart& part);
 
+// What counts and does not pass: "Office, Desk: average (fail)"; then aggregates and classes.
+std::vector<std::string> not_met_findings(const report::ProjectPart& part);
+
 // What counts, passed before and does not pass after, in whatever scene: "Office, Desk: average
 // (fail)"; then aggregates and classes of rule packs. Both are of the same requirements.
 std::vector<std::string> broken_findings(const report::ProjectPart& before,

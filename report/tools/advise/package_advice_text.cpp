@@ -17,9 +17,25 @@ std::string light_words(const PackageLight& light) {
 
 std::string type_words(const AdvisedPackage& type) {
   const bool stays = type.now.article == type.advised.article;
-  return fmt::format("    {}, {} luminaires: {}{}\n", report::printable(type.type), type.luminaires,
+  const std::string elsewhere =
+      type.where_nothing_is_asked == 0 || stays
+          ? ""
+          : fmt::format(" ({} of them where nothing is asked)", type.where_nothing_is_asked);
+  return fmt::format("    {}, {} luminaire{}{}: {}{}\n", report::printable(type.type),
+                     type.luminaires, type.luminaires == 1 ? "" : "s", elsewhere,
                      light_words(type.advised),
                      stays ? ", as now" : " instead of " + light_words(type.now));
+}
+
+// What is known of the combinations that take less.
+std::string others_words(const PackageAdvice& advice) {
+  if (advice.not_excluded == 0) {
+    return fmt::format("Of {} combinations none that takes less is enough.", advice.combinations);
+  }
+  return fmt::format(
+      "Of {} combinations {} that take less were not found to be enough, but are not surely too "
+      "little: a smaller --tolerance or other levels may show more.",
+      advice.combinations, advice.not_excluded);
 }
 
 std::string scene_levels(const SceneAdvice& scene) {
@@ -41,9 +57,12 @@ std::string render_package_advice_text(const PackageAdvice& advice) {
   const auto cost = [&](double sum) { return cost_words(sum, advice.is_by_flux); };
   text += fmt::format(
       "  {}{} installed, now {}; checked with other random numbers, {} of {} requirements of all\n"
-      "  rooms and scenes pass, now {}. Of {} combinations none that takes less is enough.\n",
+      "  rooms and scenes pass, now {}.\n  {}\n",
       advice.is_as_now() ? "Those of now: " : "", cost(advice.advised), cost(advice.now),
-      advice.passing, advice.asked, advice.passing_now, advice.combinations);
+      advice.passing, advice.asked, advice.passing_now, others_words(advice));
+  for (const std::string& one : advice.not_met) {
+    text += fmt::format("  Not met with them: {}\n", report::printable(one));
+  }
   if (advice.is_by_flux) text += std::string("  ") + kByFlux + "\n";
   for (const AdvisedPackage& type : advice.types) text += type_words(type);
   if (!advice.scenes.empty()) text += "  With these levels:\n";

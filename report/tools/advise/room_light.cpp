@@ -286,7 +286,10 @@ std::string unused_luminaire_id(const calc::Project& project, const std::string&
   const auto is_taken = [&] {
     return std::any_of(project.spaces.begin(), project.spaces.end(), [&](const calc::Space& space) {
       return std::any_of(space.luminaires.begin(), space.luminaires.end(),
-                         [&](const calc::Luminaire& one) { return one.id == id; });
+                         [&](const calc::Luminaire& one) {
+                           // Of grids and lists: "id[3]", "id.3"
+                           return one.id.starts_with(id);
+                         });
     });
   };
   while (is_taken()) id += "-x";

@@ -2,6 +2,7 @@
 
 #include "report/check/room_changes.h"
 #include "report/tools/advise/find_places.h"
+#include "report/tools/advise/written_levels.h"
 
 #include <fmt/format.h>
 
@@ -57,11 +58,23 @@ PlacesText with_places(const RoomQuestions& questions, const std::vector<RoomPla
     if (!changed.text) return {std::nullopt, changed.problem};
     text = *std::move(changed.text);
   }
+  std::vector<SceneAdvice> scenes;
+  for (const SceneAdvice& scene : questions.scenes) {
+    if (scene.outcome == AdviceOutcome::levels &&
+        std::any_of(scene.requirements.begin(), scene.requirements.end(),
+                    [](const AdvisedRequirement& one) {
+                      return one.before.verdict != rules::Verdict::pass;
+                    })) {
+      scenes.push_back(scene);
+    }
+  }
+  LevelsText whole = with_levels(text, questions.file, scenes, questions.part);
+  if (!whole.text) return {std::nullopt, whole.problem};
   std::string reason;
-  const auto part = questions.check(text, reason);
+  const auto part = questions.check(*whole.text, reason);
   if (!part) return {std::nullopt, reason};
-  if (const auto broken = broken_findings(questions.part, *part); !broken.empty()) {
-    return {std::nullopt, "as a whole it would not pass: " + broken.front()};
+  if (const std::string lost = lost_by_writing(scenes, questions.part, *part); !lost.empty()) {
+    return {std::nullopt, "as a whole it would not pass: " + lost};
   }
   for (const RoomPlaces& room : rooms) {
     for (const FindingPlace& where : counted_findings(*part)) {
@@ -79,7 +92,10 @@ PlacesText with_places(const RoomQuestions& questions, const std::vector<RoomPla
       }
     }
   }
-  return {std::move(text), ""};
+  const PassCount count = count_all(*part);
+  return {std::move(whole.text),
+          "",
+          {"", "places", count.passing, count.asked, not_met_findings(*part)}};
 }
 
 }  // namespace cli

@@ -34,6 +34,11 @@ TEST(PackageChanges, TakesThePlaceOfFluxAndPower) {
             project("id=\"t\" package=\"A &amp; &quot;B&quot;\" photometry=\"a.ies\""));
 }
 
+TEST(PackageChanges, BlanksInAnArticleStayWhatTheyAre) {
+  EXPECT_EQ(with(project("id=\"t\" photometry=\"a.ies\""), {{"t", "P\n1\t2"}}),
+            project("id=\"t\" photometry=\"a.ies\" package=\"P&#10;1&#9;2\""));
+}
+
 // Numbers of lines are what messages name.
 TEST(PackageChanges, LaterLinesKeepTheirNumbers) {
   EXPECT_EQ(with(project("id=\"t\"\n  flux-lm=\"900\"\n  power-w=\n\"9\"\n  photometry=\"a.ies\""),

@@ -4,6 +4,7 @@
 #include "calc/project/project_elements.h"
 #include "rules/binding/project_schema.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -107,6 +108,14 @@ TEST(SetValues, SetsSeveralAtOnce) {
                                             {"spot.opening", "point"}});
   std::string expected = with(kProject, "'900'", "'1' power-w=\"2\" opening=\"point\"");
   EXPECT_EQ(result.text, with(expected, "\"0.1\"", "\"0.4\"")) << result.messages;
+}
+
+// A package takes their place.
+TEST(SetValues, APackageReplacesFluxAndPower) {
+  const std::string with_package = with(kProject, " flux-lm = '900'", " package=\"P-1\"");
+  EXPECT_EQ(changed(kProject, {{"spot.package", "P-1"}}).text, with_package);
+  const std::string both = *changed(kProject, {{"spot.flux-lm", "5"}, {"spot.package", "P-1"}}).text;
+  EXPECT_THAT(both, testing::HasSubstr("flux-lm = '5' package=\"P-1\""));
 }
 
 TEST(SetValues, ReadsOddFiles) {
