@@ -368,6 +368,13 @@ def packages(luxgate, work):
         expect([(one["type"], one["where_nothing_is_asked"]) for one in found["types"]] == [("t", elsewhere)],
                f"a room in which nothing is asked, type {kind}: {found['types']}")
 
+    # What no package mends is named.
+    path = case("packages-dense", asked + '<require quantity="power-density" at-most="0.1"/>')
+    code, advice, _ = advise(luxgate, path, "--packages")
+    found = advice["packages"]
+    expect(code == 1 and not found["is_all_met"] and len(found["not_met"]) == 1 and found["passing"] == 1,
+           f"what is not met with the packages is named: {found}")
+
     # Names are no markup, wherever the block stands.
     hostile = "a ``` b **d** [x](http://e) &lt;img src=x&gt;"
     path = case("packages-hostile", asked, types=typed.replace(

@@ -416,12 +416,8 @@ class PackageSearch {
     const PassCount count = count_all(*part);
     found_.passing = count.passing;
     found_.asked = count.asked;
-    found_.is_all_met = count.passing == count.asked &&
-                        std::all_of(part->aggregates.begin(), part->aggregates.end(),
-                                    [](const rules::AggregateFinding& finding) {
-                                      return !rules::counts(rules::outcome_of(finding)) ||
-                                             finding.verdict == rules::Verdict::pass;
-                                    });
+    found_.not_met = not_met_findings(*part);
+    found_.is_all_met = found_.not_met.empty();
     found_.scenes = scenes;
     found_.text = *whole.text;
     return true;
