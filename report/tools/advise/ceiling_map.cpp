@@ -138,8 +138,8 @@ std::string best_marks(const RoomPlaces& room, const std::string& type, const Fr
   for (std::size_t i = 0; i < room.best.size(); ++i) {
     const AdvisedPlace& place = room.best[i].places.front();
     if (place.type != type) continue;
-    const glm::dvec2 at =
-        frame.at(glm::dvec2(place.position_m)) + glm::dvec2(corner_px.x, -corner_px.y);
+    const glm::dvec2 at = frame.at(glm::dvec2(place.position_m)) +
+                          glm::dvec2(1.0, -1.0) * (corner_px - 0.9 * kRadius_px);
     svg += fmt::format(
         "<circle class=\"best\" cx=\"{0}\" cy=\"{1}\" r=\"{2}\"/><text class=\"number\" x=\"{0}\" "
         "y=\"{3}\">{4}</text>\n",
