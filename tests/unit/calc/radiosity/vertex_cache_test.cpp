@@ -212,6 +212,14 @@ TEST_F(VertexCacheFile, RefusesEveryEdit) {
               HasSubstr("checksum"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "groups 2", "groups 1"); }),
               HasSubstr("checksum"));
+  // One content, one file: also of the checksum itself.
+  EXPECT_THAT(problem_after([](std::string& b) {
+                const std::size_t at = b.find("checksum ") + 9;
+                const std::size_t letter = b.find_first_of("abcdef", at);
+                ASSERT_LT(letter, at + 16);
+                b[letter] = static_cast<char>(b[letter] - 'a' + 'A');
+              }),
+              HasSubstr("should go on with"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "replicates 4", "replicates 3"); }),
               HasSubstr("should go on with"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "replicates 4", "replicates 0"); }),
