@@ -160,7 +160,8 @@ TEST(ProjectWarnings, FluxAndPowerMustMakeAUsualEfficacy) {
   EXPECT_THAT(with_type(R"(flux-lm="49" power-w="10")"), HasSubstr("efficacy-unusual"));
   EXPECT_EQ(with_type(R"(flux-lm="2490" power-w="10")"), "");
   // A slip in what might be taken would win every search for the least power.
-  EXPECT_THAT(with_type(R"(><package article="P-1" flux-lm="3000" power-w="2.3"/></luminaire-type)"),
+  EXPECT_THAT(with_type(R"(><package article="P-1" flux-lm="3000" power-w="2.3"/></luminaire-type>
+<material id="other" reflectance="0.5")"),
               HasSubstr("luminaire type 't' with 'P-1': 3000 lm for 2.3 W make 1.3e+03 lm/W"));
   EXPECT_EQ(with_type(R"(flux-lm="51" power-w="10")"), "");
 }

@@ -105,10 +105,10 @@ const std::vector<MessageCase> kCases{
 <package article="warm" flux-lm="900" power-w="9"/>
 <package article="warm" flux-lm="800" power-w="9"/></luminaire-type>)"),
      "dir/p.xml:6:10: error[duplicate-id]: the package 'warm' is given twice, also in line 5"},
-    {"UnknownPackage", in_project(R"(<luminaire-type id="t" photometry="spot.ies" package="wram">
+    {"UnknownPackage", in_project(R"(<luminaire-type id="t" photometry="spot.ies" package="warms">
 <package article="warm" flux-lm="900" power-w="9"/></luminaire-type>)"),
      "dir/p.xml:4:46: error[unknown-reference]: attribute 'package' of <luminaire-type>: there is "
-     "no package 'wram'; defined: warm; did you mean 'warm'?"},
+     "no package 'warms'; defined: warm; did you mean 'warm'?"},
     {"PackageAndPower",
      in_project(R"(<luminaire-type id="t" photometry="spot.ies" package="warm" power-w="8">
 <package article="warm" flux-lm="900" power-w="9"/></luminaire-type>)"),

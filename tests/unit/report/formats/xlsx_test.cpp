@@ -181,7 +181,8 @@ TEST(Xlsx, DecimalsOfAnIntervalKeepAllOfItOnItsSide) {
   EXPECT_EQ(interval_decimals({520.0, 499.97, 540.0}, "lx", limit), 2);
   EXPECT_EQ(interval_decimals({520.0, 499.9, 540.0}, "lx", limit), 1);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(interval_decimals({17.2, 17.2, kInfinity}, "", {}), 3);
+  EXPECT_EQ(interval_decimals({17.2, 17.2, kInfinity}, "", {}), 1);
+  EXPECT_EQ(interval_decimals({0.72, 0.72, kInfinity}, "", {}), 3);
   EXPECT_EQ(interval_decimals({kInfinity, kInfinity, kInfinity}, "", {}), 0);
   EXPECT_EQ(margin_decimals(0.025), 1);
   EXPECT_EQ(margin_decimals(-0.000004), 4);

@@ -186,11 +186,11 @@ TEST(ReadJson, RatingsWithOpenEndsAreReadBack) {
     const char* shown;
   };
   for (const Case& item : {Case{{-kOpen, -kOpen, -kOpen}, rules::Verdict::pass, "none"},
-                           Case{{-kOpen, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.50"},
-                           Case{{18.0, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.50"},
+                           Case{{-kOpen, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.5"},
+                           Case{{18.0, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.5"},
                            Case{{18.0, -kOpen, 19.5}, rules::Verdict::undecided, "≤ 19.50"},
                            Case{{20.0, 19.5, kOpen}, rules::Verdict::fail, "≥ 19.50"},
-                           Case{{19.5, 18.5, kOpen}, rules::Verdict::undecided, "≥ 18.50"}}) {
+                           Case{{19.5, 18.5, kOpen}, rules::Verdict::undecided, "≥ 18.5"}}) {
     Document document = rated_document();
     PlanePart& plane = document.projects[0].spaces[0].planes[0];
     rules::Finding& finding = plane.findings[0];
