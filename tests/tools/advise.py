@@ -94,6 +94,9 @@ def known_cases(luxgate, examples, work):
     scene = xml.etree.ElementTree.parse(dimmed).find("scene[@id='advised']")
     levels = {dim.get("group"): float(dim.get("level")) for dim in scene}
     expect(levels == {row["group"]: row["level"] for row in full["groups"]}, "the levels are those that were said")
+    written = advice.pop("written")
+    expect(written["what"] == "levels" and written["passing"] == written["asked"] and written["not_met"] == [],
+           f"it is said what was written: {written}")
     again, same, _ = advise(luxgate, os.path.join(copied, "project.xml"), "--jobs", "1")
     expect(again == code and same == advice, "the same advice with one thread")
 
