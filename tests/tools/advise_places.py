@@ -417,8 +417,8 @@ def main():
     office(luxgate, examples, work, count)
     spare(luxgate, examples, work)
     surfaces(luxgate, work)
-    turns(luxgate, examples, work)
     cases(luxgate, examples, work)
+    turns(luxgate, examples, work)
     return 1 if failures else 0
 
 
