@@ -188,8 +188,8 @@ TEST(ReadJson, RatingsWithOpenEndsAreReadBack) {
   for (const Case& item : {Case{{-kOpen, -kOpen, -kOpen}, rules::Verdict::pass, "none"},
                            Case{{-kOpen, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.5"},
                            Case{{18.0, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.5"},
-                           Case{{18.0, -kOpen, 19.5}, rules::Verdict::undecided, "≤ 19.50"},
-                           Case{{20.0, 19.5, kOpen}, rules::Verdict::fail, "≥ 19.50"},
+                           Case{{18.0, -kOpen, 19.5}, rules::Verdict::undecided, "≤ 19.5"},
+                           Case{{20.0, 19.5, kOpen}, rules::Verdict::fail, "≥ 19.5"},
                            Case{{19.5, 18.5, kOpen}, rules::Verdict::undecided, "≥ 18.5"}}) {
     Document document = rated_document();
     PlanePart& plane = document.projects[0].spaces[0].planes[0];
