@@ -1,13 +1,12 @@
+#include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_places.h"
 #include "report/tools/advise/room_check.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -39,14 +38,21 @@ std::vector<Way> all_ways() {
 
 // frame: its columns are C0, C90 and backwards.
 glm::dmat3 turned(const glm::dmat3& frame, const Way& way) {
-  const auto rotated = [&](const glm::dmat3& matrix, double degrees, const glm::dvec3& about) {
-    return glm::dmat3(glm::rotate(glm::dmat4(1.0), calc::radians_from_degrees(degrees), about)) *
-           matrix;
+  const auto sine = [](double degrees) { return calc::sin(calc::radians_from_degrees(degrees)); };
+  const auto cosine = [](double degrees) { return calc::cos(calc::radians_from_degrees(degrees)); };
+  if (way.turn_deg != 0.0) {
+    const double c = cosine(way.turn_deg), s = sine(way.turn_deg);
+    return {c * frame[0] + s * frame[1], c * frame[1] - s * frame[0], frame[2]};
+  }
+  const double c = cosine(way.tilt_deg), s = sine(way.tilt_deg);
+  const glm::dvec3 axis = -frame[2],
+                   towards = cosine(way.tilt_to_deg) * frame[0] + sine(way.tilt_to_deg) * frame[1],
+                   about = glm::cross(axis, towards);
+  const auto tilted = [&](const glm::dvec3& v) {
+    return glm::dot(v, axis) * (c * axis + s * towards) +
+           glm::dot(v, towards) * (c * towards - s * axis) + glm::dot(v, about) * about;
   };
-  if (way.turn_deg != 0.0) return rotated(frame, way.turn_deg, frame[2]);
-  const double to = calc::radians_from_degrees(way.tilt_to_deg);
-  const glm::dvec3 axis = -frame[2], towards = std::cos(to) * frame[0] + std::sin(to) * frame[1];
-  return rotated(frame, way.tilt_deg, glm::cross(axis, towards));
+  return {tilted(frame[0]), tilted(frame[1]), tilted(frame[2])};
 }
 
 class TurnSearch {
