@@ -169,6 +169,14 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
   if (kind_ == Kind::of_average) limit_ = 0.0;
 }
 
+double LevelConditions::Light::lower_lx(std::size_t g, double half_widths) const {
+  return lx[g] - half_widths * (half_widths < 0.0 ? above_lx[g] : below_lx[g]);
+}
+
+double LevelConditions::Light::upper_lx(std::size_t g, double half_widths) const {
+  return lx[g] + half_widths * (half_widths < 0.0 ? below_lx[g] : above_lx[g]);
+}
+
 std::vector<double> LevelConditions::light_lx(const LevelCondition& condition,
                                               const std::vector<double>& level) const {
   std::size_t index = 0;
@@ -204,8 +212,7 @@ double LevelConditions::lx_per_limit(const std::vector<double>& level) const {
 LevelCondition LevelConditions::condition(const Light& light, double safety) const {
   LevelCondition result;
   const auto coefficient = [&](std::size_t g) {
-    return is_upper_ ? -(light.lx[g] + safety * light.above_lx[g])
-                     : light.lx[g] - safety * light.below_lx[g];
+    return is_upper_ ? -light.upper_lx(g, safety) : light.lower_lx(g, safety);
   };
   for (std::size_t g = 0; g < groups_; ++g) result.coefficient.push_back(coefficient(g));
   result.at_least = (is_upper_ ? -limit_ : limit_) - coefficient(groups_);
@@ -217,8 +224,7 @@ LevelCondition LevelConditions::pair_condition(std::size_t least, std::size_t gr
                                                double safety) const {
   LevelCondition result;
   const auto coefficient = [&](std::size_t g) {
-    return light_[least].lx[g] - safety * light_[least].below_lx[g] -
-           limit_ * (light_[greatest].lx[g] + safety * light_[greatest].above_lx[g]);
+    return light_[least].lower_lx(g, safety) - limit_ * light_[greatest].upper_lx(g, safety);
   };
   for (std::size_t g = 0; g < groups_; ++g) result.coefficient.push_back(coefficient(g));
   result.at_least = -coefficient(groups_);
@@ -238,10 +244,8 @@ std::vector<LevelCondition> LevelConditions::all(const std::vector<double>& leve
   }
   // Whichever points may be the greatest: the pairs that matter are those with the one that is.
   const auto upper_lx = [&](const Light& light) {
-    double sum = light.lx[groups_] + safety * light.above_lx[groups_];
-    for (std::size_t g = 0; g < groups_; ++g) {
-      sum += level[g] * (light.lx[g] + safety * light.above_lx[g]);
-    }
+    double sum = light.upper_lx(groups_, safety);
+    for (std::size_t g = 0; g < groups_; ++g) sum += level[g] * light.upper_lx(g, safety);
     return sum;
   };
   std::size_t greatest = 0;

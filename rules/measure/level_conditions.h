@@ -38,8 +38,9 @@ class LevelConditions {
   const std::string& problem() const { return problem_; }
 
   // Those that these levels break most, worst first, `most` of them at most. safety: how many half
-  // widths of its interval a value has to lie on the good side of its limit, >= 0. Of a sum of
-  // groups they are added up, which is never less than the half width of the sum.
+  // widths of its interval a value has to lie on the good side of its limit; < 0: how many of them
+  // it may lie on the bad side, so that with -1 what no levels meet surely cannot be met. Of a sum
+  // of groups they are added up, which is never less than the half width of the sum.
   std::vector<LevelCondition> broken(const std::vector<double>& level, double safety,
                                      std::size_t most) const;
 
@@ -58,6 +59,11 @@ class LevelConditions {
   struct Light {
     std::vector<double> lx, below_lx, above_lx;
     std::vector<double> own_lx;  // of uniformities: of the point itself; else empty, and lx is
+
+    // So many half widths below and above the value; < 0: on the other side of it, by the half
+    // width that it has there.
+    double lower_lx(std::size_t g, double half_widths) const;
+    double upper_lx(std::size_t g, double half_widths) const;
   };
 
   LevelCondition condition(const Light& light, double safety) const;

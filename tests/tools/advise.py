@@ -155,6 +155,21 @@ def known_cases(luxgate, examples, work):
     expect(all(abs(row["level"] * 100 - round(row["level"] * 100)) < 1e-9 for row in scene["groups"]),
            "more light in whole steps")
 
+    # Between the value and the end of its interval: not met, and not surely too little.
+    one_group = dict(groups=(("", "3 2 2.79"),))
+    path = case("measure", '<require quantity="average" at-least="1"/>', **one_group)
+    run(luxgate, "check", path, "--goal", "accuracy", "--tolerance", "0.005", "--quiet", "--format",
+        "json=" + path[:-4] + ".json")
+    with open(path[:-4] + ".json", encoding="utf-8") as file:
+        value = json.load(file)["projects"][0]["spaces"][0]["planes"][0]["findings"][0]["measured"]["value"]
+    for name, limit, outcome in (("unsure", 1.002 * value, "too-uncertain"), ("sure", 1.03 * value, "more-light")):
+        path = case(name, f'<require quantity="average" at-least="{limit:.7g}"/>', **one_group)
+        code, advice, _ = advise(luxgate, path)
+        scene = advice["scenes"][0]
+        before = scene["requirements"][0]["before"]
+        expect((before["high"] > limit) == (name == "unsure") and before["value"] < limit, f"{name}: {before} {limit}")
+        expect(code == 1 and scene["outcome"] == outcome, f"{name}: {scene['outcome']} {before} {limit}")
+
     # No requirement that can be searched.
     code, advice, _ = advise(luxgate, case("none", '<require id="g" quantity="gradient" at-most="9"/>'))
     reason = advice["scenes"][0].get("reason", "")

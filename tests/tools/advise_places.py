@@ -9,6 +9,7 @@ Exit code 1: something does not hold.
 """
 
 import json
+import math
 import os
 import re
 import resource
@@ -201,6 +202,20 @@ def office(luxgate, examples, work, count):
     expect(code == 0, f"and passes with other random numbers: {code} {measured}")
     expect(advise(luxgate, project, "--places", "--jobs", "1")[1] == advice, "the same advice with one thread")
     print(f"half an office: {len(together['places'])} luminaires more meet everything")
+    planes = re.findall(r"<plane .*?</plane>", read(project), re.S)
+    text = read(project)
+    for number, plane in enumerate(planes):
+        text = text.replace(plane, f"@{number}@")
+    for number, plane in enumerate(reversed(planes)):
+        text = text.replace(f"@{number}@", plane)
+    turned_about = advise(luxgate, write(os.path.join(work, "office", "reversed.xml"), text), "--places")[1]["places"][0]
+
+    def gains(one):
+        names = [(asked["plane"], asked["id"]) for asked in one["requirements"]]
+        return {tuple(place["position_m"]): dict(zip(names, map(str, place["gain_lx"]))) for place in one["places"]}
+    expect(len(planes) > 1 and [one["plane"] for one in turned_about["requirements"]]
+           != [one["plane"] for one in room["requirements"]], "planes stand the other way round")
+    expect(gains(turned_about) == gains(room), "gains are the same in any order of planes")
     gains_against_runs(luxgate, project, room, count, pool_s)
 
 
@@ -293,7 +308,16 @@ def turns(luxgate, examples, work):
     where = {"A": '<luminaire id="A" type="w" position="2.5 2 2.3" rotation="160"/>',
              "S": '<luminaire id="S" type="s" position="3.8 1.6 2.2"/>'}
     compared = 0
+    c0_deg = {"A": 160, "B[0]": 20, "B[1]": 20, "S": 0}
     for one in found["turns"]:
+        # Seen from above C90 is 90 degrees to the left of C0, as all hang downwards.
+        now, tilt = math.radians(c0_deg[one["id"]]), math.radians(one["tilt_deg"])
+        c0 = now + math.radians(one["turn_deg"])
+        to = now + math.radians(one["tilt_to_deg"])
+        axis = (math.sin(tilt) * math.cos(to), math.sin(tilt) * math.sin(to), -math.cos(tilt))
+        expect(math.dist(axis, one["axis"]) < 1e-9, f"it is tilted as is said: {one} {axis}")
+        if not one["tilt_deg"]:
+            expect(math.dist((math.cos(c0), math.sin(c0), 0), one["c0"]) < 1e-9, f"it is turned as is said: {one}")
         if one["id"] not in where:
             continue
         changed = (f'<luminaire id="{one["id"]}" type="{one["type"]}" position="{numbers(one["position_m"])}" '

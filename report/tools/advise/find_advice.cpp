@@ -23,6 +23,8 @@ constexpr std::size_t kWorstConditions = 4;
 // The conditions keep one half width of the interval away from a limit, since that of a sum of
 // groups is not known before; where judging wants more, so much more.
 constexpr double kMoreSafety = 1.5;
+// What is not met even by the favourable ends of all intervals surely cannot be met.
+constexpr double kWholeInterval = -1.0;
 constexpr int kMostTries = 10, kMostChecks = 4;
 constexpr double kSameStep = 1e-9;
 
@@ -86,8 +88,8 @@ class SceneSearch {
     }
     if (settings_.is_trial) {
       for (Asked& asked : asked_) asked.safety = 1.0;
-      advice_.outcome =
-          can_be_met(0.0, {}) == Can::no ? AdviceOutcome::contradiction : AdviceOutcome::none_found;
+      advice_.outcome = can_be_met(kWholeInterval, {}) == Can::no ? AdviceOutcome::contradiction
+                                                                  : AdviceOutcome::none_found;
     } else if (advice_.outcome == AdviceOutcome::none_found && advice_.reason.empty()) {
       explain();
     }
@@ -427,7 +429,7 @@ class SceneSearch {
           "the levels of now pass, and none were found whose conditions are met with room";
       return;
     }
-    switch (can_be_met(0.0, {})) {
+    switch (can_be_met(kWholeInterval, {})) {
       case Can::yes:
         advice_.outcome = AdviceOutcome::too_uncertain;
         return;
@@ -448,7 +450,7 @@ class SceneSearch {
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       if (!asked_[i].is_searched()) continue;
       without.insert(i);
-      if (can_be_met(0.0, without) != Can::no) {
+      if (can_be_met(kWholeInterval, without) != Can::no) {
         without.erase(i);
         advice_.contradicting.push_back(i);
       }

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -96,9 +95,8 @@ class PackageSearch {
     found_.problem =
         checked_ > 0
             ? "what may be enough by the same light does not pass the check: " + why_not_checked_
-            : std::string(
-                  "no combination of the packages was found that meets all "
-                  "that is judged from light; with the dearest one ") +
+            : "no combination of the packages was found that meets all that is judged from light; "
+              "with the dearest one " +
                   found_.next_below;
     if (found_.not_excluded > 0) {
       found_.problem +=
@@ -171,8 +169,7 @@ class PackageSearch {
   std::string why_none() {
     if (types_.empty()) {
       return "no luminaire type that hangs where light is asked for has a <package>, which says "
-             "what "
-             "it can be had with";
+             "what it can be had with";
     }
     for (const FindingPlace& where : counted_findings(questions_.part)) {
       const rules::Finding& finding = finding_at(questions_.part, where);
@@ -320,13 +317,19 @@ class PackageSearch {
     // What is undecided here is decided there, as the check goes on until it is.
     // Many of these would leave no run for what is surely enough.
     const bool may_be_tried = checked_ < kMostTried;
+    const std::size_t checked_before = checked_;
     if (may_be_met && (not_met.empty() || may_be_tried) && is_confirmed(*text, {})) {
       return Enough::yes;
     }
     const OtherLevels other = other_levels(not_met);
     if (other.is_found && may_be_tried && is_confirmed(*text, other.scenes)) return Enough::yes;
-    found_.next_below =
-        may_be_met ? "the check does not pass: " + why_not_checked_ : not_met.front().words;
+    // Of the last one that is not enough: when one is, that stands next below it.
+    const bool was_checked = checked_ > checked_before;
+    if (not_met.empty() || (may_be_met && was_checked)) {
+      found_.next_below = "the check does not pass: " + why_not_checked_;
+    } else {
+      found_.next_below = not_met.front().words;
+    }
     return other.is_surely_none && !may_be_met ? Enough::no : Enough::maybe;
   }
 

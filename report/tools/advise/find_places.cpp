@@ -361,17 +361,7 @@ bool is_enough(const CheckedPlaces& checked) {
 }
 
 std::vector<RoomPlaces> find_places(const RoomQuestions& questions) {
-  std::vector<RoomPlaces> all;
-  for (const SceneAdvice& scene : questions.scenes) {
-    if (scene.outcome == AdviceOutcome::levels) continue;
-    for (std::size_t s = 0; s < questions.part.spaces.size(); ++s) {
-      const calc::Space* space = space_of(questions, s);
-      if (space == nullptr) continue;
-      PlaceSearch search(questions, s, *space, scene.scene);
-      if (std::optional<RoomPlaces> found = search.search()) all.push_back(*std::move(found));
-    }
-  }
-  return all;
+  return searched_rooms<PlaceSearch>(questions, true);
 }
 
 }  // namespace cli

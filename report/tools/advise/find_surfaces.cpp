@@ -121,16 +121,7 @@ class SurfaceSearch {
 }  // namespace
 
 std::vector<RoomSurfaces> find_surfaces(const RoomQuestions& questions) {
-  std::vector<RoomSurfaces> all;
-  for (const SceneAdvice& scene : questions.scenes) {
-    for (std::size_t s = 0; s < questions.part.spaces.size(); ++s) {
-      const calc::Space* space = space_of(questions, s);
-      if (space == nullptr) continue;
-      SurfaceSearch search(questions, s, *space, scene.scene);
-      if (std::optional<RoomSurfaces> found = search.search()) all.push_back(*std::move(found));
-    }
-  }
-  return all;
+  return searched_rooms<SurfaceSearch>(questions, false);
 }
 
 }  // namespace cli

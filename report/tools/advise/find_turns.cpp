@@ -244,17 +244,7 @@ class TurnSearch {
 }  // namespace
 
 std::vector<RoomTurns> find_turns(const RoomQuestions& questions) {
-  std::vector<RoomTurns> all;
-  for (const SceneAdvice& scene : questions.scenes) {
-    if (scene.outcome == AdviceOutcome::levels) continue;
-    for (std::size_t s = 0; s < questions.part.spaces.size(); ++s) {
-      const calc::Space* space = space_of(questions, s);
-      if (space == nullptr) continue;
-      TurnSearch search(questions, s, *space, scene.scene);
-      if (std::optional<RoomTurns> found = search.search()) all.push_back(*std::move(found));
-    }
-  }
-  return all;
+  return searched_rooms<TurnSearch>(questions, true);
 }
 
 }  // namespace cli

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace cli {
 namespace {
@@ -77,6 +78,22 @@ std::vector<std::size_t> darkest(const calc::SensorGrid& grid,
     chosen.push_back(*farthest);
   }
   return chosen;
+}
+
+// Targets are numbered by names, so that their random numbers are the same in any order of planes.
+std::vector<AskedOfRoom*> by_name(const RoomQuestions& questions, const calc::Space& space,
+                                  std::vector<AskedOfRoom>& asked) {
+  const auto room =
+      std::find_if(questions.part.spaces.begin(), questions.part.spaces.end(),
+                   [&](const report::SpacePart& part) { return part.id == space.id; });
+  const auto name = [&](const AskedOfRoom& one) {
+    return std::tie(room->planes[one.plane].id, one.told.before.requirement.id);
+  };
+  std::vector<AskedOfRoom*> sorted;
+  for (AskedOfRoom& one : asked) sorted.push_back(&one);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const AskedOfRoom* a, const AskedOfRoom* b) { return name(*a) < name(*b); });
+  return sorted;
 }
 
 // Points and values of the scene; false: not to be told.
@@ -175,7 +192,8 @@ RoomLight::RoomLight(const RoomQuestions& questions, const calc::Space& space,
   channels_ = prepared.channels;
   const calc::Tracer tracer(prepared);
   std::vector<calc::ImportanceTarget> targets;
-  for (AskedOfRoom& one : asked) {
+  for (AskedOfRoom* const sorted : by_name(questions, space, asked)) {
+    AskedOfRoom& one = *sorted;
     const std::vector<calc::Receiver> receivers = calc::receivers_of(tracer, *one.grid);
     const std::vector<double> weights = calc::point_weights(*one.grid);
     one.first_target = targets.size();

@@ -97,4 +97,22 @@ PassCount count_passes(const report::ProjectPart& part, const std::string& scene
 // Of the part's space; null: there is none.
 const calc::Space* space_of(const RoomQuestions& questions, std::size_t part_index);
 
+// What Search(questions, index of the part's space, space, scene).search() finds, an optional, in
+// every scene and room. only_without_levels: in scenes that no levels mend.
+template <class Search>
+auto searched_rooms(const RoomQuestions& questions, bool only_without_levels) {
+  std::vector<typename decltype(std::declval<Search>().search())::value_type> all;
+  for (const SceneAdvice& scene : questions.scenes) {
+    if (only_without_levels && scene.outcome == AdviceOutcome::levels) continue;
+    for (std::size_t s = 0; s < questions.part.spaces.size(); ++s) {
+      const calc::Space* space = space_of(questions, s);
+      if (space == nullptr) continue;
+      if (auto found = Search(questions, s, *space, scene.scene).search()) {
+        all.push_back(*std::move(found));
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace cli

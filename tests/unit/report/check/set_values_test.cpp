@@ -114,7 +114,8 @@ TEST(SetValues, SetsSeveralAtOnce) {
 TEST(SetValues, APackageReplacesFluxAndPower) {
   const std::string with_package = with(kProject, " flux-lm = '900'", " package=\"P-1\"");
   EXPECT_EQ(changed(kProject, {{"spot.package", "P-1"}}).text, with_package);
-  const std::string both = *changed(kProject, {{"spot.flux-lm", "5"}, {"spot.package", "P-1"}}).text;
+  const std::string both =
+      *changed(kProject, {{"spot.flux-lm", "5"}, {"spot.package", "P-1"}}).text;
   EXPECT_THAT(both, testing::HasSubstr("flux-lm = '5' package=\"P-1\""));
 }
 

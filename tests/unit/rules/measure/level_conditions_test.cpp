@@ -190,6 +190,43 @@ TEST(LevelConditions, SafetyIsRoom) {
   EXPECT_FALSE(is_met(conditions, {0.9, 0.0}, 0.0));
 }
 
+// What not even the whole interval meets surely cannot be met; what its favourable end meets may
+// be.
+TEST(LevelConditions, ByTheWholeIntervalMuchCanBeMet) {
+  calc::PlaneField field = exact_field({300, 150}, {0, 0});
+  field.indirect_lx = {20, 10, 0, 0, 0, 0, 40, 30, 0, 0, 0, 0};  // two replicates
+  const std::vector<double> full{1.0, 1.0};
+  const auto can_be_met = [&](Metric metric, Comparison comparison, double limit) {
+    return is_met(
+        LevelConditions(required(metric, comparison, limit), row_of(2), field, kGroups, 0.95), full,
+        -1.0);
+  };
+  const auto measured = [&](Metric metric, Comparison comparison) {
+    const std::vector<calc::LightScene> scenes{{"s", {{"a", 1.0}, {"b", 1.0}}, {}}};
+    return judge_plane({required(metric, comparison, 1.0)}, row_of(2), field, scenes, 0.95)
+        .front()
+        .measured;
+  };
+  for (const Metric metric : {Metric::average, Metric::minimum}) {
+    const auto its = measured(metric, Comparison::at_least);
+    ASSERT_GT(its.high, its.value + 5);
+    EXPECT_TRUE(can_be_met(metric, Comparison::at_least, its.high - 1)) << calc::name_of(metric);
+    EXPECT_FALSE(can_be_met(metric, Comparison::at_least, its.high + 1)) << calc::name_of(metric);
+  }
+  for (const Metric metric : {Metric::average, Metric::maximum}) {
+    const auto its = measured(metric, Comparison::at_most);
+    ASSERT_LT(its.low, its.value - 5);
+    EXPECT_TRUE(can_be_met(metric, Comparison::at_most, its.low + 1)) << calc::name_of(metric);
+    EXPECT_FALSE(can_be_met(metric, Comparison::at_most, its.low - 1)) << calc::name_of(metric);
+  }
+  // Of shares of the greatest both ends count: (150 + high of 16) / (300 + low of 24).
+  const auto least = measured(Metric::minimum, Comparison::at_least),
+             greatest = measured(Metric::maximum, Comparison::at_most);
+  const double most = least.high / greatest.low;
+  EXPECT_TRUE(can_be_met(Metric::uniformity_min_max, Comparison::at_least, most - 0.01));
+  EXPECT_FALSE(can_be_met(Metric::uniformity_min_max, Comparison::at_least, most + 0.01));
+}
+
 TEST(LevelConditions, SayWhatTheyAreNotFor) {
   const calc::PlaneField field = exact_field({300, 200}, {0, 10});
   const auto problem = [&](const Requirement& requirement) {
