@@ -13,6 +13,7 @@
 #include "calc/scene/maintenance_plan.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/document/level_advice.h"
 #include "report/document/revision.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/goal.h"
@@ -270,6 +271,8 @@ struct ProjectPart {
   std::vector<SceneRow> scenes;
   std::vector<SpacePart> spaces;
   std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
+  // Of scenes in which something is not met, see check --advice; nothing: nobody has asked.
+  std::optional<std::vector<LevelAdvice>> advice;
   std::vector<calc::InputFile> inputs;
   PhaseTimes times;
 };

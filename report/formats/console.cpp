@@ -4,6 +4,7 @@
 #include "report/revision/revision_tables.h"
 #include "report/stream/text_list.h"
 #include "report/text/about_words.h"
+#include "report/text/advice_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/decides.h"
 #include "report/text/known_words.h"
@@ -417,6 +418,27 @@ std::string messages(const ProjectPart& project) {
   return text;
 }
 
+// "" = nobody has asked, or everything is met.
+std::string advice_text(const Texts& t, const ProjectPart& project) {
+  if (!project.advice || project.advice->empty()) return {};
+  std::string text = std::string("  ") + t[Text::advice_title] + "\n";
+  for (const LevelAdvice& advice : *project.advice) {
+    text += "  " + advice_scene(t, advice) + t[Text::colon] + advice_outcome(t, advice) + "\n";
+    const std::vector<AdviceRow> rows = advice_rows(t, advice);
+    std::size_t width = 0;
+    for (const AdviceRow& row : rows) width = std::max(width, display_width(row.group));
+    for (const AdviceRow& row : rows) {
+      text +=
+          fmt::format("    {}  {} → {}\n", padded(row.group, width, false), row.now, row.advised);
+    }
+    for (const AdviceList& list : advice_lists(t, project, advice)) {
+      text += "    " + list.title + "\n";
+      for (const std::string& item : list.items) text += "      " + item + "\n";
+    }
+  }
+  return text;
+}
+
 const char* row_colour(const std::string& symbol) {
   if (symbol.starts_with("✗") || symbol.starts_with("▼")) {
     return outcome_colour(rules::Outcome::fail);
@@ -507,7 +529,8 @@ void TextWriter::add(const ProjectPart& project) {
   if (is_shown) {
     for (const TableLine& line : lines) add_line(line);
   }
-  waiting_.add((options_.has_messages ? messages(project) : "") + "\n");
+  waiting_.add((is_shown ? advice_text(t_, project) : "") +
+               (options_.has_messages ? messages(project) : "") + "\n");
 }
 
 void TextWriter::finish(const DocumentEnd& end, Sink& sink) {

@@ -4,6 +4,7 @@
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/about_words.h"
+#include "report/text/advice_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
@@ -141,6 +142,27 @@ std::string notes(const Texts& t, const ProjectPart& project) {
   return text;
 }
 
+std::string advice_markdown(const Texts& t, const ProjectPart& project) {
+  if (!project.advice || project.advice->empty()) return {};
+  std::string text =
+      fmt::format("\n**{}**: {}\n\n", t[Text::advice_title], escape_markdown(project.path));
+  for (const LevelAdvice& advice : *project.advice) {
+    text += fmt::format("- {}{}{}\n", escape_markdown(advice_scene(t, advice)), t[Text::colon],
+                        escape_markdown(advice_outcome(t, advice)));
+    for (const AdviceRow& row : advice_rows(t, advice)) {
+      text += fmt::format("  - {}{}{} → {}\n", escape_markdown(row.group), t[Text::colon], row.now,
+                          row.advised);
+    }
+    for (const AdviceList& list : advice_lists(t, project, advice)) {
+      text += fmt::format("  - {}\n", list.title);
+      for (const std::string& item : list.items) {
+        text += fmt::format("    - {}\n", escape_markdown(item));
+      }
+    }
+  }
+  return text;
+}
+
 class MarkdownWriter : public FormatWriter {
  public:
   MarkdownWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t)
@@ -149,6 +171,7 @@ class MarkdownWriter : public FormatWriter {
         findings_(frame, t),
         passed_(t, has_projects()),
         others_(t, has_projects()),
+        advice_(place),
         warnings_(place),
         notes_(place) {}
 
@@ -161,6 +184,7 @@ class MarkdownWriter : public FormatWriter {
       title_ = title_of(project);
     }
     if (projects_++ < kMostProjects) project_lines_ += project_line(t_, project);
+    advice_.write(advice_markdown(t_, project));
     warnings_.write(warnings(t_, project));
     notes_.write(notes(t_, project));
   }
@@ -176,9 +200,9 @@ class MarkdownWriter : public FormatWriter {
   CiFindings findings_;
   Table passed_, others_;
   std::size_t projects_ = 0;
-  std::string project_lines_;  // of the first ones
-  std::string title_, about_;  // of the only one
-  Spill warnings_, notes_;     // of all projects
+  std::string project_lines_;        // of the first ones
+  std::string title_, about_;        // of the only one
+  Spill advice_, warnings_, notes_;  // of all projects
 };
 
 void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -199,6 +223,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   if (others_.count() > 0) text += "\n" + others_.text();
   sink.write(text);
+  advice_.copy_to(sink);
   warnings_.copy_to(sink);
   notes_.copy_to(sink);
   text.clear();

@@ -3,6 +3,7 @@
 #include "calc/base/file_hash.h"
 #include "report/html/data_sheets.h"
 #include "report/html/html_about.h"
+#include "report/html/html_advice.h"
 #include "report/html/html_aggregates.h"
 #include "report/html/html_deviations.h"
 #include "report/html/html_emergency.h"
@@ -421,6 +422,7 @@ std::vector<HtmlWriter::Chapter> HtmlWriter::chapters_of(const ProjectPart& proj
   std::vector<Chapter> chapters{
       {html_uses(t_, project, project_), "uses", Text::uses},
       {html_aggregates(t_, project, project_), "", {}},
+      {html_advice(t_, project, project_), "advice", Text::advice_title},
       {html_emergency(t_, project, project_, folder_), "emergency", Text::emergency},
       {html_luminaires(t_, project, project_), "luminaires", Text::luminaires},
       {html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan},

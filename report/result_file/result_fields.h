@@ -365,6 +365,50 @@ void describe(auto& v, Is<calc::MaintenancePlan> auto& plan) {
   v.field("instructions", plan.instructions, {.presence = only_if(!plan.instructions.empty())});
 }
 
+void describe(auto& v, Is<AdvisedGroup> auto& group) {
+  v.field("group", group.group, {.words = "\"\": luminaires without one."});
+  v.field("luminaires", group.luminaires);
+  v.field("power_w", group.power_w,
+          {.words = "Of all of them at full output; 0 = not stated.", .least = 0.0});
+  v.field("flux_lm", group.flux_lm, {.words = "Likewise.", .least = 0.0});
+  v.field("now", group.now, {.words = "Level in the project.", .least = 0.0, .most = 1.0});
+  v.field("level", group.level,
+          {.words = "Advised; above 1: so many times the light.",
+           .least = 0.0,
+           .most = kMostAdvisedLight});
+}
+
+void describe(auto& v, Is<RequirementName> auto& name) {
+  v.is("requirement_name");
+  v.field("plane", name.plane, {.words = "Its id."});
+  v.field("requirement", name.requirement, {.words = "Its id."});
+}
+
+void describe(auto& v, Is<LevelAdvice> auto& advice) {
+  v.is("level_advice", "Of one light scene.");
+  v.field("scene", advice.scene, {.words = "\"\": full output."});
+  v.field("outcome", advice.outcome,
+          {.words = "levels: these are enough, checked with other random numbers; contradiction: "
+                    "surely none are; more-light: only more light than there is, not checked; "
+                    "too-uncertain: the intervals are too wide; none-found: see reason."});
+  v.field("reason", advice.reason,
+          {.presence = only_if(!advice.reason.empty()), .holds = Holds::prose});
+  v.field("is_by_flux", advice.is_by_flux,
+          {.words = "now and advised are lumens, since a power is not known; else watts."});
+  v.field("now", advice.now, {.least = 0.0});
+  v.field("advised", advice.advised, {.least = 0.0});
+  v.field("groups", advice.groups, {.words = "Empty without levels."});
+  v.field("passing", advice.passing, {.words = "Of the scene's requirements, with the levels."});
+  v.field("asked", advice.asked);
+  v.refuse_if(advice.passing > advice.asked, "passing", "more pass than are asked");
+  v.field("not_met", advice.not_met, {.words = "With the levels."});
+  v.field("aggregates_not_met", advice.aggregates_not_met,
+          {.words = "Aggregates and classes of rule packs, with the levels.",
+           .presence = only_if(!advice.aggregates_not_met.empty()),
+           .holds = Holds::prose});
+  v.field("excluding", advice.excluding, {.words = "Of these no levels meet all."});
+}
+
 void describe(auto& v, Is<ProjectPart> auto& project) {
   v.is("project");
   v.field("path", project.path, {.holds = Holds::file});
@@ -403,6 +447,9 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("spaces", project.spaces);
   v.field("inputs", project.inputs);
   v.field("aggregates", project.aggregates, {.presence = only_if(!project.aggregates.empty())});
+  v.field("advice", project.advice,
+          {.words = "Of --advice: dimming levels for scenes in which something is not met.",
+           .presence = only_if(project.advice.has_value())});
   const std::vector<RowUse> uses = row_uses(project);
   v.written("uses", [&] { return uses; },
             {.words = "Each row of a rule pack, over all rooms that are asked it.",

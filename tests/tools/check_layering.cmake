@@ -10,12 +10,12 @@ set(folders
   rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu
   report/document report/text report/stream report/revision report/policy report/build report/images report/html report/result_file report/formats report/check
-  report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/config report/tools/converge
+  report/git report/advice report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/config report/tools/converge
   report/tools/devices report/tools/geometry report/tools/help report/tools/import report/tools/export report/tools/init report/tools/photometry
   report/tools/policy report/tools/report report/tools/rules report/tools/selftest report/tools/store report/tools/submit report/tools/sweep report/tools/advise report/tools/schema report/tools/validate
   report/tools/vpl report/tools/watch report/cli report/python)
 
-set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli|python))$")
+set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|advice|shell|tools/[a-z]+|cli|python))$")
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
@@ -28,7 +28,7 @@ set(owned_libraries
   "git2|report/git/"
   "pybind11/|report/python/module\\.cpp"
   "httplib|report/tools/watch/report_server\\.cpp"
-  "coin/|report/tools/advise/coin_library"
+  "coin/|report/advice/coin_library"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
   "zlib\\.h|report/formats/xlsx_container\\.cpp"

@@ -2,6 +2,10 @@
 
 #include "calc/project/project_xml.h"
 #include "calc/store/memory_store.h"
+#include "report/advice/changed_project.h"
+#include "report/advice/find_advice.h"
+#include "report/advice/level_solver.h"
+#include "report/advice/written_levels.h"
 #include "report/formats/write.h"
 #include "report/shell/data_output.h"
 #include "report/shell/interrupt.h"
@@ -11,16 +15,13 @@
 #include "report/shell/progress.h"
 #include "report/shell/project_reader.h"
 #include "report/text/words.h"
-#include "report/tools/advise/find_advice.h"
 #include "report/tools/advise/find_packages.h"
 #include "report/tools/advise/find_places.h"
-#include "report/tools/advise/level_solver.h"
-#include "report/tools/advise/written_levels.h"
 #include "report/tools/advise/written_places.h"
+#include "report/tools/check/advice_checks.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
-#include "report/tools/check/watched_project.h"
 
 #include <fmt/format.h>
 
@@ -67,28 +68,6 @@ struct AdviseOptions {
   std::vector<DataOutput> outputs;
 };
 
-// Keeps what documents leave out.
-class LightKeeper : public WatchedProject {
- public:
-  LightKeeper(Progress& progress, const std::string& path) : WatchedProject(progress, path) {}
-
-  void solved(const std::string& project, const std::string& space,
-              const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
-              const calc::SpaceSolution& solution) override {
-    WatchedProject::solved(project, space, scene, tasks, solution);
-    const std::scoped_lock lock(mutex_);
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      light_.insert_or_assign(tasks[i].plane_id, PlaneLight{*tasks[i].grid, solution.fields[i]});
-    }
-  }
-  // Once the project is done.
-  const LightOfPlanes& light() const { return light_; }
-
- private:
-  std::mutex mutex_;  // spaces are solved at the same time
-  LightOfPlanes light_;
-};
-
 // Remembers what was read, as path_identity() has it.
 class RememberingReader : public calc::FileReader {
  public:
@@ -110,22 +89,6 @@ class RememberingReader : public calc::FileReader {
   const calc::FileReader& files_;
   mutable std::mutex mutex_;  // several files are read at the same time
   mutable std::set<std::string> read_;
-};
-
-// The project has another text, and every other file is as it is.
-class ChangedProject : public calc::FileReader {
- public:
-  ChangedProject(const calc::FileReader& files, std::string project, std::string text)
-      : files_(files), project_(std::move(project)), text_(std::move(text)) {}
-
-  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
-    if (path == project_) return {text_, ""};
-    return files_.read_within(folder, path);
-  }
-
- private:
-  const calc::FileReader& files_;
-  const std::string project_, text_;
 };
 
 // What counts, does not pass and hangs on no levels, such as the power by area of a room.
@@ -283,7 +246,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   const calc::LookStore store{memory, setup->opened.identity};
   Progress progress(progress_style(check.output, context.environment),
                     context.environment.stderr_columns, "checks");
-  LightKeeper keeper(progress, options.project);
+  KeptLight light;
+  LightKeeper keeper(progress, options.project, light);
   // Whatever happens to the file from now on, all is about these bytes.
   const ChangedProject as_read(files, options.project, project.bytes);
   const report::ProjectPart part =
@@ -298,27 +262,13 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     return kNotJudged;
   }
 
-  const auto check_text = [&](const std::string& text,
-                              std::string& reason) -> std::optional<report::ProjectPart> {
-    const ChangedProject changed(files, options.project, text);
-    // Other random numbers: levels that were chosen by the same ones may owe something to them.
-    check::Settings settings = check.settings;
-    settings.goal = rules::Goal::verdict;
-    ++settings.radiosity.seed;
-    WatchedProject observer(progress, options.project);
-    report::ProjectPart result =
-        check_safely(options.project, {settings, changed, setup->packs, stages, observer, nullptr,
-                                       &store, setup->crew.most_begun});
-    progress.clear();
-    if (result.is_judged) return result;
-    reason = result.diagnostics.empty() ? "the changed project was not judged"
-                                        : result.diagnostics.back().message;
-    return std::nullopt;
-  };
+  const check::Context context_of_checks{
+      check.settings, files, setup->packs, stages, keeper, nullptr, &store, setup->crew.most_begun};
+  const CheckText check_text = check_by_other_numbers(options.project, context_of_checks, progress);
   Advice advice{options.project, {}, {}, {}, {}};
   const AdviceSettings advised{options.steps, check.settings.confidence, options.scene,
                                options.has_scene, interrupted};
-  advice.scenes = find_advice(part, keeper.light(), advised,
+  advice.scenes = find_advice(part, light.planes(), advised,
                               levels_check(project.bytes, options.project, part, check_text));
   if (interrupted()) return kInterrupted;
   if (advice.scenes.empty()) {
@@ -344,17 +294,18 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     const auto light_apart = [&] {
       check::Settings settings = check.settings;
       settings.by_luminaire = true;
-      LightKeeper apart(progress, options.project);
+      KeptLight kept;
+      LightKeeper apart(progress, options.project, kept);
       check_safely(options.project, {settings, as_read, setup->packs, stages, apart, nullptr,
                                      &store, setup->crew.most_begun});
       progress.clear();
-      return apart.light();
+      return kept.planes();
     };
     const RoomQuestions questions{options.project,
                                   project.bytes,
                                   *loaded,
                                   part,
-                                  keeper.light(),
+                                  light.planes(),
                                   advice.scenes,
                                   check.settings.confidence,
                                   importance,

@@ -1,11 +1,11 @@
 #include "report/tools/advise/find_packages.h"
 
 #include "calc/scene/luminaire_sums.h"
+#include "report/advice/findings.h"
+#include "report/advice/written_levels.h"
 #include "report/check/package_changes.h"
 #include "report/text/words.h"
 #include "report/tools/advise/advice_words.h"
-#include "report/tools/advise/findings.h"
-#include "report/tools/advise/written_levels.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/outcome.h"
 

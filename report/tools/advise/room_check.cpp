@@ -1,6 +1,6 @@
 #include "report/tools/advise/room_check.h"
 
-#include "report/tools/advise/findings.h"
+#include "report/advice/findings.h"
 
 #include <fmt/format.h>
 

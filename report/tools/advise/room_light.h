@@ -3,8 +3,8 @@
 
 #include "calc/radiosity/importance.h"
 #include "calc/scene/project.h"
+#include "report/advice/find_advice.h"
 #include "report/document/document.h"
-#include "report/tools/advise/find_advice.h"
 #include "report/tools/advise/room_advice.h"
 #include "rules/catalogue/requirement.h"
 

@@ -1,8 +1,8 @@
 #include "report/tools/advise/written_places.h"
 
+#include "report/advice/written_levels.h"
 #include "report/check/room_changes.h"
 #include "report/tools/advise/find_places.h"
-#include "report/tools/advise/written_levels.h"
 
 #include <fmt/format.h>
 

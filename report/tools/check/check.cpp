@@ -4,6 +4,8 @@
 #include "calc/base/utf8.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
+#include "report/advice/changed_project.h"
+#include "report/advice/level_solver.h"
 #include "report/check/check_project.h"
 #include "report/check/in_order.h"
 #include "report/check/set_values.h"
@@ -21,6 +23,7 @@
 #include "report/shell/result_input.h"
 #include "report/shell/selection_option.h"
 #include "report/text/words.h"
+#include "report/tools/check/advice_checks.h"
 #include "report/tools/check/against.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
@@ -227,6 +230,10 @@ bool remove_resume_store(const std::string& folder) {
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   CheckOptions options = asked;
   if (!open_printer_or_print(options.output, context.environment)) return kNotJudged;
+  if (const std::string problem = options.advice ? solver_problem() : ""; !problem.empty()) {
+    print_error(calc::DiagnosticId::output_not_possible, "--advice: " + problem);
+    return kNotJudged;
+  }
   if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
   const ProjectReader disk(asked.input);
@@ -286,7 +293,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (!options.store.empty()) {
     folder.emplace(options.store);
     store.emplace(calc::LookStore{*folder, identity, options.batch.is_stored_only});
-  } else if (old_state) {  // what did not change is calculated once
+  } else if (old_state || options.advice) {  // what did not change is calculated once
     memory.emplace(kMostMemoryStoreBytes);
     store.emplace(calc::LookStore{*memory, identity});
   }
@@ -338,12 +345,25 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   calc::LookCounts looks;
   bool has_chosen = options.settings.selection.is_all();
   const auto work = [&](std::size_t p) {
+    const std::string& path = options.input.projects[p];
     CheckObserver observer(options, progress, gallery, p);
+    // Whatever happens to the file from now on, advice is about what was checked.
+    const calc::FileContent as_read = options.advice ? files.read(path) : calc::FileContent{};
+    std::optional<ChangedProject> kept;
+    if (options.advice && as_read.ok()) kept.emplace(files, path, as_read.bytes);
+    const check::Context check{options.settings,
+                               kept ? static_cast<const calc::FileReader&>(*kept) : files,
+                               setup->packs,
+                               stages,
+                               observer,
+                               vertices ? &*vertices : nullptr,
+                               store ? &*store : nullptr,
+                               at_once};
     CheckedProject project;
-    project.part =
-        check_safely(options.input.projects[p],
-                     {options.settings, files, setup->packs, stages, observer,
-                      vertices ? &*vertices : nullptr, store ? &*store : nullptr, at_once});
+    project.part = check_safely(path, check);
+    if (kept && project.part.is_judged) {
+      project.part.advice = advice_on(project.part, as_read.bytes, check, progress);
+    }
     tell_set_values(options.set, project.part);
     if (policy) report::judge_policy(*policy, options.settings.today, project.part);
     project.cost_log = observer.cost_log(project.part);
@@ -372,7 +392,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (!begin_to_write()) return told_of_interrupt(options);
   if (options.explain_cost) {
     tell("{}{}{}", check::backend_line(setup->backend), cost_log,
-         store ? looks_line(looks, options) : "");
+         folder || old_state ? looks_line(looks, options) : "");
   }
   bool is_written = results.finish(backend, recorded.paths());
   warnings.print(options.output.quiet);

@@ -40,6 +40,11 @@ std::vector<Option> document_options(CheckOptions& options) {
       {"--explain-cost", "",
        "Print predicted beside true work to standard error: see 'luxgate plan'",
        &options.explain_cost},
+      {"--advice", "",
+       "Where something is not met: dimming levels with which it would be, with the least power,\n"
+       "or why there are none; in HTML, PDF, text, Markdown and JSON. Takes a calculation to\n"
+       "--tolerance and at least one check more. See 'luxgate advise', which says more",
+       &options.advice},
       passes_option(options.output.lists_passes),
       color_option(options.output.color)};
 }
@@ -125,6 +130,7 @@ std::string batch_contradiction(const CheckOptions& options) {
     return together("--against") + "; --baseline compares with a result";
   }
   if (options.settings.radiosity.time_limit_s > 0.0) return together("--time-limit");
+  if (options.advice) return together("--advice");
   if (!is_shard) return "";
   const OutputOptions& output = options.output;
   if (!output.formats.empty() || !output.folder.empty() || output.images) {
@@ -283,7 +289,7 @@ Command check_syntax(CheckOptions& options) {
         "seed, replicates and the most paths are the file's. Results are the same to the bit",
         some_text(options.vpl_file),
         false,
-        {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
+        {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against", "--advice"}},
        store_option(options.store)});
   add(command.options, batch_options(options.batch));
   add(command.options, {strict_option(options.strict), sandbox_option(options.sandbox),
@@ -348,7 +354,7 @@ std::string reproducible_words(const CheckOptions& options) {
     }
   }
   return command + (used.by_luminaire ? " --by-luminaire" : "") +
-         work_words(used.radiosity, options.backend);
+         (options.advice ? " --advice" : "") + work_words(used.radiosity, options.backend);
 }
 
 }  // namespace cli

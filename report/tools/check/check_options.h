@@ -39,6 +39,7 @@ struct CheckOptions {
   std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
   bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
   bool explain_cost = false;
+  bool advice = false;  // levels for scenes in which something is not met
   StrictWarnings strict;
   std::string policy;    // the owner's, a file; "" = none
   std::string baseline;  // a result file; "" = none

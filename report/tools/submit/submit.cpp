@@ -63,9 +63,10 @@ struct SubmitOptions {
   std::string source_date_epoch;
 };
 
-constexpr auto kNotOfBatches = std::to_array<std::string_view>(
-    {"--against", "--explain-cost", "--jobs", "--plane", "--require", "--resume", "--shard",
-     "--space", "--stored-only", "--tag", "--time-limit", "--units", "--verbose", "--vpl"});
+constexpr auto kNotOfBatches =
+    std::to_array<std::string_view>({"--advice", "--against", "--explain-cost", "--jobs", "--plane",
+                                     "--require", "--resume", "--shard", "--space", "--stored-only",
+                                     "--tag", "--time-limit", "--units", "--verbose", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
     {"--allow",     "--backend", "--by-luminaire", "--clamp",     "--confidence",

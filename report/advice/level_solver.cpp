@@ -1,6 +1,6 @@
-#include "report/tools/advise/level_solver.h"
+#include "report/advice/level_solver.h"
 
-#include "report/tools/advise/coin_library.h"
+#include "report/advice/coin_library.h"
 
 #include <fmt/format.h>
 

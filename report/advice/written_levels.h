@@ -1,10 +1,9 @@
 #pragma once
 // Advised levels in the text of a project, and whether the project then is what was meant.
 
+#include "report/advice/find_advice.h"
 #include "report/check/scene_levels.h"
 #include "report/document/document.h"
-#include "report/tools/advise/advice.h"
-#include "report/tools/advise/find_advice.h"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "report/tools/advise/findings.h"
+#include "report/advice/findings.h"
 
 #include "report/text/words.h"
 #include "rules/catalogue/metric.h"

@@ -1,6 +1,6 @@
-#include "report/tools/advise/written_levels.h"
+#include "report/advice/written_levels.h"
 
-#include "report/tools/advise/findings.h"
+#include "report/advice/findings.h"
 
 #include <fmt/format.h>
 

@@ -1,26 +1,17 @@
 #pragma once
 // Levels for every scene of a project that has been checked, from the light of its planes.
 
-#include "calc/base/field.h"
 #include "calc/scene/project.h"
-#include "calc/scene/sensor_grid.h"
+#include "report/advice/kept_light.h"
+#include "report/advice/scene_advice.h"
 #include "report/document/document.h"
-#include "report/tools/advise/advice.h"
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cli {
-
-// What is known of a plane's light beyond what a document has.
-struct PlaneLight {
-  calc::SensorGrid grid;
-  calc::PlaneField field;
-};
-using LightOfPlanes = std::map<std::string, PlaneLight>;  // by plane id
 
 // Of a plane's requirements that count and are judged from the light of its points alone, as a
 // check with this light would.

@@ -1,7 +1,8 @@
-#include "report/tools/advise/find_advice.h"
+#include "report/advice/find_advice.h"
 
+#include "calc/base/sentences.h"
+#include "report/advice/level_solver.h"
 #include "report/text/words.h"
-#include "report/tools/advise/level_solver.h"
 #include "rules/measure/level_conditions.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/outcome.h"
@@ -83,8 +84,7 @@ class SceneSearch {
         return std::move(advice_);
       }
       advice_.outcome = AdviceOutcome::none_found;
-      advice_.reason =
-          "the levels that were found did not pass the check with other random numbers";
+      advice_.reason = calc::say<calc::Sentence::advice_not_confirmed>();
     }
     if (settings_.is_trial) {
       for (Asked& asked : asked_) asked.safety = 1.0;
@@ -200,19 +200,18 @@ class SceneSearch {
   }
 
   std::string why_none() const {
-    if (advice_.groups.empty()) return "there are no luminaires";
+    if (advice_.groups.empty()) return calc::say<calc::Sentence::advice_no_luminaires>();
     for (const AdvisedRequirement& one : advice_.requirements) {
       if (one.before.requirement.state == rules::LightState::end_of_duration) {
-        return "what a battery leaves at its end is no level to be chosen";
+        return calc::say<calc::Sentence::advice_of_battery>();
       }
     }
     const bool is_any = std::any_of(asked_.begin(), asked_.end(),
                                     [](const Asked& asked) { return asked.is_searched(); });
     if (is_any) return "";
     const AdvisedRequirement& first = advice_.requirements.front();
-    return fmt::format(
-        "none of its requirements is a condition on the sum of the light of groups; {}, {}: {}",
-        first.plane, first.before.requirement.id, first.not_searched);
+    return fmt::format("{}; {}, {}: {}", calc::say<calc::Sentence::advice_no_condition>(),
+                       first.plane, first.before.requirement.id, first.not_searched);
   }
 
   // without: indices of requirements that are left out.
@@ -269,7 +268,7 @@ class SceneSearch {
       }
       if (is_good) return answer.levels;
     }
-    advice_.reason = "judging wants more room than was found";
+    advice_.reason = calc::say<calc::Sentence::advice_wants_room>();
     return std::nullopt;
   }
 
@@ -400,8 +399,7 @@ class SceneSearch {
       return;
     }
     advice_.outcome = AdviceOutcome::none_found;
-    advice_.reason = fmt::format(
-        "levels that meet the conditions of the search break what it does not know: {}, {}",
+    advice_.reason = calc::say<calc::Sentence::advice_breaks>(
         advice_.requirements[broken.front()].plane,
         advice_.requirements[broken.front()].before.requirement.id);
     for (AdvisedRequirement& one : advice_.requirements) one.after = one.before;
@@ -420,13 +418,12 @@ class SceneSearch {
   void explain() {
     for (Asked& asked : asked_) asked.safety = 1.0;
     if (can_be_met(1.0, {}) == Can::yes) {
-      advice_.reason = are_no_steps_ ? "there are levels, but none in these steps"
-                                     : "there may be levels in these steps, but the search ended";
+      advice_.reason = are_no_steps_ ? calc::say<calc::Sentence::advice_no_steps>()
+                                     : calc::say<calc::Sentence::advice_maybe_steps>();
       return;
     }
     if (is_all_searched_met_now()) {
-      advice_.reason =
-          "the levels of now pass, and none were found whose conditions are met with room";
+      advice_.reason = calc::say<calc::Sentence::advice_now_passes>();
       return;
     }
     switch (can_be_met(kWholeInterval, {})) {
@@ -434,7 +431,7 @@ class SceneSearch {
         advice_.outcome = AdviceOutcome::too_uncertain;
         return;
       case Can::unknown:
-        advice_.reason = "the search ended before it knew whether there are levels";
+        advice_.reason = calc::say<calc::Sentence::advice_search_ended>();
         return;
       case Can::no:
         break;

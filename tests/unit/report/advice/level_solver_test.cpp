@@ -1,4 +1,4 @@
-#include "report/tools/advise/level_solver.h"
+#include "report/advice/level_solver.h"
 
 #include <gtest/gtest.h>
 

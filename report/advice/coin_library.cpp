@@ -1,4 +1,4 @@
-#include "report/tools/advise/coin_library.h"
+#include "report/advice/coin_library.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

@@ -1,0 +1,35 @@
+#pragma once
+// What a report says of levels that would make a project pass: see check --advice.
+
+#include "report/advice/find_advice.h"
+#include "report/advice/kept_light.h"
+#include "report/document/document.h"
+#include "report/document/level_advice.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// A project as it was checked.
+struct CheckedText {
+  const std::string& file;   // its path
+  const std::string& bytes;  // of it
+  const report::ProjectPart& part;
+};
+
+// The same project with its light known to the tolerance everywhere, not only as far as verdicts
+// needed it, and that light. Empty: it could not be calculated.
+using CheckLight = std::function<std::optional<report::ProjectPart>(KeptLight& light)>;
+
+// One for each scene in which something that is judged from the light of points fails or is
+// undecided, in the order of the project; nothing is calculated where there is none.
+// check: with other random numbers.
+std::vector<report::LevelAdvice> advised_levels(const CheckedText& project,
+                                                const AdviceSettings& settings,
+                                                const CheckLight& check_light,
+                                                const CheckText& check);
+
+}  // namespace cli

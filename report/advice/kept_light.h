@@ -1,0 +1,39 @@
+#pragma once
+// What is known of the light of planes beyond what a document has.
+
+#include "calc/base/field.h"
+#include "calc/radiosity/solve.h"
+#include "calc/scene/sensor_grid.h"
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct PlaneLight {
+  calc::SensorGrid grid;
+  calc::PlaneField field;
+};
+using LightOfPlanes = std::map<std::string, PlaneLight>;  // by plane id
+
+// Of a project that is being checked; spaces may come at the same time.
+class KeptLight {
+ public:
+  void keep(const std::vector<calc::PlaneTask>& tasks, const calc::SpaceSolution& solution) {
+    const std::scoped_lock lock(mutex_);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      planes_.insert_or_assign(tasks[i].plane_id, PlaneLight{*tasks[i].grid, solution.fields[i]});
+    }
+  }
+  // Once the project is done.
+  const LightOfPlanes& planes() const { return planes_; }
+
+ private:
+  std::mutex mutex_;
+  LightOfPlanes planes_;
+};
+
+}  // namespace cli
