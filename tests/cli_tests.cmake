@@ -15,6 +15,7 @@ luxgate_test(cli_tests
     unit/report/shell/exit_code_test.cpp
     unit/report/shell/help_text_test.cpp
     unit/report/tools/advise/advice_json_test.cpp
+    unit/report/advice/advised_levels_test.cpp
     unit/report/advice/level_solver_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp

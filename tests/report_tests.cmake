@@ -130,6 +130,9 @@ if(Python3_Interpreter_FOUND)
   add_test(NAME cli.advise COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/advise.py
     $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/advise)
   set_tests_properties(cli.advise PROPERTIES TIMEOUT 300)
+  add_test(NAME cli.check_advice COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_advice.py
+    $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/check_advice)
+  set_tests_properties(cli.check_advice PROPERTIES TIMEOUT 300)
   add_test(NAME cli.advise_places COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/advise_places.py
     $<TARGET_FILE:luxgate> ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/advise_places)
   set_tests_properties(cli.advise_places PROPERTIES TIMEOUT 300)

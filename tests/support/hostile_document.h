@@ -43,6 +43,30 @@ inline Document hostile_document() {
       row.format = evil();
       row.sha256 = evil();
     }
+    project.advice = {{evil(),
+                       AdviceOutcome::levels,
+                       "",
+                       true,
+                       2.0,
+                       1.0,
+                       {{evil(), 1, 0.0, 1.0, 1.0, 0.5}},
+                       0,
+                       2,
+                       {{evil(), evil()}},
+                       {evil()},
+                       {}},
+                      {evil(),
+                       AdviceOutcome::none_found,
+                       evil(),
+                       false,
+                       0,
+                       0,
+                       {},
+                       0,
+                       0,
+                       {},
+                       {},
+                       {{evil(), evil()}}}};
     for (calc::InputFile& input : project.inputs) input = {evil(), evil()};
     for (SpacePart& space : project.spaces) {
       space.id = evil();

@@ -127,7 +127,8 @@ def main():
         for language in ("de", "fr"):
             files = {kind: os.path.join(work, f"{name}-{language}.{end}")
                      for kind, end in (("html", "html"), ("markdown", "md"), ("text", "txt"))}
-            command = [luxgate, "check", project, "--language", language, "--max-paths", "64", "--quiet", "--redact"]
+            command = [luxgate, "check", project, "--language", language, "--max-paths", "64", "--quiet", "--redact",
+                       "--advice"]
             for kind, path in files.items():
                 command += ["--format", f"{kind}={path}"]
             done = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -109,6 +109,43 @@ Document rich_document() {
   project.spaces[0].finishes = {{"floor", "wood, tiles"}};
   project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}, "wood"}};
   project.spaces[0].bodies_left_out = 3;
+  const std::string& id = plane.findings.front().requirement.id;
+  project.advice = {{"night <1>",
+                     AdviceOutcome::levels,
+                     "",
+                     false,
+                     72.0,
+                     45.5,
+                     {{"row <1>", 2, 72.0, 2400.0, 1.0, 0.625}, {"", 1, 0.0, 900.0, 0.5, 0.5}},
+                     1,
+                     2,
+                     {{plane.id, id}},
+                     {"a class (fail)"},
+                     {}},
+                    {"",
+                     AdviceOutcome::contradiction,
+                     "",
+                     false,
+                     0,
+                     0,
+                     {},
+                     0,
+                     0,
+                     {},
+                     {},
+                     {{plane.id, id}, {"gone", "Em"}}},
+                    {"day",
+                     AdviceOutcome::none_found,
+                     "there are no luminaires",
+                     false,
+                     0,
+                     0,
+                     {},
+                     0,
+                     0,
+                     {},
+                     {},
+                     {}}};
   document.provenance.timestamp = "2024-05-01T12:00:00Z";
   document.provenance.judged_on = "2024-05-01";
   document.provenance.goal = rules::Goal::accuracy;
