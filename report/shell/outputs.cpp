@@ -342,7 +342,7 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
 
 std::string path_identity(const std::string& file) { return calc::real_path(file).string(); }
 
-std::vector<std::string> written_places(const OutputOptions& options) {
+std::vector<std::string> written_rooms(const OutputOptions& options) {
   std::vector<std::string> places;
   if (!options.folder.empty()) places.push_back(options.folder);
   for (const OutputFormat& planned : planned_files(options)) {

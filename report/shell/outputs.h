@@ -19,7 +19,7 @@ namespace cli {
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs);
 
 // Files and folders in which those that are planned, and what is needed meanwhile, are made.
-std::vector<std::string> written_places(const OutputOptions& options);
+std::vector<std::string> written_rooms(const OutputOptions& options);
 // For who cannot open temporary files later.
 void open_spill_files(OutputOptions& options);
 

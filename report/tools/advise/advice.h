@@ -50,7 +50,7 @@ struct PackageAdvice {
 
 // Of --write: what went into the file, and what a check of it says with other random numbers.
 struct WrittenAdvice {
-  std::string file, what;  // "levels", "packages" or "places"
+  std::string file, what;  // "levels", "packages", "places" or "turns"
   std::size_t passing = 0, asked = 0;
   std::vector<std::string> not_met = {};
 };

@@ -188,7 +188,7 @@ JsonKeys package_keys(const PackageAdvice& advice) {
 
 JsonKeys written_keys(const WrittenAdvice& written) {
   return {{"file", written.file, type_of("string")},
-          {"what", written.what, {{"enum", {"levels", "packages", "places"}}}},
+          {"what", written.what, {{"enum", {"levels", "packages", "places", "turns"}}}},
           {"passing", written.passing, at_least_type("integer", 0)},
           {"asked", written.asked, at_least_type("integer", 0)},
           {"not_met", written.not_met, list_of_keys(type_of("string"))}};

@@ -17,7 +17,7 @@
 #include "report/text/words.h"
 #include "report/tools/advise/find_packages.h"
 #include "report/tools/advise/find_places.h"
-#include "report/tools/advise/written_places.h"
+#include "report/tools/advise/written_rooms.h"
 #include "report/tools/check/advice_checks.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
@@ -166,7 +166,7 @@ void print_error(const std::string& words) {
 // False after an error, which has been printed: then nothing is written. The advice holds all the
 // same.
 bool write_changed(const AdviseOptions& options, Advice& advice, const report::ProjectPart& part,
-                   const std::string& bytes, const std::optional<PlacesText>& places,
+                   const std::string& bytes, const std::optional<RoomsText>& rooms,
                    const CheckText& check) {
   const auto has_levels = [](const SceneAdvice& scene) {
     return scene.outcome == AdviceOutcome::levels;
@@ -192,8 +192,8 @@ bool write_changed(const AdviseOptions& options, Advice& advice, const report::P
     const PackageAdvice& found = *advice.packages;
     return written(found.text, {"", "packages", found.passing, found.asked, found.not_met});
   }
-  if (places) {
-    return places->text ? written(*places->text, places->told) : refused(places->problem);
+  if (rooms) {
+    return rooms->text ? written(*rooms->text, rooms->told) : refused(rooms->problem);
   }
   if (scenes == 0) return refused("no scene has levels");
   const LevelsText changed = with_levels(bytes, options.project, advice.scenes, part);
@@ -279,7 +279,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     return kNotJudged;
   }
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
-  std::optional<PlacesText> places;  // that are to be written
+  std::optional<RoomsText> rooms;  // that are to be written
   if (options.packages || options.places || options.surfaces || options.turns) {
     calc::Diagnostics again;
     const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
@@ -316,15 +316,20 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
       advice.rooms.places = find_places(questions);
       advice.rooms.spare = find_spare(questions);
       if (!options.write_file.empty() && !advice.rooms.places->empty()) {
-        places = with_places(questions, *advice.rooms.places);
+        rooms = with_places(questions, *advice.rooms.places);
       }
     }
-    if (options.turns) advice.rooms.turns = find_turns(questions);
+    if (options.turns) {
+      advice.rooms.turns = find_turns(questions);
+      if (!options.write_file.empty() && !advice.rooms.turns->empty()) {
+        rooms = with_turns(questions, *advice.rooms.turns);
+      }
+    }
     if (options.surfaces) advice.rooms.surfaces = find_surfaces(questions);
     if (interrupted()) return kInterrupted;
   }
   const bool is_written = options.write_file.empty() ||
-                          write_changed(options, advice, part, project.bytes, places, check_text);
+                          write_changed(options, advice, part, project.bytes, rooms, check_text);
   if (interrupted()) return kInterrupted;
   calc::Diagnostics written;
   const std::string text = write_data_outputs(
@@ -357,8 +362,10 @@ std::string complete_advise(AdviseOptions& options) {
   if (options.packages && options.has_scene) {
     return "--packages is about all scenes: leave out --scene";
   }
-  if (options.packages && options.places && !options.write_file.empty()) {
-    return "--write: packages or places, one after the other";
+  const int written =
+      (options.packages ? 1 : 0) + (options.places ? 1 : 0) + (options.turns ? 1 : 0);
+  if (written > 1 && !options.write_file.empty()) {
+    return "--write: packages, places or turns, one after the other";
   }
   if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
   return complete_work(check.settings.radiosity, check.backend);
@@ -386,7 +393,8 @@ Command advise_command() {
       {"--steps", "N", "Levels are multiples of 1/N, from 1 to 1000; default 100",
        whole_number(options->steps, 1, 1000)},
       {"--write", "FILE",
-       "Write the project with the levels that were found (or packages, or places: see there),\n"
+       "Write the project with the levels that were found (or packages, places, turns: see "
+       "there),\n"
        "for --against or compare; in the folder of the project. What is asked of full output is\n"
        "then asked of a new scene",
        some_text(options->write_file)},
@@ -400,7 +408,8 @@ Command advise_command() {
        "are any",
        &options->places},
       {"--turns", "",
-       "Also which luminaires to turn or tilt, in rooms where no levels meet everything",
+       "Also which luminaires to turn or tilt, in rooms where no levels meet everything;\n"
+       "--write then writes those that are enough",
        &options->turns},
       {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
        &options->surfaces}};

@@ -48,7 +48,7 @@ bool may_compile(const CheckOptions& options) {
 bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context) {
   if (options.sandbox == SandboxMode::off) return true;
   const Environment& environment = context.environment;
-  SandboxRules rules{places_of(options.input), written_places(options.output)};
+  SandboxRules rules{places_of(options.input), written_rooms(options.output)};
   for (const std::string* file :
        {&options.policy, &options.baseline, &options.vpl_file, &options.batch.units_file}) {
     if (!file->empty()) rules.read.push_back(*file);

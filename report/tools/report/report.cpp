@@ -34,7 +34,7 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
     read.push_back(beside.empty() ? "." : beside.string());
     read.emplace_back(".");
   }
-  if (!enter_sandbox_or_print(options.sandbox, {read, written_places(options.output)},
+  if (!enter_sandbox_or_print(options.sandbox, {read, written_rooms(options.output)},
                               environment)) {
     return kNotJudged;
   }
