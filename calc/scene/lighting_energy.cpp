@@ -64,8 +64,10 @@ LightingEnergy lighting_energy(const Project& project, const Space& space,
   }
   if (!energy.problem.empty()) return energy;
   for (const Luminaire& luminaire : space.luminaires) {
-    energy.lighting_kwh += project.luminaire_types[luminaire.type].power_w / 1000.0 *
-                           full_hours(*space.energy, factors_of(*space.energy, luminaire.group));
+    const double kwh = project.luminaire_types[luminaire.type].power_w / 1000.0 *
+                       full_hours(*space.energy, factors_of(*space.energy, luminaire.group));
+    energy.lighting_kwh += kwh;
+    energy.kwh_of_group[luminaire.group] += kwh;
   }
   energy.leni_kwh_m2 = energy.lighting_kwh / power.area_m2 + space.energy->parasitic_kwh_m2;
   energy.words = words_of(*space.energy, space);

@@ -9,6 +9,7 @@
 #include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,9 @@ struct LightingEnergy {
   std::string problem;        // why there is no LENI; the numbers are then 0. "" = there is one
   // What was put in, with every factor that nobody states as 1; "" with a problem.
   std::string words;
+  // Of lighting_kwh, dimming group by dimming group; "" = luminaires without one. Results do not
+  // have it.
+  std::map<std::string, double> kwh_of_group = {};
 };
 
 // power: of the space. Luminaires count with their full output, of whatever scene.

@@ -32,7 +32,7 @@ report::LevelAdvice told(const SceneAdvice& advice, const report::ProjectPart& p
   level.scene = advice.scene;
   level.outcome = advice.outcome;
   level.reason = advice.reason;
-  level.is_by_flux = advice.is_by_flux;
+  level.unit = advice.unit;
   const auto name = [&](std::size_t index) {
     const FindingPlace& where = advice.requirements[index].where;
     return report::RequirementName{part.spaces[where.space].planes[where.plane].id,

@@ -28,6 +28,7 @@ constexpr double kMoreSafety = 1.5;
 constexpr double kWholeInterval = -1.0;
 constexpr int kMostTries = 10, kMostChecks = 4;
 constexpr double kSameStep = 1e-9;
+constexpr double kLeastEnergyShare = 1e-6;  // kWh of a year by W
 
 using Levels01 = std::vector<double>;
 
@@ -50,6 +51,7 @@ class SceneSearch {
               const AdviceSettings& settings, const std::string& scene)
       : part_(part), settings_(settings) {
     advice_.scene = scene;
+    advice_.unit = settings.unit;
     find_groups();
     find_asked(light);
   }
@@ -119,11 +121,14 @@ class SceneSearch {
           if (row.type_id != mark.type_id) continue;
           group.power_w += row.power_w;
           group.flux_lm += row.flux_lm;
-          advice_.is_by_flux = advice_.is_by_flux || !(row.power_w > 0.0);
+          if (settings_.unit == CostUnit::watt && !(row.power_w > 0.0)) {
+            advice_.unit = CostUnit::lumen;
+          }
           break;
         }
       }
     }
+    for (auto& [name, group] : groups) group.energy_kwh = energy_kwh(name);
     const auto scene =
         std::find_if(part_.scenes.begin(), part_.scenes.end(),
                      [&](const report::SceneRow& row) { return row.id == advice_.scene; });
@@ -132,6 +137,21 @@ class SceneSearch {
       advice_.groups.push_back(std::move(group));
     }
     advice_.left_alone.assign(left_alone.begin(), left_alone.end());
+  }
+
+  // Of all luminaires of a group at full output; 0 = one of their rooms does not state its use.
+  double energy_kwh(const std::string& group) const {
+    double sum_kwh = 0.0;
+    for (const report::SpacePart& space : part_.spaces) {
+      if (std::none_of(space.luminaires.begin(), space.luminaires.end(),
+                       [&](const report::LuminaireMark& mark) { return mark.group == group; })) {
+        continue;
+      }
+      if (!space.energy || !space.energy->problem.empty()) return 0.0;
+      const auto own = space.energy->kwh_of_group.find(group);
+      if (own != space.energy->kwh_of_group.end()) sum_kwh += own->second;
+    }
+    return sum_kwh;
   }
 
   bool is_asked_here(const rules::Finding& finding) const {
@@ -188,9 +208,22 @@ class SceneSearch {
     problem_.steps = settings_.steps;
     problem_.is_stopped = settings_.is_stopped;
     for (const AdvisedGroup& group : advice_.groups) {
-      problem_.cost.push_back(advice_.is_by_flux ? group.flux_lm : group.power_w);
+      problem_.cost.push_back(cost_of(group));
       problem_.range.push_back({0.0, 1.0});
     }
+  }
+
+  double cost_of(const AdvisedGroup& group) const {
+    switch (advice_.unit) {
+      case CostUnit::watt:
+        return group.power_w;
+      case CostUnit::lumen:
+        return group.flux_lm;
+      case CostUnit::kilowatt_hour:
+        break;
+    }
+    // Of what takes no energy as little light as is enough.
+    return std::max(group.energy_kwh, kLeastEnergyShare * group.power_w);
   }
 
   void take_now() {

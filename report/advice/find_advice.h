@@ -25,6 +25,9 @@ struct AdviceSettings {
   std::string scene;         // only this one; "" = all
   bool is_one_scene = false;
   std::function<bool()> is_stopped = [] { return false; };  // then what is returned says little
+  // What is to be least; watts give way to lumens where a power is not known. kilowatt_hour: every
+  // room that counts states its use.
+  CostUnit unit = CostUnit::watt;
   // One of many: nobody asks why there are no levels, only whether there surely are none
   // (`contradiction`).
   bool is_trial = false;

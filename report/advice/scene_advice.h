@@ -16,6 +16,7 @@ namespace cli {
 
 using report::AdviceOutcome;
 using report::AdvisedGroup;
+using report::CostUnit;
 using report::kMostAdvisedLight;
 
 struct AdvisedRequirement {
@@ -39,9 +40,9 @@ struct AdvisedLimit {
 struct SceneAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
-  std::string reason;       // of none_found, in words
-  bool is_by_flux = false;  // the power of a luminaire is not known: costs are lumens
-  // Watts, or lumens: with the levels now, with those advised, and what no levels undercut.
+  std::string reason;  // of none_found, in words
+  CostUnit unit = CostUnit::watt;
+  // With the levels now, with those advised, and what no levels undercut.
   double now = 0.0, advised = 0.0, least = 0.0;
   std::vector<AdvisedGroup> groups;
   // Groups of rooms in which nothing is asked of this scene: they stay as they are, and are in no

@@ -20,10 +20,18 @@ enum class AdviceOutcome {
   none_found,     // the search ended, or its levels did not pass the check
 };
 
+// What levels are to take the least of.
+enum class CostUnit {
+  watt,
+  lumen,          // the power of a luminaire is not known
+  kilowatt_hour,  // of a year
+};
+
 struct AdvisedGroup {
   std::string group;  // "" = luminaires without one
   std::size_t luminaires = 0;
   double power_w = 0.0, flux_lm = 0.0;  // of all of them at full output
+  double energy_kwh = 0.0;              // likewise, of a year; 0 = a room does not state its use
   double now = 1.0;                     // level in the project
   double level = 1.0;                   // advised; above 1: so many times the light
 };
@@ -37,9 +45,9 @@ struct RequirementName {
 struct LevelAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
-  std::string reason;       // of none_found, in words
-  bool is_by_flux = false;  // the power of a luminaire is not known: costs are lumens
-  // Watts, or lumens, at the levels of now and at those advised; 0 without levels.
+  std::string reason;  // of none_found, in words
+  CostUnit unit = CostUnit::watt;
+  // At the levels of now and at those advised; 0 without levels.
   double now = 0.0, advised = 0.0;
   std::vector<AdvisedGroup> groups;  // of levels and more_light
   // Of the scene's requirements that count: with these levels, checked with other random numbers;
@@ -57,6 +65,13 @@ struct LevelAdvice {
 }  // namespace report
 
 namespace calc {
+
+template <>
+struct EnumNames<report::CostUnit> {
+  static constexpr EnumName<report::CostUnit> list[] = {{report::CostUnit::watt, "W"},
+                                                        {report::CostUnit::lumen, "lm"},
+                                                        {report::CostUnit::kilowatt_hour, "kWh"}};
+};
 
 template <>
 struct EnumNames<report::AdviceOutcome> {

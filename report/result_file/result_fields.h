@@ -371,6 +371,10 @@ void describe(auto& v, Is<AdvisedGroup> auto& group) {
   v.field("power_w", group.power_w,
           {.words = "Of all of them at full output; 0 = not stated.", .least = 0.0});
   v.field("flux_lm", group.flux_lm, {.words = "Likewise.", .least = 0.0});
+  v.field("energy_kwh", group.energy_kwh,
+          {.words = "Likewise, of a year, by the rooms that state their use.",
+           .presence = only_if(group.energy_kwh > 0.0),
+           .least = 0.0});
   v.field("now", group.now, {.words = "Level in the project.", .least = 0.0, .most = 1.0});
   v.field("level", group.level,
           {.words = "Advised; above 1: so many times the light.",
@@ -393,8 +397,7 @@ void describe(auto& v, Is<LevelAdvice> auto& advice) {
                     "too-uncertain: the intervals are too wide; none-found: see reason."});
   v.field("reason", advice.reason,
           {.presence = only_if(!advice.reason.empty()), .holds = Holds::prose});
-  v.field("is_by_flux", advice.is_by_flux,
-          {.words = "now and advised are lumens, since a power is not known; else watts."});
+  v.field("unit", advice.unit, {.words = "Of now and advised: lumens where a power is not known."});
   v.field("now", advice.now, {.least = 0.0});
   v.field("advised", advice.advised, {.least = 0.0});
   v.field("groups", advice.groups, {.words = "Empty without levels."});

@@ -11,7 +11,15 @@ namespace report {
 namespace {
 
 std::string cost_words(const Texts& t, const LevelAdvice& advice, double cost) {
-  return advice.is_by_flux ? format_lumens(t, cost) + " lm" : format_watts(t, cost) + " W";
+  switch (advice.unit) {
+    case CostUnit::watt:
+      return format_watts(t, cost) + " W";
+    case CostUnit::lumen:
+      return format_lumens(t, cost) + " lm";
+    case CostUnit::kilowatt_hour:
+      break;
+  }
+  return format_watts(t, cost) + " kWh";
 }
 
 std::string level_words(const Texts& t, double level) {
@@ -48,7 +56,7 @@ std::string advice_outcome(const Texts& t, const LevelAdvice& advice, const std:
   const std::string advised = cost_words(t, advice, advice.advised),
                     now = cost_words(t, advice, advice.now);
   const std::string by_flux =
-      advice.is_by_flux ? std::string(" ") + t[Text::advice_by_flux] : std::string();
+      advice.unit == CostUnit::lumen ? std::string(" ") + t[Text::advice_by_flux] : std::string();
   switch (advice.outcome) {
     case AdviceOutcome::levels:
       return t.say<Text::advice_levels>(advice.passing, advice.asked, advised, now) + by_flux;

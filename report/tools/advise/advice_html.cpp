@@ -92,7 +92,7 @@ std::string limits_list(const SceneAdvice& advice) {
     const std::string shares = share_words(advice, limit);
     items.push_back(fmt::format(
         "{}: {}{}{}", requirement_words(advice.requirements[limit.requirement]),
-        cost_words(limit.cost_per_percent, advice.is_by_flux),
+        cost_words(limit.cost_per_percent, advice.unit),
         limit.place_m ? "; least room at " + report::format_position(*limit.place_m) : "",
         shares.empty() ? "" : "; " + shares));
   }
@@ -104,7 +104,9 @@ std::string scene_html(const SceneAdvice& advice) {
                                  words(scene_words(advice.scene)), words(outcome_words(advice)));
   if (advice.has_levels()) {
     html += fmt::format("<p>{}</p>\n", words(cost_sentence(advice)));
-    if (advice.is_by_flux) html += fmt::format("<p>{}</p>\n", kByFlux);
+    if (const std::string note = unit_note(advice.unit); !note.empty()) {
+      html += fmt::format("<p>{}</p>\n", note);
+    }
     html += groups_table(advice);
     if (const std::string left = left_alone_words(advice); !left.empty()) {
       html += "<p class=\"quiet\">" + words(left) + "</p>\n";

@@ -52,16 +52,20 @@ JsonKeys requirement_keys(const AdvisedRequirement& one, bool has_levels) {
 }
 
 JsonKeys group_keys(const AdvisedGroup& group, bool has_levels) {
-  return {{"group", group.group,
-           described_key(type_of("string"), "Empty: luminaires without a group.")},
-          {"luminaires", group.luminaires, at_least_type("integer", 0)},
-          {"power_w", group.power_w, at_least_type("number", 0)},
-          {"flux_lm", group.flux_lm, at_least_type("number", 0)},
-          {"level_now", group.now, at_least_type("number", 0)},
-          {"level", group.level,
-           described_key(at_least_type("number", 0),
-                         "Above 1: so many times the light. Only where there are levels."),
-           false, has_levels}};
+  return {
+      {"group", group.group,
+       described_key(type_of("string"), "Empty: luminaires without a group.")},
+      {"luminaires", group.luminaires, at_least_type("integer", 0)},
+      {"power_w", group.power_w, at_least_type("number", 0)},
+      {"flux_lm", group.flux_lm, at_least_type("number", 0)},
+      {"energy_kwh", group.energy_kwh,
+       described_key(at_least_type("number", 0), "Of a year, by the rooms that state their use."),
+       false, group.energy_kwh > 0.0},
+      {"level_now", group.now, at_least_type("number", 0)},
+      {"level", group.level,
+       described_key(at_least_type("number", 0),
+                     "Above 1: so many times the light. Only where there are levels."),
+       false, has_levels}};
 }
 
 JsonKeys limit_keys(const AdvisedLimit& one) {
@@ -89,10 +93,10 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
                      "There are levels, and everything asked of the scene passes with them.")},
       {"reason", advice.reason, described_key(type_of("string"), "Of none-found."), false,
        !advice.reason.empty()},
-      {"unit", advice.is_by_flux ? "lm" : "W",
-       described_key({{"enum", {"lm", "W"}}},
+      {"unit", calc::name_of(advice.unit),
+       described_key(one_of_names<CostUnit>(),
                      "Of all that is to be saved: lumens where the power of a luminaire is not "
-                     "known.")},
+                     "known, kWh of a year with --least energy.")},
       {"now", advice.now, described_key(at_least_type("number", 0), "With the levels of now.")},
       {"advised", advice.advised, at_least_type("number", 0), false, has_levels},
       {"least", advice.least,

@@ -45,7 +45,7 @@ std::string limits(const SceneAdvice& advice) {
     const std::string shares = share_words(advice, limit);
     text += fmt::format(
         "- {}: {}{}{}\n", escape_markdown(requirement_words(one)),
-        cost_words(limit.cost_per_percent, advice.is_by_flux),
+        cost_words(limit.cost_per_percent, advice.unit),
         limit.place_m ? "; least room at " + report::format_position(*limit.place_m) : "",
         shares.empty() ? "" : "; " + escape_markdown(shares));
   }
@@ -54,7 +54,9 @@ std::string limits(const SceneAdvice& advice) {
 
 std::string found(const SceneAdvice& advice) {
   std::string text = fmt::format("\n{}\n\n{}", cost_sentence(advice), groups(advice));
-  if (advice.is_by_flux) text += fmt::format("\n{}\n", kByFlux);
+  if (const std::string note = unit_note(advice.unit); !note.empty()) {
+    text += fmt::format("\n{}\n", note);
+  }
   if (!advice.raised_for.empty()) {
     text += fmt::format("\n{}\n\n", kRaised);
     for (const std::size_t i : advice.raised_for) {

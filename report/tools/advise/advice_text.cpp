@@ -61,7 +61,7 @@ std::string what_limits(const SceneAdvice& advice) {
     text += fmt::format(
         "    {}: {}{}; {}\n", requirement_words(one), value_words(one.after),
         limit.place_m ? ", least room at " + report::format_position(*limit.place_m) : "",
-        cost_words(limit.cost_per_percent, advice.is_by_flux));
+        cost_words(limit.cost_per_percent, advice.unit));
     if (const std::string shares = share_words(advice, limit); !shares.empty()) {
       text += "      " + shares + "\n";
     }
@@ -85,7 +85,7 @@ std::string not_met(const SceneAdvice& advice) {
 
 std::string found_words(const SceneAdvice& advice) {
   std::string text = "  " + cost_sentence(advice) + "\n";
-  if (advice.is_by_flux) text += std::string("  ") + kByFlux + "\n";
+  if (const std::string note = unit_note(advice.unit); !note.empty()) text += "  " + note + "\n";
   if (!advice.raised_for.empty()) {
     text += std::string("  ") + kRaised + "\n";
     for (const std::size_t i : advice.raised_for) {

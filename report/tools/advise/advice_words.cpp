@@ -23,8 +23,20 @@ std::string saving_words(const SceneAdvice& advice) {
 
 }  // namespace
 
+std::string cost_words(double cost, CostUnit unit) {
+  switch (unit) {
+    case CostUnit::watt:
+      return report::format_watts(cost) + " W";
+    case CostUnit::lumen:
+      return report::format_lumens(cost) + " lm";
+    case CostUnit::kilowatt_hour:
+      break;
+  }
+  return report::format_watts(cost) + " kWh a year";
+}
+
 std::string cost_words(double cost, bool is_by_flux) {
-  return is_by_flux ? report::format_lumens(cost) + " lm" : report::format_watts(cost) + " W";
+  return cost_words(cost, is_by_flux ? CostUnit::lumen : CostUnit::watt);
 }
 
 std::string level_words(double level) { return fmt::format("{:.4g} %", 100.0 * level); }
@@ -67,7 +79,7 @@ std::string verdict_words(const SceneAdvice& advice, const AdvisedRequirement& o
 }
 
 std::string cost_sentence(const SceneAdvice& advice) {
-  const auto words = [&](double cost) { return cost_words(cost, advice.is_by_flux); };
+  const auto words = [&](double cost) { return cost_words(cost, advice.unit); };
   return fmt::format(
       "{} with these levels; now {}{}. No levels that meet the conditions need less than {}.",
       words(advice.advised), words(advice.now), saving_words(advice), words(advice.least));

@@ -8,12 +8,19 @@
 
 namespace cli {
 
-// "345.6 W" or, where power is not known, lumens.
+// "345.6 W", "864 kWh a year" or, where power is not known, lumens.
+std::string cost_words(double cost, CostUnit unit);
 std::string cost_words(double cost, bool is_by_flux);
 // What the levels need, what is needed now, and what no levels undercut.
 std::string cost_sentence(const SceneAdvice& advice);
 inline constexpr const char* kByFlux =
     "The power of a luminaire is not known: the least light was looked for instead.";
+inline constexpr const char* kByEnergy =
+    "Energy is that of a year in which these levels hold in all hours of use.";
+// What is to be said of the unit of costs; "" = nothing.
+constexpr const char* unit_note(CostUnit unit) {
+  return unit == CostUnit::lumen ? kByFlux : unit == CostUnit::kilowatt_hour ? kByEnergy : "";
+}
 inline constexpr const char* kRaised =
     "They are nearer to those of now than the least ones, which would not meet what the search "
     "does "

@@ -65,6 +65,7 @@ struct AdviseOptions {
   std::string scene, write_file;
   bool has_scene = false, packages = false, places = false, surfaces = false, turns = false;
   int steps = 100;
+  CostUnit least = CostUnit::watt;
   std::vector<DataOutput> outputs;
 };
 
@@ -107,6 +108,17 @@ std::vector<std::string> not_met_besides(const Advice& advice, const report::Pro
         fmt::format("{} ({})", finding_words(part, where), calc::name_of(finding.verdict)));
   }
   return words;
+}
+
+// "" or of which room with luminaires the energy of a year is not known.
+std::string energy_problem(const report::ProjectPart& part) {
+  for (const report::SpacePart& space : part.spaces) {
+    if (space.luminaires.empty() || (space.energy && space.energy->problem.empty())) continue;
+    return fmt::format("of '{}' the energy of a year is not known: {}",
+                       report::title_of(space.name, space.id),
+                       space.energy ? space.energy->problem : "it states no use (<energy>)");
+  }
+  return "";
 }
 
 ExitCode exit_code_of_advice(const Advice& advice) {
@@ -266,8 +278,14 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
       check.settings, files, setup->packs, stages, keeper, nullptr, &store, setup->crew.most_begun};
   const CheckText check_text = check_by_other_numbers(options.project, context_of_checks, progress);
   Advice advice{options.project, {}, {}, {}, {}};
-  const AdviceSettings advised{options.steps, check.settings.confidence, options.scene,
-                               options.has_scene, interrupted};
+  const AdviceSettings advised{options.steps, check.settings.confidence,
+                               options.scene, options.has_scene,
+                               interrupted,   options.least};
+  if (const std::string problem = energy_problem(part);
+      options.least == CostUnit::kilowatt_hour && !problem.empty()) {
+    print_error("--least energy: " + problem);
+    return kNotJudged;
+  }
   advice.scenes = find_advice(part, light.planes(), advised,
                               levels_check(project.bytes, options.project, part, check_text));
   if (interrupted()) return kInterrupted;
@@ -390,6 +408,11 @@ Command advise_command() {
          options->has_scene = true;
          return "";
        }},
+      {"--least", "WHAT",
+       "What levels take least of: power, or energy, that of a year by the use that rooms state;\n"
+       "default power",
+       choice<CostUnit>(options->least,
+                        {{"power", CostUnit::watt}, {"energy", CostUnit::kilowatt_hour}})},
       {"--steps", "N", "Levels are multiples of 1/N, from 1 to 1000; default 100",
        whole_number(options->steps, 1, 1000)},
       {"--write", "FILE",
