@@ -170,6 +170,28 @@ def known_cases(luxgate, examples, work):
         expect((before["high"] > limit) == (name == "unsure") and before["value"] < limit, f"{name}: {before} {limit}")
         expect(code == 1 and scene["outcome"] == outcome, f"{name}: {scene['outcome']} {before} {limit}")
 
+    # The energy of a year: of two groups that are alike that which daylight replaces costs less.
+    energy = '<energy day-hours="2000" night-hours="500" parasitic-kwh-m2="0"><part group="b" daylight="0.25"/></energy>'
+    text = room('<require quantity="average" at-least="100"/>').replace("<room", energy + "<room", 1)
+    path = write(os.path.join(work, "energy.xml"), text)
+    code, advice, told = advise(luxgate, path, "--least", "energy")
+    scene = advice["scenes"][0]
+    level = {row["group"]: row["level"] for row in scene["groups"]}
+    kwh = {"a": 36 * 2500 / 1000, "b": 36 * (2000 * 0.25 + 500) / 1000}
+    expect(code == 0 and scene["unit"] == "kWh" and level["b"] > level["a"], f"daylight costs less: {code} {level} {told}")
+    expect(level["b"] == 1 or level["a"] == 0, f"first all of what costs less: {level}")
+    expect({row["group"]: row["energy_kwh"] for row in scene["groups"]} == kwh
+           and abs(scene["advised"] - sum(level[name] * kwh[name] for name in kwh)) < 1e-9
+           and abs(scene["now"] - sum(kwh.values())) < 1e-9, f"energy by hand: {scene['advised']} {kwh}")
+    by_power = advise(luxgate, path)[1]["scenes"][0]
+    power = sum(36 * row["level"] for row in by_power["groups"])
+    expect(by_power["unit"] == "W" and power <= sum(36 * value for value in level.values()) + 1e-9,
+           f"power is another thing: {power} {level}")
+    done = run(luxgate, "advise", path, "--least", "energy", "--quiet")
+    expect("kWh a year" in done.stdout and "hours of use" in done.stdout, f"the text says so: {done.stdout}")
+    done = run(luxgate, "advise", case("no-energy", '<require quantity="average" at-least="100"/>'), "--least", "energy")
+    expect(done.returncode == 2 and "states no use" in done.stderr, f"a room without its use: {done.stderr}")
+
     # No requirement that can be searched.
     code, advice, _ = advise(luxgate, case("none", '<require id="g" quantity="gradient" at-most="9"/>'))
     reason = advice["scenes"][0].get("reason", "")

@@ -345,6 +345,30 @@ def turns(luxgate, examples, work):
     gains = [sum(one["gain_lx"][0]["value"] for one in together["turns"]),
              together["check"]["after"][0]["value"] - found["requirements"][0]["before"]["value"]]
     expect(abs(gains[0] / gains[1] - 1) < 0.05, f"gains of several add up: {gains}")
+    # Two rooms in which a turn is enough, the second with its own: both are written, and pass.
+    aimed = room('<luminaire id="A" type="w" position="2.5 2 2.3" rotation="160" group="g"/>', types, 'size="6 4 2.8"',
+                 plane='<require id="mean" quantity="average" at-least="LIMIT"/>').replace("PLANE", plane)
+    second = aimed[aimed.index("<room"):aimed.index("</luxgate>")].replace('id="r"', 'id="r2"').replace(
+        'id="p"', 'id="p2"').replace('id="A"', 'id="A2"').replace("size=", 'origin="20 0 0" size=').replace(
+            'origin="4 0.5', 'origin="24 0.5').replace("2.5 2 2.3", "22.5 2 2.3")
+    both = aimed.replace("</luxgate>", second + "</luxgate>")
+    path = write(os.path.join(work, "two-turns.xml"), both.replace("LIMIT", "1"))
+    now = min(one["value"] for one in findings(luxgate, path, "--goal", "accuracy")[1].values())
+    path = write(os.path.join(work, "two-turns.xml"), both.replace("LIMIT", f"{1.3 * now:.5g}"))
+    written = os.path.join(work, "two-turns-written.xml")
+    code, advice, told = advise(luxgate, path, "--turns", "--write", written)
+    said = advice.get("written", {})
+    expect(said.get("what") == "turns" and said["passing"] == said["asked"] == 2 and said["not_met"] == [],
+           f"turns of both rooms are written: {code} {told} {said}")
+    code, measured = findings(luxgate, written, "--seed", "41")
+    expect(code == 0 and len(measured) == 2, f"and pass with other random numbers: {code} {measured}")
+    expect(read(written).count("<luminaire ") == 2 and read(written).count('group="g"') == 2, "nothing else is changed")
+    path = write(os.path.join(work, "never-turns.xml"), both.replace("LIMIT", f"{50 * now:.5g}"))
+    done = run(luxgate, "advise", path, "--turns", "--write", os.path.join(work, "never.xml"))
+    expect(done.returncode == 2 and "no turns were found" in done.stderr
+           and not os.path.exists(os.path.join(work, "never.xml")), f"what is not enough is not written: {done.stderr}")
+    done = run(luxgate, "advise", path, "--turns", "--places", "--write", os.path.join(work, "never.xml"))
+    expect(done.returncode == 2 and "one after the other" in done.stderr, f"one of them: {done.stderr}")
     # A ceiling in which nothing can be tilted: what is above it is no place.
     low = room('<luminaire id="A" type="t" position="3 2 2.799"/>', "", 'size="6 4 2.8"').replace("PLANE", plane)
     _, advice, _ = advise(luxgate, write(os.path.join(work, "ceiling.xml"), low), "--turns")
