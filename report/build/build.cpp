@@ -10,6 +10,7 @@
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
 #include "rules/measure/error_spending.h"
+#include "rules/measure/measure.h"
 #include "rules/measure/metrics.h"
 #include "rules/measure/replicate_sample.h"
 
@@ -26,40 +27,54 @@
 namespace report {
 namespace {
 
-// Sum over channels of maintenance factor x mean over replicates, at one point.
-// values: [replicate][channel][point], or empty.
-double maintained_mean(const calc::PlaneField& field, const std::vector<double>& values,
-                       std::size_t replicates, std::size_t point) {
+// Sum over channels of weight x mean over replicates, at one point.
+// values: [replicate][channel][point], or empty. weight: [channel].
+double weighted_mean(const calc::PlaneField& field, const std::vector<double>& values,
+                     const std::vector<double>& weight, std::size_t replicates, std::size_t point) {
   if (values.empty()) return 0.0;
   const std::size_t channels = field.channels.size();
   double sum = 0.0;
   for (std::size_t r = 0; r < replicates; ++r) {
     for (std::size_t c = 0; c < channels; ++c) {
-      sum +=
-          field.channels[c].maintenance_factor * values[(r * channels + c) * field.points + point];
+      sum += weight[c] * values[(r * channels + c) * field.points + point];
     }
   }
   return sum / static_cast<double>(replicates);
 }
 
 // Of a point: the mean over the receivers that its value is the mean of, or its first one.
-double maintained_point(const calc::PlaneField& field, const calc::SensorGrid& grid,
-                        const std::vector<double>& values, std::size_t replicates,
-                        std::size_t point) {
+double weighted_point(const calc::PlaneField& field, const calc::SensorGrid& grid,
+                      const std::vector<double>& values, const std::vector<double>& weight,
+                      std::size_t replicates, std::size_t point) {
   if (grid.derived != calc::DerivedQuantity::four_planes) {
-    return maintained_mean(field, values, replicates, point);
+    return weighted_mean(field, values, weight, replicates, point);
   }
   const std::size_t parts = calc::receivers_per_point(grid.derived);
   double sum = 0.0;
   for (std::size_t part = 1; part < parts; ++part) {
-    sum += maintained_mean(field, values, replicates, part * grid.position_m.size() + point);
+    sum += weighted_mean(field, values, weight, replicates, part * grid.position_m.size() + point);
   }
   return sum / static_cast<double>(parts - 1);
+}
+
+double direct_at(const calc::PlaneField& field, const calc::SensorGrid& grid,
+                 const std::vector<double>& weight, std::size_t point) {
+  return weighted_point(field, grid, field.direct_exact_lx, weight, 1, point) +
+         weighted_point(field, grid, field.direct_sampled_lx, weight, field.replicates, point);
+}
+
+std::vector<double> maintenance_of(const calc::PlaneField& field) {
+  std::vector<double> factor;
+  for (const calc::LightChannel& channel : field.channels) {
+    factor.push_back(channel.maintenance_factor);
+  }
+  return factor;
 }
 
 std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::PlaneField& field,
                                    const std::vector<calc::Estimate>& estimates) {
   std::vector<PointRow> rows(grid.position_m.size());
+  const std::vector<double> weight = maintenance_of(field);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     PointRow& row = rows[i];
     row.position_m = grid.position_m[i];
@@ -67,9 +82,8 @@ std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::Pla
     row.column = grid.column.empty() ? 0 : grid.column[i];
     row.row = grid.row.empty() ? 0 : grid.row[i];
     row.measured = estimates[i];
-    row.direct_lx = maintained_point(field, grid, field.direct_exact_lx, 1, i) +
-                    maintained_point(field, grid, field.direct_sampled_lx, field.replicates, i);
-    row.indirect_lx = maintained_point(field, grid, field.indirect_lx, field.replicates, i);
+    row.direct_lx = direct_at(field, grid, weight, i);
+    row.indirect_lx = weighted_point(field, grid, field.indirect_lx, weight, field.replicates, i);
   }
   return rows;
 }
@@ -163,20 +177,70 @@ void count_doubt(const calc::PlaneField& field, PlanePart& part) {
       field.largest_share, points, [](float share) { return share > rules::kLargestTrustedShare; });
 }
 
-void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,
-                      double confidence, PlanePart& part) {
+// Of a plane, or of its AskedLight.
+template <class Part>
+void add_statistics(const rules::PointValues& values, double confidence, Part& part) {
   // A quantity that does not exist (the uniformity of a dark plane) is not a number; renderers show
   // a dash.
   const auto statistic = [&](rules::Metric metric) {
-    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, confidence);
+    const auto found = rules::compute_metric(values, metric, 0.0, std::nullopt, confidence);
     return found ? found->estimate : no_estimate();
   };
-  part.points = build_points(part.grid, field, rules::point_estimates(maintained, confidence));
   part.average = statistic(rules::Metric::average);
   part.minimum = statistic(rules::Metric::minimum);
   part.maximum = statistic(rules::Metric::maximum);
   part.uniformity_min_avg = statistic(rules::Metric::uniformity_min_avg);
   part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
+}
+
+void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,
+                      double confidence, PlanePart& part) {
+  part.points = build_points(part.grid, field, rules::point_estimates(maintained, confidence));
+  add_statistics(maintained, confidence, part);
+}
+
+// Nothing: they ask for several, or for what the plane's own values are of.
+std::optional<AskedLight> light_asked_by(const std::vector<rules::Finding>& findings) {
+  std::optional<AskedLight> light;
+  for (const rules::Finding& finding : findings) {
+    const rules::Requirement& asked = finding.requirement;
+    if (rules::is_of_space(asked.metric)) continue;
+    if (asked.any_one_unit_out) return {};
+    if (!light) {
+      light.emplace();
+      light->scene = asked.scene;
+      light->state = asked.state;
+      light->direct_only = asked.direct_only;
+    }
+    if (!light->is_asked_by(asked)) return {};
+  }
+  if (!light || light->is_asked_by({})) return {};
+  return light;
+}
+
+void add_asked_light(const calc::PlaneField& field, double confidence,
+                     const std::vector<calc::LightScene>& scenes, PlanePart& part) {
+  std::optional<AskedLight> light = light_asked_by(part.findings);
+  if (!light) return;
+  const auto* levels = rules::levels_of(light->scene, scenes);
+  if (levels == nullptr) return;
+  rules::PointValues values = rules::combine_channels(
+      field, light->state, *levels,
+      light->direct_only ? rules::LightParts::direct : rules::LightParts::all);
+  if (part.grid.derived == calc::DerivedQuantity::four_planes) {
+    values = rules::mean_of_four_planes(values);
+  }
+  light->measured = rules::point_estimates(values, confidence);
+  const std::vector<double> weight = rules::channel_weights(field, light->state, *levels);
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    light->direct_lx.push_back(direct_at(field, part.grid, weight, i));
+    light->indirect_lx.push_back(
+        light->direct_only
+            ? 0.0
+            : weighted_point(field, part.grid, field.indirect_lx, weight, field.replicates, i));
+  }
+  add_statistics(values, confidence, *light);
+  part.asked_light = std::move(light);
 }
 
 std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
@@ -252,7 +316,7 @@ std::string four_planes_remark(const rules::PointValues& receivers, double confi
 
 PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
                       const calc::PlaneField& field, std::vector<rules::Finding> findings,
-                      double confidence) {
+                      double confidence, const std::vector<calc::LightScene>& scenes) {
   const double level = rules::look_confidence(confidence, field);
   PlanePart part = named_plane(plane, std::move(findings));
   part.is_computed = true;
@@ -272,6 +336,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
       maintained = rules::mean_of_four_planes(maintained);
     }
     add_illuminances(field, maintained, level, part);
+    add_asked_light(field, level, scenes, part);
   }
   if (grid.route) part.outline_m = grid.outline_m;
   if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {

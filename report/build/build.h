@@ -15,10 +15,11 @@
 namespace report {
 
 // A plane with its field, computed on `grid` (>= 1 point). confidence in (0, 1): of the run; the
-// level of all intervals is that of one look of the plane, see rules::look_confidence().
+// level of all intervals is that of one look of the plane, see rules::look_confidence(). scenes: of
+// the project, all that the findings name.
 PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
                       const calc::PlaneField& field, std::vector<rules::Finding> findings,
-                      double confidence);
+                      double confidence, const std::vector<calc::LightScene>& scenes = {});
 
 // A plane without result; reason in words. findings: all not judged.
 PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reason,

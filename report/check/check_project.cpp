@@ -189,7 +189,7 @@ report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
       rules::judge_plane(job.requirements, *job.grid, *field, scenes, settings.confidence);
   for (rules::Finding& finding : findings) rules::apply_waiver(finding, settings.today);
   return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
-                             settings.confidence);
+                             settings.confidence, scenes);
 }
 
 // Seconds of spaces that run at the same time add up to more than the clock's.

@@ -112,6 +112,14 @@ void settle_estimates(PlanePart& plane) {
     settle(*estimate);
   }
   for (PointRow& point : plane.points) settle(point.measured);
+  if (plane.asked_light) {
+    AskedLight& light = *plane.asked_light;
+    for (calc::Estimate* estimate : {&light.average, &light.minimum, &light.maximum,
+                                     &light.uniformity_min_avg, &light.uniformity_min_max}) {
+      settle(*estimate);
+    }
+    for (calc::Estimate& measured : light.measured) settle(measured);
+  }
   for (GroupShare& share : plane.groups) settle(share.average_lx);
   for (rules::Finding& finding : plane.findings) {
     if (finding.verdict == rules::Verdict::not_judged) continue;

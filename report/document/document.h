@@ -141,6 +141,25 @@ struct LuminaireShares {
   glm::dvec3 minimum_at_m{0.0};         // the point with the least light of all luminaires
 };
 
+// The light that all requirements of a plane ask for, where that is not all luminaires at full
+// output with reflected light, maintained: what drawings of emergency lighting are to show.
+struct AskedLight {
+  std::string scene;  // "" = full output
+  rules::LightState state = rules::LightState::maintained;
+  bool direct_only = false;
+  // [point] as PlanePart::points; in that light, as its statistics.
+  std::vector<calc::Estimate> measured;
+  std::vector<double> direct_lx, indirect_lx;
+  calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
+  // The values above and those of the plane have been exchanged, see ShownPlane.
+  bool is_shown = false;
+
+  bool is_asked_by(const rules::Requirement& requirement) const {
+    return requirement.scene == scene && requirement.state == state &&
+           requirement.direct_only == direct_only;
+  }
+};
+
 // A plane as it was after one look at its growing results.
 struct LookFinding {
   rules::Verdict verdict = rules::Verdict::not_judged;
@@ -169,9 +188,10 @@ struct PlanePart {
   // Maintained; of ratings and ratios only minimum and maximum exist.
   calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
   std::vector<rules::Finding> findings;
-  std::vector<GroupShare> groups;  // of illuminances: their averages add up to `average`
-  LuminaireShares by_luminaire;    // likewise
-  std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
+  std::optional<AskedLight> asked_light;  // of illuminances; with points and statistics alone
+  std::vector<GroupShare> groups;         // of illuminances: their averages add up to `average`
+  LuminaireShares by_luminaire;           // likewise
+  std::vector<PlaneLook> looks;           // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
   int looks_planned = 1;                 // intervals hold over that many looks together
   std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has

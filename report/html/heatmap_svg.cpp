@@ -56,8 +56,11 @@ std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const Pla
   const double width = std::max(pictures.width_px, kScaleWidth) + 2 * kEdge;
   const double bar_top = kTitle + pictures.plan_height_px + kEdge;
   const double height = bar_top + pictures.bar_height_px + kEdge;
-  const std::string title =
-      escape_html(std::string(title_of(space.name, space.id)) + " – " + plane_title(t, plane));
+  std::string title = std::string(title_of(space.name, space.id)) + " – " + plane_title(t, plane);
+  if (plane.asked_light && plane.asked_light->is_shown) {
+    title += ", " + asked_light_words(t, *plane.asked_light);
+  }
+  title = escape_html(title);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "

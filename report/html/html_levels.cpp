@@ -21,6 +21,8 @@ namespace report {
 namespace {
 
 bool follows_levels(const PlanePart& plane) {
+  // Groups have no values in the light that it is shown in.
+  if (plane.asked_light) return false;
   if (!plane.is_computed || plane.groups.empty() || plane.points.empty() ||
       calc::is_plain_number(plane.derived) || plane.points.size() > kMostSvgCells ||
       !has_all_values(plane)) {

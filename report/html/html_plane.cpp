@@ -1,5 +1,6 @@
 #include "report/html/html_plane.h"
 
+#include "report/document/shown_plane.h"
 #include "report/html/html_contributions.h"
 #include "report/html/html_convergence.h"
 #include "report/html/html_findings.h"
@@ -268,8 +269,10 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, const ColourScales& scales, bool folds_passed,
+                       const PlanePart& own_plane, const ColourScales& scales, bool folds_passed,
                        const std::vector<std::string>& groups, Paper paper) {
+  const ShownPlane shown(own_plane);
+  const PlanePart& plane = *shown;
   const std::string anchor = plane_anchor(index);
   const std::string title = escape_html(plane_title(t, plane));
   std::string html = fmt::format(
@@ -295,8 +298,8 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   if (has_cells(plane) && has_all_values(plane))
     html += html_plan(t, space, plane, scales.of(space, plane), anchor, paper);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
-          groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
-  return html + html_contributions(t, plane) + html_looks(t, plane) + html_values(t, plane) +
+          groups_table(t, own_plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
+  return html + html_contributions(t, own_plane) + html_looks(t, plane) + html_values(t, plane) +
          "</div></details></article>\n";
 }
 

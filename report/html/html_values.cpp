@@ -1,5 +1,6 @@
 #include "report/html/html_values.h"
 
+#include "report/document/shown_plane.h"
 #include "report/html/html_markup.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
@@ -113,7 +114,9 @@ bool is_small_on_paper(const PlanePart& plane) {
 }
 
 // Of values as tables that paper holds.
-std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePart& own_plane) {
+  const ShownPlane shown(own_plane);
+  const PlanePart& plane = *shown;
   std::string html =
       fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
                   escape_html(plane_title(t, plane)), escape_html(title_of(space.name, space.id)));

@@ -46,10 +46,11 @@ std::vector<PlanLine> furniture(const SpacePart& space, const calc::SensorGrid& 
   return lines;
 }
 
-bool is_about_points(const rules::Requirement& requirement) {
-  return requirement.state == rules::LightState::maintained && requirement.scene.empty() &&
-         requirement.mask.id.empty() && requirement.mask.operations.empty() &&
-         !requirement.direct_only;
+bool is_about_points(const PlanePart& plane, const rules::Requirement& requirement) {
+  const bool is_asked = plane.asked_light && plane.asked_light->is_shown;
+  const AskedLight light = is_asked ? *plane.asked_light : AskedLight{};
+  return light.is_asked_by(requirement) && requirement.mask.id.empty() &&
+         requirement.mask.operations.empty();
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane) {
     const rules::Requirement& requirement = finding.requirement;
     const bool is_of_values = rules::has_unit_of_values(requirement.metric);
     const bool is_known = !std::isnan(requirement.limit);
-    if (!is_of_values || !is_known || !is_about_points(requirement)) continue;
+    if (!is_of_values || !is_known || !is_about_points(plane, requirement)) continue;
     limits.push_back({quantity_words(t, requirement) + " " +
                           format_required(t, {requirement.limit, requirement.comparison},
                                           rules::unit_of(requirement)),
@@ -118,7 +119,7 @@ std::optional<Threshold> point_threshold(const PlanePart& plane, PointSide side)
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& r = finding.requirement;
     if (r.metric != metric || rules::is_lower_limit(r.comparison) != is_minimum) continue;
-    if (!is_about_points(r) || std::isnan(r.limit)) continue;
+    if (!is_about_points(plane, r) || std::isnan(r.limit)) continue;
     const Threshold threshold{r.limit, r.comparison};
     // Of equal limits the one that the limit itself misses.
     if (!strictest || (is_minimum ? r.limit > strictest->limit : r.limit < strictest->limit) ||
@@ -137,7 +138,7 @@ Thresholds statistic_thresholds(const PlanePart& plane, rules::Metric metric) {
   Thresholds thresholds;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& r = finding.requirement;
-    if (r.metric == metric && is_about_points(r) && !std::isnan(r.limit))
+    if (r.metric == metric && is_about_points(plane, r) && !std::isnan(r.limit))
       thresholds.add(Threshold{r.limit, r.comparison});
   }
   return thresholds;

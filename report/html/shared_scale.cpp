@@ -1,5 +1,6 @@
 #include "report/html/shared_scale.h"
 
+#include "report/document/shown_plane.h"
 #include "report/html/plan_layout.h"
 #include "report/text/words.h"
 
@@ -95,9 +96,10 @@ ColourScales::ColourScales(const ProjectPart& project, ScaleSharing sharing) : s
   std::set<Key> units_of_light;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
-      if (!has_drawing(plane)) continue;
+      const ShownPlane shown(plane);
+      if (!has_drawing(*shown)) continue;
       if (*plane_unit(plane) != '\0') units_of_light.insert(key_of(space, plane));
-      planes[key_of(space, plane)].push_back({wanted_range(plane), values_of(plane)});
+      planes[key_of(space, plane)].push_back({wanted_range(*shown), values_of(*shown)});
     }
   }
   for (const auto& [key, ranges] : planes) {
@@ -115,7 +117,9 @@ ColourScales::Key ColourScales::key_of(const SpacePart& space, const PlanePart& 
   return {sharing_ == ScaleSharing::room ? space.id : "", kind};
 }
 
-PlaneScale ColourScales::of(const SpacePart& space, const PlanePart& plane) const {
+PlaneScale ColourScales::of(const SpacePart& space, const PlanePart& own_plane) const {
+  const ShownPlane shown(own_plane);
+  const PlanePart& plane = *shown;
   const auto found = shared_.find(key_of(space, plane));
   if (found == shared_.end()) return {own_scale(plane), false};
   const Shared& shared = found->second;

@@ -112,6 +112,26 @@ void describe_points(auto& v, Is<PlanePart> auto& plane) {
   });
 }
 
+void describe(auto& v, Is<AskedLight> auto& light) {
+  v.is("asked_light",
+       "The plane's points and statistics in the light that all its requirements ask "
+       "for, where that is not all luminaires at full output.");
+  v.field("scene", light.scene, {.words = "\"\": full output."});
+  v.field("state", light.state);
+  v.field("direct_only", light.direct_only);
+  v.field("average_lx", light.average);
+  v.field("minimum_lx", light.minimum);
+  v.field("maximum_lx", light.maximum);
+  v.field("uniformity_min_avg", light.uniformity_min_avg);
+  v.field("uniformity_min_max", light.uniformity_min_max);
+  v.field("point_lx", light.measured, {.words = "At each point, in their order."});
+  v.field("direct_lx", light.direct_lx, {.words = "Likewise."});
+  v.field("indirect_lx", light.indirect_lx, {.words = "Likewise."});
+  v.refuse_if(light.direct_lx.size() != light.measured.size() ||
+                  light.indirect_lx.size() != light.measured.size(),
+              "point_lx", "as many values as of direct and indirect light are needed");
+}
+
 void describe(auto& v, Is<GroupShare> auto& share) {
   v.field("group", share.group);
   v.field("average_lx", share.average_lx);
@@ -217,6 +237,9 @@ void describe_results(auto& v, Is<PlanePart> auto& plane) {
               "each look needs as many findings as the plane has");
   v.object("grid", [&](auto& o) { describe_grid(o, plane); });
   v.object("points", [&](auto& o) { describe_points(o, plane); });
+  v.field("asked_light", plane.asked_light, {.presence = only_if(plane.asked_light.has_value())});
+  v.refuse_if(plane.asked_light && plane.asked_light->measured.size() != plane.points.size(),
+              "asked_light", "as many values as the plane has points are needed");
   const auto lacks_points = [&](const GroupShare& share) {
     return !share.point_lx.empty() && share.point_lx.size() != plane.points.size();
   };

@@ -1,4 +1,5 @@
 #include "report/shell/outputs.h"
+#include "report/document/shown_plane.h"
 
 #include "calc/base/real_path.h"
 #include "report/formats/format.h"
@@ -190,8 +191,10 @@ class Images {
   }
 
   void add_plane(const report::ProjectPart& project, const report::SpacePart& space,
-                 const report::PlanePart& plane, const report::ColourScales& scales,
+                 const report::PlanePart& own_plane, const report::ColourScales& scales,
                  GuardedFiles& files) {
+    const report::ShownPlane shown(own_plane);
+    const report::PlanePart& plane = *shown;
     const std::string path = path_of(image_stem(project, plane));
     if (report::has_all_values(plane)) {
       const report::PlaneScale scale = scales.of(space, plane);
@@ -203,7 +206,7 @@ class Images {
             [&] { return report::render_heatmap_png(plane, report::scale_of(plane)); });
     }
     write(files, path + ".exr",
-          [&] { return report::render_exr(provenance_, project, space, plane); });
+          [&] { return report::render_exr(provenance_, project, space, own_plane); });
   }
 
   // Names are those of the room's planes with the picture's in place of the plane's.

@@ -149,6 +149,16 @@ const char* verdict_words(const Texts& t, rules::Verdict verdict) {
   return outcome_words(t, rules::outcome_of(verdict));
 }
 
+namespace {
+
+// Not maintained: what it is stands beside it.
+bool is_shown_in_other_state(const PlanePart& plane) {
+  return plane.asked_light && plane.asked_light->is_shown &&
+         plane.asked_light->state != rules::LightState::maintained;
+}
+
+}  // namespace
+
 const char* light_state_words(const Texts& t, rules::LightState state) {
   switch (state) {
     case rules::LightState::maintained:
@@ -171,6 +181,7 @@ const char* of_plane_words(const Texts& t, const PlanePart& plane) {
 }
 
 const char* state_plane_words(const Texts& t, const PlanePart& plane) {
+  if (is_shown_in_other_state(plane)) return plane_words(t, plane);
   return t[quantity_texts(plane.kernel, plane.derived).of_plane];
 }
 
@@ -181,6 +192,7 @@ std::string values_words(const Texts& t, const PlanePart& plane) {
 }
 
 const char* state_words(const Texts& t, const PlanePart& plane) {
+  if (is_shown_in_other_state(plane)) return t[Text::value_in_asked_light];
   return t[plane.derived == calc::DerivedQuantity::ugr ? Text::initial : Text::maintained];
 }
 
@@ -240,7 +252,18 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
   return text;
 }
 
+std::string asked_light_words(const Texts& t, const AskedLight& light) {
+  std::string words;
+  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
+  add(light.scene.empty() ? t[Text::full_output] : t.say<Text::scene>(printable(light.scene)));
+  if (light.state != rules::LightState::maintained) add(light_state_words(t, light.state));
+  if (light.direct_only) add(t[Text::note_direct_only]);
+  return words;
+}
+
 std::string other_light_words(const Texts& t, const PlanePart& plane) {
+  if (plane.asked_light && plane.asked_light->is_shown)
+    return t.say<Text::asked_light>(asked_light_words(t, *plane.asked_light));
   std::vector<std::string> lights;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& asked = finding.requirement;

@@ -84,6 +84,8 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement);
 // Where requirements of a plane are of other light than its picture, its statistics and its values,
 // which are of full output with reflected light: that it is so, and of which. "" = they are not.
 std::string other_light_words(const Texts& t, const PlanePart& plane);
+// "scene night, end-of-duration, direct light only"
+std::string asked_light_words(const Texts& t, const AskedLight& light);
 // "EN 12464-1:2021 34.2: not the whole row is asked, only task; never asked: surround, ...".
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);

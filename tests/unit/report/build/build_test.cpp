@@ -1,8 +1,13 @@
 #include "report/build/build.h"
 
+#include "report/document/shown_plane.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -54,6 +59,69 @@ TEST(BuildPlane, KeepsWhatThePointsMeasure) {
             calc::ReceiverKernel::cylindrical);
   EXPECT_EQ(report::build_uncomputed_plane(plane, "dark", {}).kernel,
             calc::ReceiverKernel::cylindrical);
+}
+
+rules::Finding asked_of(const std::string& scene, bool direct_only = false,
+                        rules::LightState state = rules::LightState::maintained) {
+  rules::Finding finding;
+  finding.requirement.scene = scene;
+  finding.requirement.direct_only = direct_only;
+  finding.requirement.state = state;
+  return finding;
+}
+
+report::PlanePart asked_plane(std::vector<rules::Finding> findings) {
+  calc::PlaneField field = two_channel_field();
+  field.channels = {{"on", 0.5}, {"off", 1.0}};
+  const std::vector<calc::LightScene> scenes{{"night", {{"on", 0.5}, {"off", 0.0}}, {}}};
+  return report::build_plane(calc::CalcPlane{}, two_points(), field, std::move(findings), 0.95,
+                             scenes);
+}
+
+TEST(BuildPlane, HasTheLightThatItsRequirementsAskFor) {
+  const auto of_scene = asked_plane({asked_of("night"), asked_of("night")}).asked_light;
+  ASSERT_TRUE(of_scene);
+  EXPECT_EQ(of_scene->scene, "night");
+  EXPECT_DOUBLE_EQ(of_scene->direct_lx[0], 0.5 * 0.5 * 106);
+  EXPECT_DOUBLE_EQ(of_scene->indirect_lx[1], 0.5 * 0.5 * 60);
+  EXPECT_NEAR(of_scene->measured[0].value, 0.25 * (106 + 30), 1e-9);
+  EXPECT_NEAR(of_scene->average.value, 0.25 * 0.5 * (106 + 30 + 206 + 60), 1e-9);
+  EXPECT_NEAR(of_scene->minimum.value, 0.25 * 136, 1e-9);
+  EXPECT_LT(of_scene->measured[0].low, of_scene->measured[0].value);
+
+  const auto direct = asked_plane({asked_of("night", true)}).asked_light;
+  ASSERT_TRUE(direct);
+  EXPECT_NEAR(direct->measured[0].value, 0.25 * 106, 1e-9);
+  EXPECT_EQ(direct->indirect_lx[0], 0.0);
+  const auto new_ones = asked_plane({asked_of("", false, rules::LightState::initial)}).asked_light;
+  ASSERT_TRUE(new_ones);
+  EXPECT_NEAR(new_ones->measured[0].value, 106 + 10 + 30 + 3, 1e-9);
+}
+
+TEST(BuildPlane, HasNoOtherLightWhereItsOwnIsAskedForOrSeveralAre) {
+  EXPECT_FALSE(asked_plane({}).asked_light);
+  EXPECT_FALSE(asked_plane({asked_of("")}).asked_light);
+  EXPECT_FALSE(asked_plane({asked_of("night"), asked_of("")}).asked_light);
+  EXPECT_FALSE(asked_plane({asked_of("night"), asked_of("night", true)}).asked_light);
+  EXPECT_FALSE(asked_plane({asked_of("gone")}).asked_light);
+  rules::Finding out = asked_of("night");
+  out.requirement.any_one_unit_out = true;
+  EXPECT_FALSE(asked_plane({out}).asked_light);
+}
+
+TEST(ShownPlane, IsInTheLightThatIsAskedFor) {
+  const report::PlanePart part = asked_plane({asked_of("night")});
+  const report::ShownPlane shown(part);
+  const report::ShownPlane again(*shown);
+  for (const report::PlanePart* plane : {&*shown, &*again}) {
+    EXPECT_EQ(plane->points[1].measured.value, part.asked_light->measured[1].value);
+    EXPECT_EQ(plane->points[1].direct_lx, part.asked_light->direct_lx[1]);
+    EXPECT_EQ(plane->average.value, part.asked_light->average.value);
+    EXPECT_EQ(plane->asked_light->measured[1].value, part.points[1].measured.value);
+    EXPECT_TRUE(plane->asked_light->is_shown);
+  }
+  const report::PlanePart plain = asked_plane({asked_of("")});
+  EXPECT_EQ(&*report::ShownPlane(plain), &plain);
 }
 
 TEST(BuildPlane, ExactFieldsHaveNoInterval) {

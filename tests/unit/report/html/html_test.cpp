@@ -4,6 +4,7 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_script.h"
+#include "report/html/shared_scale.h"
 #include "report/text/base64.h"
 #include "report/text/svg.h"
 #include "tests/support/hostile_document.h"
@@ -732,6 +733,34 @@ TEST(Html, SaysOfWhichLightPicturesAre) {
   ASSERT_NE(annex, html.npos);
   EXPECT_LT(html.find(kWords), annex);
   EXPECT_NE(html.find(kWords, annex), html.npos);  // and beside the tables of values
+}
+
+// Where all requirements ask for one light, that light is what is shown.
+TEST(Html, ShowsAPlaneInTheLightThatItIsAskedFor) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  for (rules::Finding& finding : plane.findings) finding.requirement.scene = "battery";
+  AskedLight& light = plane.asked_light.emplace();
+  light.scene = "battery";
+  light.measured = {estimate(7.125, 0.25), estimate(5.5, 0.25)};
+  light.direct_lx = {7, 5};
+  light.indirect_lx = {0.125, 0.5};
+  light.average = estimate(6.3125, 0.25);
+  light.minimum = estimate(5.5, 0.25);
+  light.maximum = estimate(7.125, 0.25);
+  light.uniformity_min_avg = light.uniformity_min_max = estimate(0.8, 0.1);
+  const std::string html = render_html(document);
+  EXPECT_THAT(html, HasSubstr("values of this plane are of scene battery, which all"));
+  EXPECT_THAT(html, Not(HasSubstr("are of all luminaires at full output, with")));
+  EXPECT_THAT(html, HasSubstr("direct 7"));
+  EXPECT_THAT(html, Not(HasSubstr("direct 500")));
+  const std::size_t annex = html.find("class=\"annex\"");
+  ASSERT_NE(annex, html.npos);
+  EXPECT_EQ(html.find(">601<", annex), html.npos);
+  EXPECT_EQ(html.find(">600<", annex), html.npos);
+  const PlaneScale scale = ColourScales(document.projects[0], ScaleSharing::project)
+                               .of(document.projects[0].spaces[0], plane);
+  EXPECT_LT(scale.scale.high(), 20.0);
 }
 
 TEST(Html, SameDocumentSameBytes) {

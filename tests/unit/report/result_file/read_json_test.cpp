@@ -96,6 +96,17 @@ Document rich_document() {
     look.findings.push_back({finding.verdict, finding.measured});
   plane.looks = {look, look};
   plane.looks[1].paths = 2048;
+  AskedLight& light = plane.asked_light.emplace();
+  light.scene = "night";
+  light.state = rules::LightState::end_of_duration;
+  light.direct_only = true;
+  for (const PointRow& point : plane.points) {
+    light.measured.push_back(estimate(0.01 * point.measured.value, 0.5));
+    light.direct_lx.push_back(0.01 * point.measured.value);
+    light.indirect_lx.push_back(0.0);
+  }
+  light.average = light.minimum = light.maximum = estimate(3, 0.5);
+  light.uniformity_min_avg = light.uniformity_min_max = estimate(0.5, 0.1);
   project.luminaires.at(0).c0_cd.assign(2 * kPolarHalfSteps + 1, 120.5);
   project.luminaires.at(0).c90_cd.assign(2 * kPolarHalfSteps + 1, 90.25);
   LuminaireMark& mark = project.spaces[0].luminaires.at(0);

@@ -1,0 +1,26 @@
+#include "report/document/shown_plane.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace report {
+
+ShownPlane::ShownPlane(const PlanePart& plane) : plane_(plane) {
+  if (!plane.asked_light || plane.asked_light->is_shown) return;
+  PlanePart& shown = changed_.emplace(plane);
+  AskedLight& light = *shown.asked_light;
+  for (std::size_t i = 0; i < shown.points.size(); ++i) {
+    PointRow& point = shown.points[i];
+    std::swap(point.measured, light.measured[i]);
+    std::swap(point.direct_lx, light.direct_lx[i]);
+    std::swap(point.indirect_lx, light.indirect_lx[i]);
+  }
+  std::swap(shown.average, light.average);
+  std::swap(shown.minimum, light.minimum);
+  std::swap(shown.maximum, light.maximum);
+  std::swap(shown.uniformity_min_avg, light.uniformity_min_avg);
+  std::swap(shown.uniformity_min_max, light.uniformity_min_max);
+  light.is_shown = true;
+}
+
+}  // namespace report
