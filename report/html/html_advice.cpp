@@ -33,7 +33,7 @@ std::string scene_html(const Texts& t, const ProjectPart& project, const LevelAd
   const std::string outcome = advice.outcome == AdviceOutcome::none_found
                                   ? advice_outcome(t, advice, sentence_html(t, advice.reason))
                                   : escape_html(advice_outcome(t, advice, ""));
-  std::string html = fmt::format("<h4>{}</h4>\n<p>{}</p>\n", scene, outcome);
+  std::string html = fmt::format("<h4 class=\"scene\">{}</h4>\n<p>{}</p>\n", scene, outcome);
   if (!advice.groups.empty()) html += group_table(t, advice, scene);
   for (const AdviceList& list : advice_lists(t, project, advice)) {
     html += "<p>" + list.title + "</p>\n<ul>\n";
