@@ -441,8 +441,13 @@ std::string caption(const Drawing& drawing) {
                     : is_planar                               ? Text::from_measured_side
                                                               : Text::from_front;
   const Texts& t = drawing.t;
-  return t.say<Text::plan_caption>(values_words(t, drawing.plane), t[view],
-                                   direction_words(t, grid.u), direction_words(t, grid.v));
+  const std::string values = values_words(t, drawing.plane), right = direction_words(t, grid.u),
+                    up = direction_words(t, grid.v);
+  const auto& light = drawing.plane.asked_light;
+  return light && light->is_shown
+             ? t.say<Text::plan_caption_asked>(values, escape_html(asked_light_words(t, *light)),
+                                               t[view], right, up)
+             : t.say<Text::plan_caption>(values, t[view], right, up);
 }
 
 std::vector<std::size_t> band_counts(const Drawing& drawing) {

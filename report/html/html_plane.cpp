@@ -129,7 +129,8 @@ std::string groups_table(const Texts& t, const PlanePart& plane) {
       "scope=\"col\">{}</th><th scope=\"col\" class=\"num\">lx</th><th "
       "scope=\"col\" class=\"num\">{}</th><th scope=\"col\" "
       "class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>\n",
-      t[Text::light_by_group], t[Text::average_from], t[Text::direct], t[Text::share_column], rows);
+      t[plane.asked_light ? Text::light_by_group_full : Text::light_by_group],
+      t[Text::average_from], t[Text::direct], t[Text::share_column], rows);
 }
 
 std::string dropped_words(const Texts& t, const calc::SensorGrid& grid) {

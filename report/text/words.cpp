@@ -180,8 +180,8 @@ const char* of_plane_words(const Texts& t, const PlanePart& plane) {
   return t[quantity_texts(plane.kernel, plane.derived).of];
 }
 
-const char* state_plane_words(const Texts& t, const PlanePart& plane) {
-  if (is_shown_in_other_state(plane)) return plane_words(t, plane);
+std::string state_plane_words(const Texts& t, const PlanePart& plane) {
+  if (is_shown_in_other_state(plane)) return t.say<Text::shown_quantity>(plane_words(t, plane));
   return t[quantity_texts(plane.kernel, plane.derived).of_plane];
 }
 
@@ -192,7 +192,7 @@ std::string values_words(const Texts& t, const PlanePart& plane) {
 }
 
 const char* state_words(const Texts& t, const PlanePart& plane) {
-  if (is_shown_in_other_state(plane)) return t[Text::value_in_asked_light];
+  if (is_shown_in_other_state(plane)) return light_state_words(t, plane.asked_light->state);
   return t[plane.derived == calc::DerivedQuantity::ugr ? Text::initial : Text::maintained];
 }
 

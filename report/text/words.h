@@ -49,7 +49,7 @@ inline const char* plane_unit(const PlanePart& plane) { return calc::unit_of(pla
 // the new installation.
 const char* state_words(const Texts& t, const PlanePart& plane);
 // Both together: "Maintained illuminance".
-const char* state_plane_words(const Texts& t, const PlanePart& plane);
+std::string state_plane_words(const Texts& t, const PlanePart& plane);
 // With the unit: "Maintained illuminance in lx".
 std::string values_words(const Texts& t, const PlanePart& plane);
 // What a point's value is called in data: "illuminance_lx", "ugr", "modelling".

@@ -754,6 +754,7 @@ TEST(Html, ShowsAPlaneInTheLightThatItIsAskedFor) {
   EXPECT_THAT(html, Not(HasSubstr("are of all luminaires at full output, with")));
   EXPECT_THAT(html, HasSubstr("direct 7"));
   EXPECT_THAT(html, Not(HasSubstr("direct 500")));
+  EXPECT_THAT(html, HasSubstr("Maintained illuminance in lx, scene battery. "));
   const std::size_t annex = html.find("class=\"annex\"");
   ASSERT_NE(annex, html.npos);
   EXPECT_EQ(html.find(">601<", annex), html.npos);
