@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace cli {
@@ -106,7 +107,15 @@ struct Solution {
   std::vector<double> row_price;  // of levels of any size; [row], as scaled
 };
 
+// CBC keeps state of its own beside its models, and projects of a batch are advised on at the same
+// time.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 Solution solve_any(const Unknowns& unknowns, const Rows& rows) {
+  const std::scoped_lock lock(one_at_a_time());
   constexpr int kOptimal = 0, kInfeasible = 1;  // Clp_status()
   const CoinLibrary& coin = coin_library();
   const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(coin.Clp_newModel(),
@@ -127,6 +136,7 @@ Solution solve_any(const Unknowns& unknowns, const Rows& rows) {
 }
 
 Solution solve_steps(const Unknowns& unknowns, const Rows& rows) {
+  const std::scoped_lock lock(one_at_a_time());
   const CoinLibrary& coin = coin_library();
   const std::unique_ptr<Cbc_Model, decltype(&Cbc_deleteModel)> model(coin.Cbc_newModel(),
                                                                      coin.Cbc_deleteModel);

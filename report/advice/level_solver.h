@@ -40,7 +40,7 @@ struct Levels {
 using BrokenConditions =
     std::function<std::vector<rules::LevelCondition>(const std::vector<double>& level)>;
 
-// The same input gives the same levels: nothing hangs on time.
+// The same input gives the same levels: nothing hangs on time, nor on other threads that ask.
 // solver_problem() is "".
 struct LevelAnswer {
   std::optional<Levels> levels;

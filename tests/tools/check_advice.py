@@ -169,6 +169,15 @@ def main():
                "--json")
     parts = json.loads(done.stdout)["projects"]
     expect(parts[0]["advice"] == [] and len(parts[1]["advice"]) == 1, "each project has its own")
+    # Many at the same time, each as alone.
+    many = []
+    for number in range(12):
+        name = f"many-{number}"
+        many.append(case(name, asked.replace('at-least="100"', f'at-least="{60 + 10 * number}"'), scenes=scene))
+    alone = [check(luxgate, one)[1]["advice"] for one in many]
+    done = run(luxgate, "check", *many, "--advice", "--quiet", "--json", "--jobs", "4")
+    together = [one["advice"] for one in json.loads(done.stdout)["projects"]]
+    expect(together == alone and len({str(one) for one in alone}) > 6, "projects of a batch have the advice that they have alone")
     # --set is part of the project.
     path = os.path.join(work, "dark.xml")
     code, found, _ = check(luxgate, path, "--set", "t.power-w=18")
