@@ -413,6 +413,15 @@ def cases(luxgate, examples, work):
     at = found["best"][0]["places"][0]["position_m"]
     expect(found["requirements"][0]["points"] > 0 and at[0] > 3, f"the dark end gets the luminaire: {at}")
     expect(found["best"][0]["after"][0]["low"] > 2 * found["requirements"][0]["before"]["high"], "and is less dark")
+    # A type that hangs nowhere is tried as what hangs here; the better one for its watts comes first.
+    stronger = '<luminaire-type id="strong" photometry="batwing_1200.ies" power-w="20" flux-lm="6000"/>' \
+               '<luminaire-type id="unknown" photometry="batwing_1200.ies" flux-lm="9000" power-w="0"/>'
+    text = room('<luminaire id="L" type="t" position="1 2 2.79" group="g"/>', stronger, 'size="6 4 2.8"').replace(
+        "PLANE", metres)
+    found = places("types", text)[0]
+    expect({one["type"] for one in found["places"]} == {"t", "strong"}, f"types: {({one['type'] for one in found['places']})}")
+    expect(found["best"][0]["places"][0]["type"] == "strong" and found["unit"] == "W", f"for its watts: {found['best'][0]}")
+    expect(all(one["group"] == "g" for one in found["places"]), "it is switched with what hangs next to it")
     # What it does not cover is said, and is no advice.
     for name, luminaires, types, words in (
             ("aimed", '<luminaire id="L" type="t" position="1 2 2.79" aim="3 3 0"/>', "", "would be mounted"),

@@ -30,7 +30,7 @@ constexpr double kSame = 1.0e-9, kSamePlace_m = 1.0e-6, kVertical = 0.999;
 
 // How luminaires of the room hang: a type, a height, a direction.
 struct Mounting {
-  const calc::Luminaire* example = nullptr;
+  calc::Luminaire example;
   std::size_t luminaires = 0;
 };
 
@@ -123,12 +123,12 @@ class PlaceSearch {
         continue;
       }
       const auto same = std::find_if(mountings_.begin(), mountings_.end(), [&](const Mounting& m) {
-        return m.example->type == luminaire.type &&
-               std::abs(m.example->position_m.z - luminaire.position_m.z) < kSamePlace_m &&
-               is_same_frame(m.example->world_from_luminaire, luminaire.world_from_luminaire);
+        return m.example.type == luminaire.type &&
+               std::abs(m.example.position_m.z - luminaire.position_m.z) < kSamePlace_m &&
+               is_same_frame(m.example.world_from_luminaire, luminaire.world_from_luminaire);
       });
       if (same == mountings_.end()) {
-        mountings_.push_back({&luminaire, 1});
+        mountings_.push_back({luminaire, 1});
       } else {
         ++same->luminaires;
       }
@@ -136,6 +136,7 @@ class PlaceSearch {
     std::stable_sort(
         mountings_.begin(), mountings_.end(),
         [](const Mounting& a, const Mounting& b) { return a.luminaires > b.luminaires; });
+    add_other_types();
     if (mountings_.size() > kMostMountings) {
       found_.left_out.push_back(fmt::format("{} ways of mounting that are rarer in this room",
                                             mountings_.size() - kMostMountings));
@@ -143,6 +144,27 @@ class PlaceSearch {
     }
     if (mountings_.empty()) {
       found_.problem = "no luminaire of this room shows how another one would be mounted";
+    }
+  }
+
+  // Types that hang in other rooms, or nowhere: as what hangs here most.
+  void add_other_types() {
+    if (mountings_.empty()) return;
+    const Mounting usual = mountings_.front();
+    const bool is_power_known =
+        std::all_of(mountings_.begin(), mountings_.end(),
+                    [&](const Mounting& m) { return type_of(m.example).power_w > 0.0; });
+    for (std::size_t t = 0; t < questions_.project.luminaire_types.size(); ++t) {
+      const bool hangs_here =
+          std::any_of(space_.luminaires.begin(), space_.luminaires.end(),
+                      [&](const calc::Luminaire& one) { return one.type == t; });
+      if (hangs_here) continue;
+      Mounting other{usual.example, 0};
+      other.example.type = t;
+      const calc::LuminaireType& type = type_of(other.example);
+      // Costs would be lumens for its sake.
+      const bool has_cost = type.power_w > 0.0 || !is_power_known;
+      if (has_cost && why_not_added(other.example).empty()) mountings_.push_back(std::move(other));
     }
   }
 
@@ -176,12 +198,12 @@ class PlaceSearch {
     for (const Mounting& mounting : mountings_) {
       for (const calc::Luminaire& other : space_.luminaires) {
         found_.least_distance_m =
-            std::max(found_.least_distance_m, least_distance_m(*mounting.example, other));
+            std::max(found_.least_distance_m, least_distance_m(mounting.example, other));
       }
       for (double row = 0.0; row < rows; ++row) {
         for (double column = 0.0; column < columns; ++column) {
           ++found_.cells;
-          calc::Luminaire place = *mounting.example;
+          calc::Luminaire place = mounting.example;
           place.id.clear();
           place.position_m.x = box.lower.x + (column + 0.5) * found_.step_m.x;
           place.position_m.y = box.lower.y + (row + 0.5) * found_.step_m.y;
@@ -197,11 +219,14 @@ class PlaceSearch {
     if (candidates_.empty()) found_.problem = "no place is free";
   }
 
-  // It is switched with what hangs next to it.
+  // It is switched with what hangs next to it, of its type if there is any.
   std::string nearest_group(const calc::Luminaire& place) const {
+    const bool has_its_type =
+        std::any_of(space_.luminaires.begin(), space_.luminaires.end(),
+                    [&](const calc::Luminaire& other) { return other.type == place.type; });
     const calc::Luminaire* nearest = nullptr;
     for (const calc::Luminaire& other : space_.luminaires) {
-      if (other.type != place.type) continue;
+      if (has_its_type && other.type != place.type) continue;
       if (nearest == nullptr || glm::length(other.position_m - place.position_m) <
                                     glm::length(nearest->position_m - place.position_m)) {
         nearest = &other;
