@@ -379,6 +379,7 @@ def turns(luxgate, examples, work):
 
 def cases(luxgate, examples, work):
     shutil.copy(os.path.join(examples, "04-office", "photometry", "batwing_1200.ies"), work)
+    shutil.copy(os.path.join(examples, "05-failing-corridor", "photometry", "lambert_panel_600.ies"), work)
     metres = 'height="0.75" margin="0.5"'
 
     def places(name, text, *options):
@@ -415,7 +416,7 @@ def cases(luxgate, examples, work):
     expect(found["best"][0]["after"][0]["low"] > 2 * found["requirements"][0]["before"]["high"], "and is less dark")
     # A type that hangs nowhere is tried as what hangs here; the better one for its watts comes first.
     stronger = '<luminaire-type id="strong" photometry="batwing_1200.ies" power-w="20" flux-lm="6000"/>' \
-               '<luminaire-type id="unknown" photometry="batwing_1200.ies" flux-lm="9000" power-w="0"/>'
+               '<luminaire-type id="unknown" photometry="lambert_panel_600.ies" flux-lm="9000"/>'
     text = room('<luminaire id="L" type="t" position="1 2 2.79" group="g"/>', stronger, 'size="6 4 2.8"').replace(
         "PLANE", metres)
     found = places("types", text)[0]
