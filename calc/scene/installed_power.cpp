@@ -29,6 +29,7 @@ InstalledPower installed_power(const Project& project, const Space& space) {
     if (!type.counts_as_luminaire()) continue;
     const double power_w = type.power_w;
     ++power.luminaires;
+    ++power.luminaires_of[{luminaire.group, type.id}];
     power.power_w += power_w;
     if (!(power_w > 0.0)) ++power.without_power;
   }

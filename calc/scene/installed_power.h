@@ -3,8 +3,11 @@
 
 #include "calc/scene/project.h"
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace calc {
 
@@ -15,6 +18,8 @@ struct InstalledPower {
   double area_m2 = 0.0;   // of the room's floor; 0 = not known
   int luminaires = 0;     // all
   int without_power = 0;  // of them: nobody states their power
+  // How many there are, by dimming group ("" = none) and type id. Results do not have it.
+  std::map<std::pair<std::string, std::string>, std::size_t> luminaires_of = {};
 
   // Why there is no power density; "" = there is one.
   std::string problem() const;

@@ -19,7 +19,7 @@ std::vector<std::string> scenes_not_met(const report::ProjectPart& part) {
     const rules::Requirement& requirement = finding.requirement;
     const bool is_open =
         finding.verdict == rules::Verdict::fail || finding.verdict == rules::Verdict::undecided;
-    if (!is_open || !is_judged_by_light(requirement)) continue;
+    if (!is_open || !hangs_on_levels(requirement)) continue;
     if (std::find(scenes.begin(), scenes.end(), requirement.scene) == scenes.end()) {
       scenes.push_back(requirement.scene);
     }
@@ -27,7 +27,18 @@ std::vector<std::string> scenes_not_met(const report::ProjectPart& part) {
   return scenes;
 }
 
-report::LevelAdvice told(const SceneAdvice& advice, const report::ProjectPart& part) {
+// Levels that only save power of what passes make nothing pass.
+bool mends_something(const SceneAdvice& advice, const report::ProjectPart& before) {
+  return std::any_of(advice.requirements.begin(), advice.requirements.end(),
+                     [&](const AdvisedRequirement& one) {
+                       return finding_at(before, one.where).verdict != rules::Verdict::pass &&
+                              one.after.verdict == rules::Verdict::pass;
+                     });
+}
+
+// before: as it was checked first, only as far as verdicts needed.
+report::LevelAdvice told(const SceneAdvice& advice, const report::ProjectPart& part,
+                         const report::ProjectPart& before) {
   report::LevelAdvice level;
   level.scene = advice.scene;
   level.outcome = advice.outcome;
@@ -40,6 +51,11 @@ report::LevelAdvice told(const SceneAdvice& advice, const report::ProjectPart& p
   };
   for (const std::size_t i : advice.contradicting) level.excluding.push_back(name(i));
   if (!advice.has_levels()) return level;
+  if (!mends_something(advice, before)) {
+    level.outcome = AdviceOutcome::none_found;
+    level.reason = calc::say<calc::Sentence::advice_not_searched>();
+    return level;
+  }
   level.now = advice.now;
   level.advised = advice.advised;
   level.groups = advice.groups;
@@ -81,7 +97,7 @@ std::vector<report::LevelAdvice> advised_levels(const CheckedText& project,
     for (const SceneAdvice& one :
          find_advice(*part, light.planes(), of_scene,
                      levels_check(project.bytes, project.file, *part, check))) {
-      all.push_back(told(one, *part));
+      all.push_back(told(one, *part, project.part));
     }
   }
   return all;

@@ -24,8 +24,8 @@ struct CheckedText {
 // needed it, and that light. Empty: it could not be calculated.
 using CheckLight = std::function<std::optional<report::ProjectPart>(KeptLight& light)>;
 
-// One for each scene in which something that is judged from the light of points fails or is
-// undecided, in the order of the project; nothing is calculated where there is none.
+// One for each scene in which something that hangs on levels fails or is undecided, in the order of
+// the project; nothing is calculated where there is none.
 // check: with other random numbers.
 std::vector<report::LevelAdvice> advised_levels(const CheckedText& project,
                                                 const AdviceSettings& settings,

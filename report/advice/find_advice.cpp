@@ -109,18 +109,20 @@ class SceneSearch {
     std::map<std::string, AdvisedGroup> groups;
     std::set<std::string> left_alone;
     for (const report::SpacePart& space : part_.spaces) {
-      for (const report::LuminaireMark& mark : space.luminaires) {
-        if (!asked.contains(mark.group)) {
-          left_alone.insert(mark.group);
+      // Of a road one of each row counts, though many give light.
+      for (const auto& [group_and_type, count] : space.power.luminaires_of) {
+        const auto& [name, type] = group_and_type;
+        if (!asked.contains(name)) {
+          left_alone.insert(name);
           continue;
         }
-        AdvisedGroup& group = groups[mark.group];
-        group.group = mark.group;
-        ++group.luminaires;
+        AdvisedGroup& group = groups[name];
+        group.group = name;
+        group.luminaires += count;
         for (const report::LuminaireRow& row : part_.luminaires) {
-          if (row.type_id != mark.type_id) continue;
-          group.power_w += row.power_w;
-          group.flux_lm += row.flux_lm;
+          if (row.type_id != type) continue;
+          group.power_w += static_cast<double>(count) * row.power_w;
+          group.flux_lm += static_cast<double>(count) * row.flux_lm;
           if (settings_.unit == CostUnit::watt && !(row.power_w > 0.0)) {
             advice_.unit = CostUnit::lumen;
           }
@@ -143,8 +145,9 @@ class SceneSearch {
   double energy_kwh(const std::string& group) const {
     double sum_kwh = 0.0;
     for (const report::SpacePart& space : part_.spaces) {
-      if (std::none_of(space.luminaires.begin(), space.luminaires.end(),
-                       [&](const report::LuminaireMark& mark) { return mark.group == group; })) {
+      const auto& here = space.power.luminaires_of;
+      if (std::none_of(here.begin(), here.end(),
+                       [&](const auto& one) { return one.first.first == group; })) {
         continue;
       }
       if (!space.energy || !space.energy->problem.empty()) return 0.0;
@@ -157,8 +160,7 @@ class SceneSearch {
   bool is_asked_here(const rules::Finding& finding) const {
     const rules::Requirement& requirement = finding.requirement;
     return requirement.scene == advice_.scene && rules::counts(rules::outcome_of(finding)) &&
-           (!rules::is_of_space(requirement.metric) ||
-            rules::is_of_space_in_scene(requirement.metric));
+           hangs_on_levels(requirement);
   }
   bool asks_for_light(const report::SpacePart& space) const {
     return std::any_of(

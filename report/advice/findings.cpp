@@ -40,6 +40,10 @@ bool is_of_points(const rules::Requirement& requirement) {
          source == rules::MetricSource::neighbours;
 }
 
+bool hangs_on_levels(const rules::Requirement& requirement) {
+  return !rules::is_of_space(requirement.metric) || rules::is_of_space_in_scene(requirement.metric);
+}
+
 PassCount count_all(const report::ProjectPart& part) {
   PassCount count;
   for (const FindingPlace& where : counted_findings(part)) count.add(finding_at(part, where));

@@ -26,7 +26,9 @@ std::string finding_words(const report::ProjectPart& part, const FindingPlace& w
 // Values of points are judged anew from their light; what is of the space needs the project.
 bool is_of_points(const rules::Requirement& requirement);
 
-// Likewise, and from the light of all luminaires together.
+// Levels of dimming groups change it.
+bool hangs_on_levels(const rules::Requirement& requirement);
+// Of points, and from the light of all luminaires together.
 bool is_judged_by_light(const rules::Requirement& requirement);
 
 // How many of those that count pass.

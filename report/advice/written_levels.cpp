@@ -1,5 +1,6 @@
 #include "report/advice/written_levels.h"
 
+#include "calc/base/sentences.h"
 #include "report/advice/findings.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,10 @@
 
 namespace cli {
 namespace {
+
+std::string no_group_words(std::size_t without, std::size_t all) {
+  return calc::say<calc::Sentence::advice_no_group>(without, all);
+}
 
 std::string unused(const std::string& wish, const std::set<std::string>& taken) {
   std::string name = wish;
@@ -58,7 +63,15 @@ CheckLevels levels_check(const std::string& bytes, const std::string& file,
       return std::nullopt;
     }
     auto changed = check(*text, reason);
-    if (changed) reason = not_dimmed(advice, levels, *changed);
+    if (changed) {
+      reason = not_dimmed(advice, levels, *changed);
+    } else if (!levels.group_of_others.empty() &&
+               reason.find(fmt::format("'{}'", levels.group_of_others)) != std::string::npos) {
+      // Nothing has the group that the scene names.
+      for (const AdvisedGroup& group : advice.groups) {
+        if (group.group.empty()) reason = no_group_words(group.luminaires, group.luminaires);
+      }
+    }
     return reason.empty() ? std::move(changed) : std::nullopt;
   };
 }
@@ -69,14 +82,14 @@ std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& leve
     const std::string& name = group.group.empty() ? levels.group_of_others : group.group;
     std::size_t count = 0;
     for (const report::SpacePart& space : changed.spaces) {
-      for (const report::LuminaireMark& mark : space.luminaires) count += mark.group == name;
+      for (const auto& [group_and_type, luminaires] : space.power.luminaires_of) {
+        if (group_and_type.first == name) count += luminaires;
+      }
     }
     if (count == group.luminaires) continue;
     return group.group.empty()
-               ? fmt::format(
-                     "{} of {} luminaires without a group cannot be given one in the "
-                     "project's file (those of lists, luminous areas): give them a group",
-                     group.luminaires - std::min(count, group.luminaires), group.luminaires)
+               ? no_group_words(group.luminaires - std::min(count, group.luminaires),
+                                group.luminaires)
                : fmt::format("group '{}' has {} luminaires, and {} in the changed project",
                              group.group, group.luminaires, count);
   }

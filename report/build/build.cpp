@@ -184,7 +184,10 @@ void add_statistics(const rules::PointValues& values, double confidence, Part& p
   // a dash.
   const auto statistic = [&](rules::Metric metric) {
     const auto found = rules::compute_metric(values, metric, 0.0, std::nullopt, confidence);
-    return found ? found->estimate : no_estimate();
+    if (!found) return no_estimate();
+    const calc::Estimate& known = found->estimate;
+    // Of darkness 0 and not -0.
+    return calc::Estimate{known.value + 0.0, known.low + 0.0, known.high + 0.0};
   };
   part.average = statistic(rules::Metric::average);
   part.minimum = statistic(rules::Metric::minimum);

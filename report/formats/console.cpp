@@ -420,8 +420,9 @@ std::string messages(const ProjectPart& project) {
 
 // "" = nobody has asked, or everything is met.
 std::string advice_text(const Texts& t, const ProjectPart& project) {
-  if (!project.advice || project.advice->empty()) return {};
+  if (!has_advice(project)) return {};
   std::string text = std::string("  ") + t[Text::advice_title] + "\n";
+  if (project.advice->empty()) text += std::string("  ") + t[Text::advice_nothing] + "\n";
   for (const LevelAdvice& advice : *project.advice) {
     text += "  " + advice_scene(t, advice) + t[Text::colon] + advice_outcome(t, advice) + "\n";
     const std::vector<AdviceRow> rows = advice_rows(t, advice);

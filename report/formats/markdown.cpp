@@ -143,9 +143,10 @@ std::string notes(const Texts& t, const ProjectPart& project) {
 }
 
 std::string advice_markdown(const Texts& t, const ProjectPart& project) {
-  if (!project.advice || project.advice->empty()) return {};
+  if (!has_advice(project)) return {};
   std::string text =
       fmt::format("\n**{}**: {}\n\n", t[Text::advice_title], escape_markdown(project.path));
+  if (project.advice->empty()) text += std::string("- ") + t[Text::advice_nothing] + "\n";
   for (const LevelAdvice& advice : *project.advice) {
     text += fmt::format("- {}{}{}\n", escape_markdown(advice_scene(t, advice)), t[Text::colon],
                         escape_markdown(advice_outcome(t, advice)));

@@ -46,10 +46,7 @@ std::string scene_html(const Texts& t, const ProjectPart& project, const LevelAd
 }  // namespace
 
 std::string html_advice(const Texts& t, const ProjectPart& project, std::size_t index) {
-  if (!project.advice) return {};
-  const rules::Outcome outcome = outcome_of(project);
-  const bool is_not_met = outcome == rules::Outcome::fail || outcome == rules::Outcome::undecided;
-  if (project.advice->empty() && !is_not_met) return {};
+  if (!has_advice(project)) return {};
   std::string html = fmt::format("<h3 id=\"advice{}\">{}</h3>\n", index + 1, t[Text::advice_title]);
   if (project.advice->empty()) {
     return html + "<p class=\"quiet\">" + t[Text::advice_nothing] + "</p>\n";

@@ -409,6 +409,8 @@ void describe(auto& v, Is<LevelAdvice> auto& advice) {
           {.words = "Aggregates and classes of rule packs, with the levels.",
            .presence = only_if(!advice.aggregates_not_met.empty()),
            .holds = Holds::prose});
+  v.refuse_if(advice.has_levels() && advice.passing + advice.not_met.size() != advice.asked,
+              "not_met", "as many as do not pass are needed");
   v.field("excluding", advice.excluding, {.words = "Of these no levels meet all."});
 }
 

@@ -47,6 +47,13 @@ std::string requirement_words(const Texts& t, const ProjectPart& project,
 
 }  // namespace
 
+bool has_advice(const ProjectPart& project) {
+  if (!project.advice) return false;
+  const rules::Outcome outcome = outcome_of(project);
+  return !project.advice->empty() || outcome == rules::Outcome::fail ||
+         outcome == rules::Outcome::undecided;
+}
+
 std::string advice_scene(const Texts& t, const LevelAdvice& advice) {
   return advice.scene.empty() ? t[Text::advice_full_output]
                               : t.say<Text::advice_scene>(printable(advice.scene));

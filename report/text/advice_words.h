@@ -17,6 +17,9 @@ std::string advice_outcome(const Texts& t, const LevelAdvice& advice, const std:
 // The same with its own reason.
 std::string advice_outcome(const Texts& t, const LevelAdvice& advice);
 
+// There is something to be said: somebody has asked, and something is not met.
+bool has_advice(const ProjectPart& project);
+
 struct AdviceRow {                              // of a group with levels
   std::string group, luminaires, now, advised;  // "window", "5", "100 %", "64 %"
 };

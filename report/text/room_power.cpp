@@ -58,4 +58,9 @@ std::optional<PowerByLight> power_by_light(const SpacePart& space) {
   return PowerByLight{plane, {at(average.value), at(average.high), at(average.low)}};
 }
 
+std::string power_plane_words(const Texts& t, const PowerByLight& by_light) {
+  const std::string title(plane_title(t, *by_light.plane));
+  return by_light.plane->asked_light ? t.say<Text::at_full_output>(title) : title;
+}
+
 }  // namespace report

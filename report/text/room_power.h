@@ -2,8 +2,10 @@
 // Installed power of a room against the light that it gives.
 
 #include "report/document/document.h"
+#include "report/text/texts.h"
 
 #include <optional>
+#include <string>
 
 namespace report {
 
@@ -17,5 +19,7 @@ struct PowerByLight {
 // if there are any, else of which anything is asked; the first of equal ones. Empty: power or area
 // are not known, or no such plane has light.
 std::optional<PowerByLight> power_by_light(const SpacePart& space);
+// "Desk"; of a plane that is shown in another light also of which the average is.
+std::string power_plane_words(const Texts& t, const PowerByLight& by_light);
 
 }  // namespace report

@@ -252,6 +252,19 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
   return text;
 }
 
+namespace {
+
+bool leaves_points_out(const PlanePart& plane) {
+  return std::any_of(plane.findings.begin(), plane.findings.end(),
+                     [&](const rules::Finding& finding) {
+                       const rules::Mask& mask = finding.requirement.mask;
+                       return !rules::is_of_space(finding.requirement.metric) &&
+                              (!mask.id.empty() || !mask.operations.empty());
+                     });
+}
+
+}  // namespace
+
 std::string asked_light_words(const Texts& t, const AskedLight& light) {
   std::string words;
   const auto add = [&](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
@@ -263,7 +276,8 @@ std::string asked_light_words(const Texts& t, const AskedLight& light) {
 
 std::string other_light_words(const Texts& t, const PlanePart& plane) {
   if (plane.asked_light && plane.asked_light->is_shown)
-    return t.say<Text::asked_light>(asked_light_words(t, *plane.asked_light));
+    return t.say<Text::asked_light>(asked_light_words(t, *plane.asked_light)) +
+           (leaves_points_out(plane) ? std::string(" ") + t[Text::asked_light_masked] : "");
   std::vector<std::string> lights;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& asked = finding.requirement;

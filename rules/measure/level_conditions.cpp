@@ -24,8 +24,10 @@ double scale_of(const LevelCondition& condition) {
   return scale;
 }
 
-LevelCondition with_room(LevelCondition condition) {
-  condition.at_least += kRoom * scale_of(condition);
+// most: where only darkness meets a limit from above there is room for nothing more.
+LevelCondition with_room(LevelCondition condition,
+                         double most = std::numeric_limits<double>::infinity()) {
+  condition.at_least += std::min(kRoom * scale_of(condition), most);
   return condition;
 }
 
@@ -216,7 +218,8 @@ LevelCondition LevelConditions::condition(const Light& light, double safety) con
   };
   for (std::size_t g = 0; g < groups_; ++g) result.coefficient.push_back(coefficient(g));
   result.at_least = (is_upper_ ? -limit_ : limit_) - coefficient(groups_);
-  return with_room(std::move(result));
+  return is_upper_ ? with_room(std::move(result), 0.5 * std::abs(limit_))
+                   : with_room(std::move(result));
 }
 
 // The point must have that share of what the other one has.

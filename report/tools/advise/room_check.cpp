@@ -24,6 +24,24 @@ bool has_them(const report::SpacePart& room, const std::vector<check::AddedLumin
   });
 }
 
+// Of a luminaire that is placed anew: its own id where it stands alone in the file, "row-3" of the
+// third one of a row, and of one without an id "luminaire-7".
+std::string kept_id(const calc::Project& project, const calc::Space& room, std::size_t index) {
+  const calc::Luminaire& luminaire = room.luminaires[index];
+  const auto is_of_same = [&](const calc::Luminaire& other) {
+    return other.where.line == luminaire.where.line && other.where.column == luminaire.where.column;
+  };
+  const auto first = std::find_if(room.luminaires.begin(), room.luminaires.end(), is_of_same);
+  const auto all = std::count_if(first, room.luminaires.end(), is_of_same);
+  if (luminaire.id.empty()) {
+    return unused_luminaire_id(project, fmt::format("luminaire-{}", index + 1));
+  }
+  if (all == 1) return luminaire.id;
+  const std::string row = luminaire.id.substr(0, luminaire.id.find_first_of("[."));
+  const std::size_t number = index - static_cast<std::size_t>(first - room.luminaires.begin()) + 1;
+  return unused_luminaire_id(project, fmt::format("{}-{}", row, number));
+}
+
 }  // namespace
 
 double mended_share(const std::vector<AskedOfRoom>& asked, const std::vector<double>& gain_lx,
@@ -79,10 +97,8 @@ OneByOne one_by_one(const RoomQuestions& questions, const calc::Space& room,
     const bool is_other = other != changed.end();
     if (!is_replaced(one.where) || (is_other && !other->second)) continue;
     result.luminaires.push_back(
-        {unused_luminaire_id(questions.project,
-                             fmt::format("{}-{}", is_other ? "changed" : "kept", l + 1)),
-         questions.project.luminaire_types[one.type].id, one.position_m,
-         is_other ? other->second->c0 : one.world_from_luminaire[0],
+        {kept_id(questions.project, room, l), questions.project.luminaire_types[one.type].id,
+         one.position_m, is_other ? other->second->c0 : one.world_from_luminaire[0],
          is_other ? other->second->axis : -one.world_from_luminaire[2], one.group});
   }
   return result;

@@ -227,6 +227,18 @@ TEST(LevelConditions, ByTheWholeIntervalMuchCanBeMet) {
   EXPECT_FALSE(can_be_met(Metric::uniformity_min_max, Comparison::at_least, most + 0.01));
 }
 
+TEST(LevelConditions, DarknessMeetsALimitOfNothing) {
+  const calc::PlaneField field = exact_field({300, 200}, {100, 50});
+  for (const double limit : {0.0, 1e-12, 1e-9}) {
+    for (const Metric metric : {Metric::average, Metric::maximum}) {
+      const LevelConditions conditions(required(metric, Comparison::at_most, limit), row_of(2),
+                                       field, kGroups, 0.95);
+      EXPECT_TRUE(is_met(conditions, {0.0, 0.0})) << limit;
+      EXPECT_FALSE(is_met(conditions, {0.0, 0.01})) << limit;
+    }
+  }
+}
+
 TEST(LevelConditions, SayWhatTheyAreNotFor) {
   const calc::PlaneField field = exact_field({300, 200}, {0, 10});
   const auto problem = [&](const Requirement& requirement) {
