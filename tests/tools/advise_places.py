@@ -361,6 +361,7 @@ def turns(luxgate, examples, work):
            f"turns of both rooms are written: {code} {told} {said}")
     code, measured = findings(luxgate, written, "--seed", "41")
     expect(code == 0 and len(measured) == 2, f"and pass with other random numbers: {code} {measured}")
+    expect('id="A"' in read(written) and 'id="A2"' in read(written), "turned luminaires keep their ids")
     expect(read(written).count("<luminaire ") == 2 and read(written).count('group="g"') == 2, "nothing else is changed")
     path = write(os.path.join(work, "never-turns.xml"), both.replace("LIMIT", f"{50 * now:.5g}"))
     done = run(luxgate, "advise", path, "--turns", "--write", os.path.join(work, "never.xml"))

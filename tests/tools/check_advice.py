@@ -138,17 +138,44 @@ def main():
     expect(one["outcome"] == "none-found" and "none of its requirements" in one["reason"], f"why none: {one}")
     says_in_all(told, ["No levels were found: nothing was looked for, as none of its requirements"])
     # What hangs on levels, and not on points: nothing is said of it that is not so.
-    shutil.copytree(os.path.join(examples, "16-road"), os.path.join(work, "road"), dirs_exist_ok=True)
-    path = os.path.join(work, "road", "project.xml")
-    text = read(path)
-    groups = set(re.findall(r'<luminaire-row [^>]*group="([^"]*)"', text)) or {""}
-    expect(groups != {""}, "the rows of the road have groups")
-    dark = '<scene id="dark">' + "".join(f'<dim group="{name}" level="0.01"/>' for name in groups) + "</scene>"
-    text = re.sub(r"(<road )", dark + r"\1", text, count=1)
-    text = re.sub(r"<require (?![^>]*scene=)", '<require scene="dark" ', text)
-    write(path, text)
+    shutil.copy(os.path.join(examples, "05-failing-corridor", "photometry", "lambert_panel_600.ies"), work)
+    road = """<luxgate version="1" maintenance-factor="0.8"><material id="g" reflectance="0.5"/>
+<luminaire-type id="panel" photometry="lambert_panel_600.ies" flux-lm="4000" power-w="30"/>
+<scene id="s"><dim group="a" level="0.2"/></scene>
+<road id="rd" width="7" lanes="2" spacing="30" surface="R3">
+<luminaire-row id="row" type="panel" side="right" height="8" group="a"/>
+<luminaire-row id="other" type="panel" side="left" height="8" group="b"/>REQUIRE</road></luxgate>
+"""
+    path = write(os.path.join(work, "road.xml"), road.replace(
+        "REQUIRE", '<require quantity="road-luminance" at-least="0.9" scene="s"/>'))
     code, found, told = check(luxgate, path)
-    expect(code == 1 and [one["scene"] for one in found["advice"]] == ["dark"], f"a road: {code} {found and found.get('advice')}")
+    one = found["advice"][0] if found and found["advice"] else {}
+    expect(code == 1 and one.get("outcome") == "none-found" and "nothing was looked for" in one["reason"], f"a road: {one}")
+    expect("does not hang" not in told["html"] + told["text"], "road luminance hangs on levels")
+    # Levels that save power of what passes mend nothing.
+    path = write(os.path.join(work, "road-2.xml"), road.replace(
+        "REQUIRE", '<require quantity="road-luminance" at-least="0.9" scene="s"/><strip id="way" side="right" gap="0.5" '
+        'width="2"><require quantity="average" at-least="0.01" scene="s"/></strip>'))
+    code, found, told = check(luxgate, path)
+    one = found["advice"][0] if found and found["advice"] else {}
+    expect(one.get("outcome") == "none-found" and "what is not met was not looked for" in one["reason"], f"a road: {one} {told}")
+    # Of a road one luminaire of each row counts.
+    path = write(os.path.join(work, "road-3.xml"), road.replace(
+        "REQUIRE", '<strip id="way" side="right" gap="0.5" width="2"><require quantity="average" at-least="0.01"/></strip>'))
+    done = json.loads(run(luxgate, "advise", path, "--quiet", "--json").stdout)["scenes"][0]
+    expect(done["now"] == 60 and [row["luminaires"] for row in done["groups"]] == [1, 1], f"a road's power: {done['now']}")
+    # Only darkness meets a limit of nothing.
+    dark = '<require id="none" quantity="maximum" at-most="0" scene="eve"/>'
+    code, found, told = check(luxgate, case("nothing", dark, scenes=scene))
+    one = found["advice"][0]
+    expect(one["outcome"] == "levels" and one["advised"] == 0 and one["passing"] == 1, f"darkness: {one}")
+    # Luminaires of lists cannot be dimmed without a group.
+    write(os.path.join(work, "list.csv"), "name,type,x_m,y_m,z_m\na,t,1.5,2,2.79\nb,t,4.5,2,2.79\n")
+    text = project('<require quantity="maximum" at-most="150"/>', groups=()).replace(
+        "<plane", '<luminaires id="c" file="list.csv"/><plane')
+    for tag, words in (("en", "2 of 2 luminaires without a group"), ("de", "2 von 2 Leuchten ohne Gruppe")):
+        code, found, told = check(luxgate, write(os.path.join(work, "listed.xml"), text), "--language", tag)
+        expect(words in told["text"] and words in told["html"] and "others" not in told["text"], f"lists: {told['text']}")
     # What is not met although the levels are found.
     mixed = '<require id="mean" quantity="average" at-least="100" scene="eve"/>' \
             '<require id="g" quantity="gradient" at-most="1.01" scene="eve"/>'
