@@ -233,14 +233,14 @@ void add_asked_light(const calc::PlaneField& field, double confidence,
   if (part.grid.derived == calc::DerivedQuantity::four_planes) {
     values = rules::mean_of_four_planes(values);
   }
-  light->measured = rules::point_estimates(values, confidence);
+  const std::vector<calc::Estimate> estimates = rules::point_estimates(values, confidence);
   const std::vector<double> weight = rules::channel_weights(field, light->state, *levels);
   for (std::size_t i = 0; i < part.points.size(); ++i) {
-    light->direct_lx.push_back(direct_at(field, part.grid, weight, i));
-    light->indirect_lx.push_back(
+    const double indirect_lx =
         light->direct_only
             ? 0.0
-            : weighted_point(field, part.grid, field.indirect_lx, weight, field.replicates, i));
+            : weighted_point(field, part.grid, field.indirect_lx, weight, field.replicates, i);
+    light->points.push_back({estimates[i], direct_at(field, part.grid, weight, i), indirect_lx});
   }
   add_statistics(values, confidence, *light);
   part.asked_light = std::move(light);

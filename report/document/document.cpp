@@ -118,7 +118,7 @@ void settle_estimates(PlanePart& plane) {
                                      &light.uniformity_min_avg, &light.uniformity_min_max}) {
       settle(*estimate);
     }
-    for (calc::Estimate& measured : light.measured) settle(measured);
+    for (AskedPoint& point : light.points) settle(point.measured);
   }
   for (GroupShare& share : plane.groups) settle(share.average_lx);
   for (rules::Finding& finding : plane.findings) {

@@ -143,13 +143,15 @@ struct LuminaireShares {
 
 // The light that all requirements of a plane ask for, where that is not all luminaires at full
 // output with reflected light, maintained: what drawings of emergency lighting are to show.
+struct AskedPoint {
+  calc::Estimate measured;
+  double direct_lx = 0, indirect_lx = 0;
+};
 struct AskedLight {
   std::string scene;  // "" = full output
   rules::LightState state = rules::LightState::maintained;
   bool direct_only = false;
-  // [point] as PlanePart::points; in that light, as its statistics.
-  std::vector<calc::Estimate> measured;
-  std::vector<double> direct_lx, indirect_lx;
+  std::vector<AskedPoint> points;  // as PlanePart::points
   calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
   // The values above and those of the plane have been exchanged, see ShownPlane.
   bool is_shown = false;

@@ -11,9 +11,10 @@ ShownPlane::ShownPlane(const PlanePart& plane) : plane_(plane) {
   AskedLight& light = *shown.asked_light;
   for (std::size_t i = 0; i < shown.points.size(); ++i) {
     PointRow& point = shown.points[i];
-    std::swap(point.measured, light.measured[i]);
-    std::swap(point.direct_lx, light.direct_lx[i]);
-    std::swap(point.indirect_lx, light.indirect_lx[i]);
+    AskedPoint& asked = light.points[i];
+    std::swap(point.measured, asked.measured);
+    std::swap(point.direct_lx, asked.direct_lx);
+    std::swap(point.indirect_lx, asked.indirect_lx);
   }
   std::swap(shown.average, light.average);
   std::swap(shown.minimum, light.minimum);

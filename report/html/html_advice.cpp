@@ -4,7 +4,6 @@
 #include "report/text/advice_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
-#include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 

@@ -124,12 +124,16 @@ void describe(auto& v, Is<AskedLight> auto& light) {
   v.field("maximum_lx", light.maximum);
   v.field("uniformity_min_avg", light.uniformity_min_avg);
   v.field("uniformity_min_max", light.uniformity_min_max);
-  v.field("point_lx", light.measured, {.words = "At each point, in their order."});
-  v.field("direct_lx", light.direct_lx, {.words = "Likewise."});
-  v.field("indirect_lx", light.indirect_lx, {.words = "Likewise."});
-  v.refuse_if(light.direct_lx.size() != light.measured.size() ||
-                  light.indirect_lx.size() != light.measured.size(),
-              "point_lx", "as many values as of direct and indirect light are needed");
+  v.written("columns",
+            [] {
+              return std::vector<std::string_view>{"illuminance_lx", "low_lx", "high_lx",
+                                                   "direct_lx", "indirect_lx"};
+            },
+            {.words = "Of points, which are in the order of the plane's."});
+  v.rows("points", light.points, [](auto& row, auto& p) {
+    row(or_null(p.measured.value), or_null(p.measured.low), or_null(p.measured.high),
+        or_null(p.direct_lx), or_null(p.indirect_lx));
+  });
 }
 
 void describe(auto& v, Is<GroupShare> auto& share) {
@@ -238,7 +242,7 @@ void describe_results(auto& v, Is<PlanePart> auto& plane) {
   v.object("grid", [&](auto& o) { describe_grid(o, plane); });
   v.object("points", [&](auto& o) { describe_points(o, plane); });
   v.field("asked_light", plane.asked_light, {.presence = only_if(plane.asked_light.has_value())});
-  v.refuse_if(plane.asked_light && plane.asked_light->measured.size() != plane.points.size(),
+  v.refuse_if(plane.asked_light && plane.asked_light->points.size() != plane.points.size(),
               "asked_light", "as many values as the plane has points are needed");
   const auto lacks_points = [&](const GroupShare& share) {
     return !share.point_lx.empty() && share.point_lx.size() != plane.points.size();

@@ -82,20 +82,20 @@ TEST(BuildPlane, HasTheLightThatItsRequirementsAskFor) {
   const auto of_scene = asked_plane({asked_of("night"), asked_of("night")}).asked_light;
   ASSERT_TRUE(of_scene);
   EXPECT_EQ(of_scene->scene, "night");
-  EXPECT_DOUBLE_EQ(of_scene->direct_lx[0], 0.5 * 0.5 * 106);
-  EXPECT_DOUBLE_EQ(of_scene->indirect_lx[1], 0.5 * 0.5 * 60);
-  EXPECT_NEAR(of_scene->measured[0].value, 0.25 * (106 + 30), 1e-9);
+  EXPECT_DOUBLE_EQ(of_scene->points[0].direct_lx, 0.5 * 0.5 * 106);
+  EXPECT_DOUBLE_EQ(of_scene->points[1].indirect_lx, 0.5 * 0.5 * 60);
+  EXPECT_NEAR(of_scene->points[0].measured.value, 0.25 * (106 + 30), 1e-9);
   EXPECT_NEAR(of_scene->average.value, 0.25 * 0.5 * (106 + 30 + 206 + 60), 1e-9);
   EXPECT_NEAR(of_scene->minimum.value, 0.25 * 136, 1e-9);
-  EXPECT_LT(of_scene->measured[0].low, of_scene->measured[0].value);
+  EXPECT_LT(of_scene->points[0].measured.low, of_scene->points[0].measured.value);
 
   const auto direct = asked_plane({asked_of("night", true)}).asked_light;
   ASSERT_TRUE(direct);
-  EXPECT_NEAR(direct->measured[0].value, 0.25 * 106, 1e-9);
-  EXPECT_EQ(direct->indirect_lx[0], 0.0);
+  EXPECT_NEAR(direct->points[0].measured.value, 0.25 * 106, 1e-9);
+  EXPECT_EQ(direct->points[0].indirect_lx, 0.0);
   const auto new_ones = asked_plane({asked_of("", false, rules::LightState::initial)}).asked_light;
   ASSERT_TRUE(new_ones);
-  EXPECT_NEAR(new_ones->measured[0].value, 106 + 10 + 30 + 3, 1e-9);
+  EXPECT_NEAR(new_ones->points[0].measured.value, 106 + 10 + 30 + 3, 1e-9);
 }
 
 TEST(BuildPlane, HasNoOtherLightWhereItsOwnIsAskedForOrSeveralAre) {
@@ -114,10 +114,10 @@ TEST(ShownPlane, IsInTheLightThatIsAskedFor) {
   const report::ShownPlane shown(part);
   const report::ShownPlane again(*shown);
   for (const report::PlanePart* plane : {&*shown, &*again}) {
-    EXPECT_EQ(plane->points[1].measured.value, part.asked_light->measured[1].value);
-    EXPECT_EQ(plane->points[1].direct_lx, part.asked_light->direct_lx[1]);
+    EXPECT_EQ(plane->points[1].measured.value, part.asked_light->points[1].measured.value);
+    EXPECT_EQ(plane->points[1].direct_lx, part.asked_light->points[1].direct_lx);
     EXPECT_EQ(plane->average.value, part.asked_light->average.value);
-    EXPECT_EQ(plane->asked_light->measured[1].value, part.points[1].measured.value);
+    EXPECT_EQ(plane->asked_light->points[1].measured.value, part.points[1].measured.value);
     EXPECT_TRUE(plane->asked_light->is_shown);
   }
   const report::PlanePart plain = asked_plane({asked_of("")});

@@ -742,9 +742,7 @@ TEST(Html, ShowsAPlaneInTheLightThatItIsAskedFor) {
   for (rules::Finding& finding : plane.findings) finding.requirement.scene = "battery";
   AskedLight& light = plane.asked_light.emplace();
   light.scene = "battery";
-  light.measured = {estimate(7.125, 0.25), estimate(5.5, 0.25)};
-  light.direct_lx = {7, 5};
-  light.indirect_lx = {0.125, 0.5};
+  light.points = {{estimate(7.125, 0.25), 7, 0.125}, {estimate(5.5, 0.25), 5, 0.5}};
   light.average = estimate(6.3125, 0.25);
   light.minimum = estimate(5.5, 0.25);
   light.maximum = estimate(7.125, 0.25);

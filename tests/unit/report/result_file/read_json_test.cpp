@@ -101,9 +101,8 @@ Document rich_document() {
   light.state = rules::LightState::end_of_duration;
   light.direct_only = true;
   for (const PointRow& point : plane.points) {
-    light.measured.push_back(estimate(0.01 * point.measured.value, 0.5));
-    light.direct_lx.push_back(0.01 * point.measured.value);
-    light.indirect_lx.push_back(0.0);
+    light.points.push_back(
+        {estimate(0.01 * point.measured.value, 0.5), 0.01 * point.measured.value, 0.0});
   }
   light.average = light.minimum = light.maximum = estimate(3, 0.5);
   light.uniformity_min_avg = light.uniformity_min_max = estimate(0.5, 0.1);
