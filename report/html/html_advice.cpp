@@ -21,7 +21,8 @@ std::string group_table(const Texts& t, const LevelAdvice& advice, const std::st
   const auto head = [&](Text text) {
     return std::string("<th scope=\"col\" class=\"num\">") + t[text] + "</th>";
   };
-  return scroll_box(scene, std::string("<table class=\"advice\"><thead><tr><th scope=\"col\">") +
+  return scroll_box(scene, std::string("<table class=\"advice\"><caption class=\"unseen\">" +
+                                       scene + "</caption><thead><tr><th scope=\"col\">") +
                                t[Text::group_column] + "</th>" + head(Text::luminaires) +
                                head(Text::advice_now) + head(Text::advice_advised) +
                                "</tr></thead><tbody>\n" + rows + "</tbody></table>");

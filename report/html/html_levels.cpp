@@ -1,6 +1,7 @@
 #include "report/html/html_levels.h"
 
 #include "calc/base/names.h"
+#include "report/document/shown_plane.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_plan.h"
 #include "report/html/plan_cells.h"
@@ -21,8 +22,9 @@ namespace report {
 namespace {
 
 bool follows_levels(const PlanePart& plane) {
-  // Groups have no values in the light that it is shown in.
-  if (plane.asked_light) return false;
+  // Groups have no values of direct light alone, nor of another state.
+  const auto& asked = plane.asked_light;
+  if (asked && (asked->direct_only || asked->state != rules::LightState::maintained)) return false;
   if (!plane.is_computed || plane.groups.empty() || plane.points.empty() ||
       calc::is_plain_number(plane.derived) || plane.points.size() > kMostSvgCells ||
       !has_all_values(plane)) {
@@ -184,9 +186,12 @@ std::string html_levels(const Texts& t, const ProjectPart& project,
       t[Text::levels_in_the_project], t[Text::levels_need_a_group]);
 }
 
-std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& plane,
+std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& own_plane,
                              const ColourScales& scales, const std::vector<std::string>& groups) {
-  if (!follows_levels(plane)) return {};
+  if (!follows_levels(own_plane)) return {};
+  // Cells are in the order of the drawing; what levels make of them hangs on the groups' light.
+  const ShownPlane shown(own_plane);
+  const PlanePart& plane = *shown;
   std::vector<std::size_t> order;
   std::string scale;
   if (has_cells(plane)) {
@@ -199,8 +204,9 @@ std::string level_attributes(const Texts& t, const SpacePart& space, const Plane
   } else {
     for (std::size_t i = 0; i < plane.points.size(); ++i) order.push_back(i);
   }
-  return light_attribute(plane, groups, order) + scale + limits_attribute(point_thresholds(plane)) +
-         limit_words(t, plane) + " data-unit=\"" + escape_html(t.number(plane_unit(plane))) + "\"";
+  return light_attribute(own_plane, groups, order) + scale +
+         limits_attribute(point_thresholds(own_plane)) + limit_words(t, plane) + " data-unit=\"" +
+         escape_html(t.number(plane_unit(plane))) + "\"";
 }
 
 std::string limits_attribute(const Thresholds& thresholds) {

@@ -283,7 +283,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
       "<div id=\"{0}\"{5}>\n",
       anchor, title, plane.name.empty() ? "" : escape_html(plane.id),
       folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane),
-      level_attributes(t, space, plane, scales, groups),
+      level_attributes(t, space, own_plane, scales, groups),
       escape_html(title_of(space.name, space.id)));
   if (!plane.is_computed) {
     html +=

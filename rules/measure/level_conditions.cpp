@@ -114,13 +114,16 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
     }
     of_group.push_back(light_of(requirement, grid, field, levels, points));
   }
-  const auto add = [&](std::size_t g, Light& light, double lx, double below, double above) {
-    light.lx.resize(groups_ + 1);
-    light.below_lx.resize(groups_ + 1);
-    light.above_lx.resize(groups_ + 1);
-    light.lx[g] = lx;
-    light.below_lx[g] = below;
-    light.above_lx[g] = above;
+  const auto add = [&](std::size_t g, Light& light, const Limits& limits, const Limits& sure) {
+    for (std::vector<double>* lx : {&light.lx, &light.below_lx, &light.above_lx,
+                                    &light.sure_below_lx, &light.sure_above_lx}) {
+      lx->resize(groups_ + 1);
+    }
+    light.lx[g] = limits.value;
+    light.below_lx[g] = limits.value - limits.low;
+    light.above_lx[g] = limits.high - limits.value;
+    light.sure_below_lx[g] = sure.value - sure.low;
+    light.sure_above_lx[g] = sure.high - sure.value;
   };
   switch (requirement.metric) {
     case Metric::average:
@@ -141,6 +144,8 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
   for (std::size_t g = 0; g < of_group.size(); ++g) {
     PointValues& values = of_group[g];
     const double t = one_sided_t(values.replicates, 0.5 * (1.0 - level));
+    const auto together = static_cast<double>(light_.size() * of_group.size());
+    const double sure_t = one_sided_t(values.replicates, 0.5 * (1.0 - level) / together);
     if (kind_ == Kind::of_average) {
       // Point less its share of the average, replicate by replicate: what both have in common
       // does not count twice.
@@ -159,24 +164,22 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
     }
     const ReplicateSample sample = summarize(values, 0, values.replicates);
     if (kind_ == Kind::average) {
-      const Limits limits = plane_limits(sample, t);
-      add(g, light_[0], limits.value, limits.value - limits.low, limits.high - limits.value);
+      add(g, light_[0], plane_limits(sample, t), plane_limits(sample, sure_t));
       continue;
     }
     for (std::size_t i = 0; i < values.points; ++i) {
-      const Limits limits = point_limits(sample, i, t);
-      add(g, light_[i], limits.value, limits.value - limits.low, limits.high - limits.value);
+      add(g, light_[i], point_limits(sample, i, t), point_limits(sample, i, sure_t));
     }
   }
   if (kind_ == Kind::of_average) limit_ = 0.0;
 }
 
 double LevelConditions::Light::lower_lx(std::size_t g, double half_widths) const {
-  return lx[g] - half_widths * (half_widths < 0.0 ? above_lx[g] : below_lx[g]);
+  return lx[g] - half_widths * (half_widths < 0.0 ? sure_above_lx[g] : below_lx[g]);
 }
 
 double LevelConditions::Light::upper_lx(std::size_t g, double half_widths) const {
-  return lx[g] + half_widths * (half_widths < 0.0 ? below_lx[g] : above_lx[g]);
+  return lx[g] + half_widths * (half_widths < 0.0 ? sure_below_lx[g] : above_lx[g]);
 }
 
 std::vector<double> LevelConditions::light_lx(const LevelCondition& condition,

@@ -58,10 +58,12 @@ class LevelConditions {
   // light that no level changes.
   struct Light {
     std::vector<double> lx, below_lx, above_lx;
+    // Likewise of intervals that hold all together, of every point and group.
+    std::vector<double> sure_below_lx, sure_above_lx;
     std::vector<double> own_lx;  // of uniformities: of the point itself; else empty, and lx is
 
     // So many half widths below and above the value; < 0: on the other side of it, by the half
-    // width that it has there.
+    // width that it has there where all intervals are to hold together.
     double lower_lx(std::size_t g, double half_widths) const;
     double upper_lx(std::size_t g, double half_widths) const;
   };
