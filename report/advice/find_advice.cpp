@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace cli {
@@ -54,6 +55,7 @@ class SceneSearch {
     advice_.unit = settings.unit;
     find_groups();
     find_asked(light);
+    sort_by_name();
   }
 
   bool is_anything_asked() const { return !asked_.empty(); }
@@ -206,6 +208,18 @@ class SceneSearch {
     }
   }
 
+  // So that of several answers the same one is given in any order of planes.
+  void sort_by_name() {
+    for (std::size_t i = 0; i < asked_.size(); ++i) by_name_.push_back(i);
+    const auto name = [this](std::size_t i) {
+      const FindingPlace& where = asked_[i].where;
+      return std::tie(part_.spaces[where.space].planes[where.plane].id,
+                      finding_at(part_, where).requirement.id);
+    };
+    std::stable_sort(by_name_.begin(), by_name_.end(),
+                     [&](std::size_t a, std::size_t b) { return name(a) < name(b); });
+  }
+
   void settle_costs() {
     problem_.steps = settings_.steps;
     problem_.is_stopped = settings_.is_stopped;
@@ -253,7 +267,7 @@ class SceneSearch {
   BrokenConditions broken(double safety_share, const std::set<std::size_t>& without = {}) const {
     return [this, safety_share, without](const Levels01& level) {
       std::vector<rules::LevelCondition> all;
-      for (std::size_t i = 0; i < asked_.size(); ++i) {
+      for (const std::size_t i : by_name_) {
         if (!asked_[i].is_searched() || without.contains(i)) continue;
         std::vector<rules::LevelCondition> some =
             asked_[i].conditions->broken(level, safety_share * asked_[i].safety, kWorstConditions);
@@ -479,7 +493,7 @@ class SceneSearch {
   // still surely no levels without it.
   void find_contradiction() {
     std::set<std::size_t> without;
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
+    for (const std::size_t i : by_name_) {
       if (!asked_[i].is_searched()) continue;
       without.insert(i);
       if (can_be_met(kWholeInterval, without) != Can::no) {
@@ -487,6 +501,7 @@ class SceneSearch {
         advice_.contradicting.push_back(i);
       }
     }
+    std::sort(advice_.contradicting.begin(), advice_.contradicting.end());
     advice_.outcome = AdviceOutcome::contradiction;
   }
 
@@ -524,6 +539,7 @@ class SceneSearch {
   const AdviceSettings& settings_;
   SceneAdvice advice_;
   std::vector<Asked> asked_;
+  std::vector<std::size_t> by_name_;  // of them
   LevelProblem problem_;
   bool are_no_steps_ = false;  // proven: no levels in whole steps
 };

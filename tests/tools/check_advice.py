@@ -222,6 +222,27 @@ def main():
     code, found, _ = check(luxgate, path, "--set", "t.power-w=18")
     expect(found["advice"][0]["now"] == by_advise["now"] / 2, f"what is set counts: {found['advice'][0]['now']}")
 
+    # In another order of planes the same: levels, and of several sets that exclude each other the same one.
+    shutil.copytree(os.path.join(examples, "04-office"), os.path.join(work, "office"), dirs_exist_ok=True)
+    text = read(os.path.join(work, "office", "project.xml"))
+    text = re.sub(r'<luminaire-line id="C".*/>', "", text)
+    text = re.sub(r'<dim group="corridor".*/>', "", text)
+    text = re.sub(r'(<luminaire-line .*)count="5"', r'\1count="3"', text)
+    planes = re.findall(r"<plane .*?</plane>", text, re.S)
+    turned = text
+    for number, plane in enumerate(planes):
+        turned = turned.replace(plane, f"@{number}@")
+    for number, plane in enumerate(reversed(planes)):
+        turned = turned.replace(f"@{number}@", plane)
+    both = []
+    for number, one in enumerate((text, turned)):
+        advice = check(luxgate, write(os.path.join(work, "office", f"order-{number}.xml"), one))[1]["advice"]
+        for scene_advice in advice:
+            for key in ("excluding", "not_met"):
+                scene_advice[key].sort(key=str)
+        both.append(advice)
+    expect(len(planes) > 2 and both[0] and both[0] == both[1], f"advice in another order of planes: {both}")
+
     # What cannot be.
     for words, options in (("--stored-only", ["--stored-only", "--store", os.path.join(work, "store")]),
                            ("--shard", ["--shard", "1/2", "--store", os.path.join(work, "store")]),
