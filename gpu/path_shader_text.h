@@ -1,5 +1,5 @@
 #pragma once
-// The sources of shaders for light paths and short rays, put together from shaders/ and the
+// The sources of shaders for light paths, direct light and short rays, put together from shaders/ and the
 // formulas of calc/.
 
 #include <cstdint>
@@ -28,5 +28,18 @@ std::string path_sums_shader();
 std::string path_places_shader();
 std::string path_balance_shader();
 std::string short_ray_shader();
+
+// What a point has of a luminaire; above it, of what is sampled, samples of one round.
+inline constexpr std::uint32_t kPairNothing = 0, kPairHidden = 1, kPairSeen = 2, kPairSampled = 3,
+                               kPairLeft = 4;  // to the CPU
+inline constexpr std::uint32_t kPairStep = 8;
+// Parts of an opening that a shader visits at most, and how deep in the tree of halves.
+inline constexpr std::uint32_t kMostParts = 64, kDeepestPlace = 31;
+// Of the samples of a chunk; above these bits, its rays.
+inline constexpr std::uint32_t kChunkIsLit = 1, kChunkHasHidden = 2, kChunkHasSeen = 4;
+inline constexpr std::uint32_t kChunkFlags = 3;
+
+enum class DirectStage { classify, seen, sums, samples, totals };
+std::string direct_shader(DirectStage stage);
 
 }  // namespace gpu

@@ -18,6 +18,8 @@ inline constexpr std::uint32_t kNotDone = 0xffff'ffff;
 
 // Declares connection_geometry() and connection_lx() of calc/radiosity/connection_terms.glsl.
 std::string connection_terms_text();
+// The same in double, with numbers as calc/base/shader_words.h has them: DBL(0.25).
+std::string connection_terms_in_double();
 
 // Of given connections. has_shadows: false leaves the rays out.
 std::string gather_shader(bool has_shadows);

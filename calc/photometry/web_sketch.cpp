@@ -143,18 +143,23 @@ double WebSketch::measured_error_cd(const PhotometricWeb& web) const {
   return largest_cd;
 }
 
+WebSketch::Table WebSketch::table() const {
+  const float gammas_per_rad = static_cast<float>(gammas_) / kPi_f;
+  return {planes_, gammas_, (static_cast<float>(begin_rad_) - kEdge) * gammas_per_rad,
+          (static_cast<float>(end_rad_) + kEdge) * gammas_per_rad, cd_};
+}
+
 void WebSketch::light_of(std::size_t n, const float* x_m, const float* y_m, const float* z_m,
                          const float* factor, float* lx) const {
-  const float planes_per_rad = static_cast<float>(planes_) / (2.0f * kPi_f);
-  const float gammas_per_rad = static_cast<float>(gammas_) / kPi_f;
+  const Table from = table();
   const SketchTable table{cd_.data(),
                           static_cast<int>(planes_) - 1,
                           static_cast<int>(gammas_) - 1,
                           static_cast<int>(gammas_) + 1,
-                          planes_per_rad,
-                          gammas_per_rad,
-                          (static_cast<float>(begin_rad_) - kEdge) * gammas_per_rad,
-                          (static_cast<float>(end_rad_) + kEdge) * gammas_per_rad};
+                          static_cast<float>(planes_) / (2.0f * kPi_f),
+                          static_cast<float>(gammas_) / kPi_f,
+                          from.begin,
+                          from.end};
   sketched_light(table, n, x_m, y_m, z_m, factor, lx);
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace calc {
@@ -28,6 +29,15 @@ class WebSketch {
   // frame of the web's table (PhotometricWeb::to_table()), of lengths from 1e-9 to 1e12 m.
   void light_of(std::size_t n, const float* x_m, const float* y_m, const float* z_m,
                 const float* factor, float* lx) const;
+
+  // What light_of() reads, for who does the same elsewhere: begin and end in steps of gamma, dark
+  // outside; cd[plane * (gammas + 1) + gamma], planes + 1 of them.
+  struct Table {
+    std::size_t planes, gammas;  // steps
+    float begin, end;
+    std::span<const float> cd;
+  };
+  Table table() const;
 
  private:
   void fill(const PhotometricWeb& web);

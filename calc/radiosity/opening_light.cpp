@@ -2,6 +2,7 @@
 
 #include "calc/photometry/web_sketch.h"
 #include "calc/radiosity/connection_terms.h"
+#include "calc/radiosity/opening_constants.h"
 #include "calc/scene/opening.h"
 
 #include <algorithm>
@@ -12,19 +13,6 @@
 
 namespace calc {
 namespace {
-
-// Samples of the rest, of all openings of a channel together, in each round of a replicate: as many
-// as keep its error at that share of what is known.
-constexpr double kWantedError = 0.003;
-constexpr std::size_t kFewestSamples = 2, kMostSamples = 16;
-// Root mean square of the rest over OpeningPatch::rest_lx().  [measured: 0.05 to 0.08]
-constexpr double kMeanRest = 0.07;
-// Sizes over distances up to which one place, five places, tell enough of how the light varies.
-constexpr double kOnePlace = 0.01, kFivePlaces = 0.1;
-// Share of what the luminaire could send at most that the rest is never taken to be below.
-constexpr double kUnseenFloor = 1e-4;
-// Larger parts are halved: the rest falls with the third power.
-constexpr double kLargestPart = 0.7;
 
 // Places of a patch, as directions to the receiver.
 class PlaceLanes {
@@ -127,7 +115,7 @@ class OpeningPatch {
     const auto at = [lx](std::size_t k) { return static_cast<double>(lx[k]); };
     fit_five(receiver, {0.0, at(0), at(1), at(2), at(3)});
     const double corner_lx = std::max({at(4), at(5), at(6), at(7)});
-    rest_lx_ += (ratio_ * ratio_ + kFloor) * corner_lx;
+    rest_lx_ += (ratio_ * ratio_ + kPatchFloor) * corner_lx;
   }
   // Mean of the polynomial over the patch, times its share of the opening.
   double known_lx() const {
@@ -190,10 +178,9 @@ class OpeningPatch {
     places.add(0, reach);
   }
 
-  static constexpr double kFloor = 1e-3;  // of the brightest place
   void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
     rest_lx_ =
-        ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx + unseen_lx(receiver);
+        ratio_ * ratio_ * (highest_lx - lowest_lx) + kPatchFloor * highest_lx + unseen_lx(receiver);
   }
 
   // What places may have missed.
@@ -242,7 +229,7 @@ class SeenOpenings {
 
   void add(const PlacedLuminaire& luminaire, const Receiver& receiver, const OpeningCell& cell) {
     const OpeningPatch patch(luminaire, receiver, cell);
-    if (patch.ratio() > kLargestPart && luminaire.opening.shape == OpeningShape::rectangle &&
+    if (patch.ratio() > kLargestPatch && luminaire.opening.shape == OpeningShape::rectangle &&
         cell.size_s * cell.size_t > kSmallestShare) {
       for (const OpeningCell& half : halves(luminaire.opening, cell)) {
         add(luminaire, receiver, half);
@@ -273,9 +260,10 @@ class SeenOpenings {
   // Of each round.
   std::size_t rest_samples(double error_factor) const {
     if (patches_.empty()) return 0;
-    const double share = kMeanRest * cumulative_.back() / (kWantedError * error_factor * known_lx_);
-    if (!(share * share < static_cast<double>(kMostSamples))) return kMostSamples;
-    return std::max(kFewestSamples, static_cast<std::size_t>(std::ceil(share * share)));
+    const double share =
+        kMeanRest * cumulative_.back() / (kRestWantedError * error_factor * known_lx_);
+    if (!(share * share < static_cast<double>(kMostRestSamples))) return kMostRestSamples;
+    return std::max(kFewestRestSamples, static_cast<std::size_t>(std::ceil(share * share)));
   }
 
   // One round of one replicate.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <utility>
 
 namespace calc {
@@ -66,10 +67,16 @@ void PlaneWork::begin(const SensorGrid& grid) {
   }
 }
 
-void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
+void PlaneWork::add_exact(DirectTracer* direct, double deadline_s, SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   if (!decision_.measures_direct) return add_glare(deadline_s);
   if (channels() == 0) return;  // no luminaires, and so no values either
+  if (direct != nullptr) {
+    field_.counters.direct_rays += direct->add_point_sources(
+        {tracer_, receiver_, {decision_.is_dark, has_shadows()}, deadline_s},
+        field_.direct_exact_lx);
+    return;
+  }
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
     return add_point_sources(tracer_, receiver_[i], {decision_.is_dark, has_shadows()},
@@ -100,30 +107,83 @@ void PlaneWork::add_glare(double deadline_s) {
   }
 }
 
-void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
+void PlaneWork::sample_openings(DirectTracer* direct, double deadline_s, SolveTimes& times) {
   if (!decision_.samples_openings) return;
   if (sums_.most_rounds > 0 && !state_.opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   sums_.direct_sum_lx.resize(state_.values());
-  if (free_openings_.empty() && has_shadows()) prove_openings(deadline_s);
   const std::uint32_t last = std::max<std::uint32_t>(1, 2 * sums_.most_rounds);
+  if (direct != nullptr) {
+    sample_openings_by(*direct, last, deadline_s);
+  } else {
+    sample_openings_by_points(last, deadline_s);
+  }
+  sums_.most_rounds = last;
+}
+
+void PlaneWork::sample_openings_by_points(std::uint32_t last_round, double deadline_s) {
+  if (free_openings_.empty() && has_shadows()) prove_openings(deadline_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t place) {
     const std::size_t i = spatial_order_[place];
     if (state_.active()[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
     DirectProofs proofs{decision_.is_dark, has_shadows()};
     if (has_shadows()) proofs.is_free = free_openings_[place / kPointsPerProof];
-    const DirectRays direct =
-        add_openings(tracer_, receiver_[i], proofs, opening_key_.with(i),
-                     {sums_.rounds[i], last, field_.replicates, settings_.opening_error_factor},
-                     {&field_.direct_exact_lx[i], &sums_.direct_sum_lx[i], points(),
-                      channels() * points(), &sums_.largest_opening_lx[i]});
-    if (direct.has_hidden) sums_.has_hidden_opening[i] = 1;
-    if (direct.may_be_lit) sums_.may_be_sampled[i] = 1;
-    if (direct.has_seen) sums_.has_seen_opening[i] = 1;
-    sums_.rounds[i] = last;
+    const DirectRays direct = add_openings(
+        tracer_, receiver_[i], proofs, opening_key_.with(i),
+        {sums_.rounds[i], last_round, field_.replicates, settings_.opening_error_factor},
+        {&field_.direct_exact_lx[i], &sums_.direct_sum_lx[i], points(), channels() * points(),
+         &sums_.largest_opening_lx[i]});
+    take_opening_rays(i, direct, last_round);
     return direct.traced;
   });
-  sums_.most_rounds = last;
+}
+
+void PlaneWork::take_opening_rays(std::size_t point, const DirectRays& rays,
+                                  std::uint32_t last_round) {
+  if (rays.has_hidden) sums_.has_hidden_opening[point] = 1;
+  if (rays.may_be_lit) sums_.may_be_sampled[point] = 1;
+  if (rays.has_seen) sums_.has_seen_opening[point] = 1;
+  sums_.rounds[point] = last_round;
+}
+
+void PlaneWork::sample_openings_by(DirectTracer& direct, std::uint32_t last_round,
+                                   double deadline_s) {
+  // Points that left the work in an earlier look have had fewer rounds; those still at work are
+  // alike, but for what a store may hold: one batch for each number of rounds.
+  std::map<std::uint32_t, std::vector<std::size_t>> points_of_rounds;
+  for (const std::uint32_t i : spatial_order_) {
+    if (state_.active()[i] != 0) points_of_rounds[sums_.rounds[i]].push_back(i);
+  }
+  const std::size_t many = channels();
+  for (const auto& [first_round, chosen] : points_of_rounds) {
+    std::vector<Receiver> receivers;
+    std::vector<RandomKey> keys;
+    for (const std::size_t i : chosen) {
+      receivers.push_back(receiver_[i]);
+      keys.push_back(opening_key_.with(i));
+    }
+    const std::size_t n = chosen.size();
+    std::vector<double> known(many * n), sampled(field_.replicates * many * n);
+    std::vector<float> largest(n);
+    std::vector<DirectRays> rays(n);
+    direct.add_openings(
+        {tracer_, receivers, {decision_.is_dark, has_shadows()}, deadline_s}, keys,
+        {first_round, last_round, field_.replicates, settings_.opening_error_factor},
+        {known, sampled, largest, rays});
+    if (is_past(deadline_s)) return;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = chosen[k];
+      for (std::size_t c = 0; c < many; ++c) {
+        field_.direct_exact_lx[c * points() + i] += known[c * n + k];
+      }
+      for (std::size_t sum = 0; sum < field_.replicates * many; ++sum) {
+        sums_.direct_sum_lx[sum * points() + i] += sampled[sum * n + k];
+      }
+      sums_.largest_opening_lx[i] = std::max(sums_.largest_opening_lx[i], largest[k]);
+      take_opening_rays(i, rays[k], last_round);
+      field_.counters.direct_rays += rays[k].traced;
+    }
+  }
 }
 
 void PlaneWork::prove_openings(double deadline_s) {

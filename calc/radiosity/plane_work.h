@@ -4,6 +4,7 @@
 
 #include "calc/base/field.h"
 #include "calc/proofs/solve_plan.h"
+#include "calc/radiosity/direct_tracer.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/plane_state.h"
@@ -80,11 +81,11 @@ class PlaneWork {
   // Of a plane that no look was taken of: refuses it where a point cannot be computed.
   void begin(const SensorGrid& grid);
   // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
-  // VertexBatch, for all that follows.
-  void add_exact(double deadline_s, SolveTimes& times);
+  // VertexBatch, for all that follows; so is direct: null = the CPU.
+  void add_exact(DirectTracer* direct, double deadline_s, SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
-  void sample_openings(double deadline_s, SolveTimes& times);
+  void sample_openings(DirectTracer* direct, double deadline_s, SolveTimes& times);
   // Before the first replicate of a look. near_reach_m: of short rays, 0 = none.
   void start_look(double near_reach_m, const PossibleVertex& possible);
   // One replicate's indirect light: connections and near field. Replicates may run at the same
@@ -103,6 +104,9 @@ class PlaneWork {
 
   void add_glare(double deadline_s);
   void prove_openings(double deadline_s);
+  void sample_openings_by_points(std::uint32_t last_round, double deadline_s);
+  void sample_openings_by(DirectTracer& direct, std::uint32_t last_round, double deadline_s);
+  void take_opening_rays(std::size_t point, const DirectRays& rays, std::uint32_t last_round);
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::uint64_t connect_tiles(std::size_t first, std::size_t last, const VertexBatch& batch,

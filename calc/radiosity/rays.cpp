@@ -78,9 +78,7 @@ bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
 }
 
 Sight Tracer::sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const {
-  // Segments leave out one offset at their ends.
-  constexpr double kOffsetsFromEnds = 2.0;
-  return sight_of(tree_, {from_m, corner_m, touching_m(), kOffsetsFromEnds * offset_m_});
+  return sight_of(tree_, {from_m, corner_m, sight_margin_m(), sight_clear_m()});
 }
 
 std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {

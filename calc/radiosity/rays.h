@@ -148,6 +148,11 @@ class Tracer {
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
                   SegmentMargins left_out = {}) const;
 
+  // What sight() goes by: SightQuery::margin_m and clear_m. Segments leave out one offset at their
+  // ends.
+  double sight_margin_m() const { return touching_m(); }
+  double sight_clear_m() const { return 2.0 * offset_m_; }
+
   // What a receiver sees of a parallelogram, by proof, whatever has_shadows() says: a receiver may
   // be outside the convex space. from_m, corner_m: lifted, as the ends of segments would be.
   Sight sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const;

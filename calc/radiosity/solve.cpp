@@ -246,7 +246,7 @@ class Solver {
     refuse_missing_of_store();
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing()) continue;
-      plane.work->add_exact(deadline_s_, solution_.times);
+      plane.work->add_exact(stages_.direct_tracer, deadline_s_, solution_.times);
       if (is_past(deadline_s_)) plane.state.refuse(why_no_result(StopReason::time_limit));
     }
   }
@@ -409,7 +409,7 @@ class Solver {
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       if (!planes_[p].is_missing()) continue;
       make_work(p);
-      planes_[p].work->sample_openings(deadline_s_, solution_.times);
+      planes_[p].work->sample_openings(stages_.direct_tracer, deadline_s_, solution_.times);
     }
     if (const auto stopped = reason_to_stop(paths)) return stopped;
     if (!any_missing() || !workshop_->plan.samples_indirect) return std::nullopt;

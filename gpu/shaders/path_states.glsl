@@ -1,10 +1,7 @@
 // Light paths between two dispatches, and the numbers that they draw. path_pass.h says what the
 // buffers hold.
 
-layout(std430, binding = 3) readonly buffer Tables { double entry[]; };
 layout(std430, binding = 5) buffer States { uvec4 state[]; };
-
-double offset_of_rays_m() { return entry[0]; }
 
 double path_sample(uint job, uint index, uint dimension) {
   const uint at = JOBS_AT + JOB_SIZE * job;

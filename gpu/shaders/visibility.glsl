@@ -50,15 +50,12 @@ bool misses_box(uvec4 low, uvec4 high, vec3 from, vec3 per_along, float t_near, 
   return !(enter * (1.0 - rounding) <= leave * (1.0 + rounding));
 }
 
-// is_cut: the driver left the loop early, so that the answer means nothing: llvmpipe does after
-// 65535 turns, without a word.
-// from: a receiver, to: a light vertex (calc::kReceiverToVertex).
-bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
+// Whether anything stands between from + t_near along and from + t_far along. is_cut: the driver
+// left the loop early, so that the answer means nothing: llvmpipe does after 65535 turns, without a
+// word.
+bool is_crossed_by_any(vec3 from, vec3 along, float t_near, float t_far, out bool is_cut) {
   is_cut = false;
-  const vec3 along = to - from;
-  const float t_near = offset_m / sqrt(dot(along, along));
-  const float t_far = 1.0;
-  // Two points nearer than the margin have nothing between them.
+  // Two points nearer than the margins have nothing between them.
   if (!(t_near < t_far)) return false;
   const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
   uint at = 0u;
@@ -78,4 +75,20 @@ bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
   }
   is_cut = at < node_count;
   return false;
+}
+
+// Of what calc::SegmentMargins leaves out at an end, as a share of the way.
+float margin_of(vec3 along) { return offset_m / sqrt(dot(along, along)); }
+
+// from: a receiver, to: a light vertex (calc::kReceiverToVertex).
+bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
+  const vec3 along = to - from;
+  return is_crossed_by_any(from, along, margin_of(along), 1.0, is_cut);
+}
+
+// from: a receiver, to: a place of a luminaire (calc::kReceiverToSource).
+bool is_blocked_between(vec3 from, vec3 to, out bool is_cut) {
+  const vec3 along = to - from;
+  const float margin = margin_of(along);
+  return is_crossed_by_any(from, along, margin, 1.0 - margin, is_cut);
 }

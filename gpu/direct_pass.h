@@ -1,0 +1,60 @@
+#pragma once
+// Direct light of some points on the device, stage after stage.
+
+#include "calc/radiosity/direct_tracer.h"
+#include "gpu/device_thread.h"
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_direct_tracer.h"
+#include "gpu/gl_program.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+// A piece of work, as it goes to the device and comes back.
+struct DirectPiece {
+  const calc::Tracer* tracer = nullptr;
+  std::span<const calc::Receiver> points{};
+  std::span<const calc::RandomKey> keys{};   // [point]; empty: of point openings, without samples
+  std::span<const std::uint8_t> is_asked{};  // [luminaire]
+  bool has_shadows = true;
+  calc::OpeningRounds rounds{};
+
+  // [luminaire * points + point]: kPairNothing and so on.
+  std::vector<std::uint32_t> pairs{};
+  // [channel * points + point]
+  std::vector<double> known_lx{};
+  // [replicate][channel][point] and then [replicate][point], see shaders/direct_totals.glsl
+  std::vector<double> totals{};
+};
+
+// All calls need the context current, the destructor too. They throw GlError and
+// calc::BackendFailure.
+class DirectPass {
+ public:
+  explicit DirectPass(const ProgramCache& programs);
+
+  void run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece);
+
+ private:
+  void send(DeviceState& device, const DirectPiece& piece);
+  void send_tables(const calc::Tracer& tracer);
+  void find_pairs(DeviceState& device, DirectPiece& piece);
+  void sum_seen(DeviceState& device, DirectPiece& piece);
+  void sample(DeviceState& device, const DirectLimits& limits, DirectPiece& piece);
+  void sample_points(DeviceState& device, const DirectLimits& limits, const DirectPiece& piece,
+                     std::size_t first, std::size_t last, std::span<const std::uint32_t> list,
+                     std::size_t chunks);
+  void start(const GlProgram& program, const DirectPiece& piece) const;
+
+  GlProgram classify_, seen_, sums_, samples_, totals_program_;
+  GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
+  std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none
+};
+
+}  // namespace gpu

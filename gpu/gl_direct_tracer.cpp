@@ -1,0 +1,190 @@
+#include "gpu/gl_direct_tracer.h"
+
+#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/phase_timer.h"
+#include "gpu/direct_pass.h"
+#include "gpu/path_shader_text.h"
+#include "gpu/shader_text.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <exception>
+#include <utility>
+#include <vector>
+
+namespace gpu {
+namespace {
+
+// What comes back of one piece at most: some 32 MiB.
+constexpr std::size_t kMostTotals = std::size_t{1} << 22;
+
+bool is_point(const calc::PlacedLuminaire& luminaire) {
+  return luminaire.opening.shape == calc::OpeningShape::point;
+}
+
+// [luminaire]: 1 = it may give something, and has a point opening or not.
+std::vector<std::uint8_t> asked(const calc::DirectBatch& batch, bool wants_points) {
+  const auto& luminaires = batch.tracer.scene().luminaires;
+  std::vector<std::uint8_t> is_asked(luminaires.size(), 0);
+  for (std::size_t l = 0; l < luminaires.size(); ++l) {
+    is_asked[l] = static_cast<std::uint8_t>(is_point(luminaires[l]) == wants_points &&
+                                            !batch.proofs.leaves_out(l));
+  }
+  return is_asked;
+}
+
+bool is_any(const std::vector<std::uint8_t>& flags) {
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
+class GlDirectTracer : public calc::DirectTracer {
+ public:
+  GlDirectTracer(std::shared_ptr<DeviceThread> thread, const DirectLimits& limits)
+      : thread_(std::move(thread)), limits_(limits) {}
+  ~GlDirectTracer() override {
+    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
+  }
+  GlDirectTracer(const GlDirectTracer&) = delete;
+  GlDirectTracer& operator=(const GlDirectTracer&) = delete;
+
+  std::uint64_t add_point_sources(const calc::DirectBatch& batch, std::span<double> lx) override {
+    std::uint64_t rays = 0;
+    const std::vector<std::uint8_t> is_asked = asked(batch, true);
+    if (!is_any(is_asked)) return rays;
+    const std::size_t n = batch.receivers.size();
+    for_each_piece(batch, 1, is_asked, {}, {}, [&](std::size_t first, const DirectPiece& piece) {
+      const std::size_t points = piece.points.size();
+      for (std::size_t i = 0; i < piece.known_lx.size(); ++i) {
+        lx[i / points * n + first + i % points] += piece.known_lx[i];
+      }
+      if (!batch.proofs.has_shadows) return;
+      rays += static_cast<std::uint64_t>(
+          std::count_if(piece.pairs.begin(), piece.pairs.end(),
+                        [](std::uint32_t pair) { return pair != kPairNothing; }));
+    });
+    return rays;
+  }
+
+  void add_openings(const calc::DirectBatch& batch, std::span<const calc::RandomKey> keys,
+                    const calc::OpeningRounds& rounds, const calc::DirectBatchSums& sums) override {
+    const std::vector<std::uint8_t> is_asked = asked(batch, false);
+    if (!is_any(is_asked)) return;
+    for_each_piece(batch, rounds.replicates, is_asked, keys, rounds,
+                   [&](std::size_t first, const DirectPiece& piece) {
+                     take(batch, first, piece, sums);
+                     add_left(batch, first, piece, sums);
+                   });
+  }
+
+ private:
+  template <class Take>
+  void for_each_piece(const calc::DirectBatch& batch, std::size_t replicates,
+                      const std::vector<std::uint8_t>& is_asked,
+                      std::span<const calc::RandomKey> keys, const calc::OpeningRounds& rounds,
+                      const Take& take_piece) {
+    const std::size_t totals = replicates * (batch.tracer.scene().channels.size() + 1);
+    const std::size_t most =
+        std::max<std::size_t>(1, std::min(limits_.pairs / is_asked.size(), kMostTotals / totals));
+    for (std::size_t first = 0; first < batch.receivers.size(); first += most) {
+      if (calc::is_past(batch.deadline_s)) return;
+      const std::size_t points = std::min(most, batch.receivers.size() - first);
+      DirectPiece piece{&batch.tracer,
+                        batch.receivers.subspan(first, points),
+                        keys.empty() ? keys : keys.subspan(first, points),
+                        is_asked,
+                        batch.proofs.has_shadows,
+                        rounds};
+      run(piece);
+      take_piece(first, piece);
+    }
+  }
+
+  void run(DirectPiece& piece) {
+    thread_->run([&](DeviceState& device) {
+      try {
+        if (!pass_) pass_ = std::make_unique<DirectPass>(device.programs);
+        pass_->run(device, limits_, piece);
+      } catch (const std::exception&) {
+        pass_.reset();  // what it kept may be what left no room
+        throw;
+      }
+    });
+  }
+
+  static void take(const calc::DirectBatch& batch, std::size_t first, const DirectPiece& piece,
+                   const calc::DirectBatchSums& sums) {
+    const std::size_t n = batch.receivers.size(), points = piece.points.size();
+    const std::size_t sampled = piece.rounds.replicates * batch.tracer.scene().channels.size();
+    for (std::size_t i = 0; i < piece.known_lx.size() && piece.rounds.first == 0; ++i) {
+      sums.known_lx[i / points * n + first + i % points] += piece.known_lx[i];
+    }
+    for (std::size_t i = 0; i < sampled * points; ++i) {
+      sums.sampled_lx[i / points * n + first + i % points] += piece.totals[i];
+    }
+    for (std::size_t r = 0; r < piece.rounds.replicates; ++r) {
+      for (std::size_t p = 0; p < points; ++p) {
+        const auto words =
+            std::bit_cast<std::array<std::uint32_t, 2>>(piece.totals[(sampled + r) * points + p]);
+        float& largest = sums.largest[first + p];
+        largest = std::max(largest, std::bit_cast<float>(words[0]));
+        calc::DirectRays& rays = sums.rays[first + p];
+        rays.may_be_lit |= (words[1] & kChunkIsLit) != 0;
+        rays.has_hidden |= (words[1] & kChunkHasHidden) != 0;
+        rays.has_seen |= (words[1] & kChunkHasSeen) != 0;
+        rays.traced += words[1] >> kChunkFlags;
+      }
+    }
+  }
+
+  // What the device left undone.
+  static void add_left(const calc::DirectBatch& batch, std::size_t first, const DirectPiece& piece,
+                       const calc::DirectBatchSums& sums) {
+    const std::size_t n = batch.receivers.size(), points = piece.points.size();
+    const std::size_t channels = batch.tracer.scene().channels.size();
+    tbb::parallel_for(std::size_t{0}, points, [&](std::size_t p) {
+      std::vector<std::uint8_t> is_done(piece.is_asked.size(), 1);
+      for (std::size_t l = 0; l < is_done.size(); ++l) {
+        if (piece.pairs[l * points + p] == kPairLeft) is_done[l] = 0;
+      }
+      if (std::find(is_done.begin(), is_done.end(), 0) == is_done.end()) return;
+      const calc::FlushDenormals flush;
+      const std::size_t k = first + p;
+      const calc::DirectRays rays = calc::add_openings(
+          batch.tracer, piece.points[p], {is_done, batch.proofs.has_shadows}, piece.keys[p],
+          piece.rounds,
+          {&sums.known_lx[k], &sums.sampled_lx[k], n, channels * n, &sums.largest[k]});
+      sums.rays[k].may_be_lit |= rays.may_be_lit;
+      sums.rays[k].has_hidden |= rays.has_hidden;
+      sums.rays[k].has_seen |= rays.has_seen;
+      sums.rays[k].traced += rays.traced;
+    });
+  }
+
+  const std::shared_ptr<DeviceThread> thread_;
+  const DirectLimits limits_;
+  std::unique_ptr<DirectPass> pass_;  // of the device's thread alone
+};
+
+}  // namespace
+
+DirectLimits direct_limits(const Device& device) {
+  DirectLimits limits;
+  if (!device.is_software) return limits;
+  limits.pairs = std::size_t{1} << 13;
+  limits.chunks_per_dispatch = std::size_t{1} << 13;
+  return limits;
+}
+
+std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread) {
+  const DirectLimits limits = direct_limits(thread->device());
+  return make_gl_direct_tracer(std::move(thread), limits);
+}
+
+std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread,
+                                                          const DirectLimits& limits) {
+  return std::make_unique<GlDirectTracer>(std::move(thread), limits);
+}
+
+}  // namespace gpu

@@ -1,0 +1,33 @@
+#pragma once
+// Direct light by OpenGL.
+
+#include "calc/radiosity/direct_tracer.h"
+#include "gpu/device_thread.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace gpu {
+
+// How much is sent and done at a time; results do not depend on it.
+struct DirectLimits {
+  std::size_t pairs = std::size_t{1} << 18;       // of points and luminaires, in one piece
+  std::uint32_t chunk = 32;                       // samples of an opening that one invocation takes
+  std::size_t chunk_sums = std::size_t{1} << 21;  // of chunks and replicates, in one go
+  std::size_t chunks_per_dispatch = std::size_t{1} << 18;
+};
+// Of a device: software is slow, and is asked for less between two looks at the clock.
+DirectLimits direct_limits(const Device& device);
+
+// Proofs of sight, light of what is seen, samples of what is not known, and their sums are made on
+// the device, from the random numbers of the CPU. Rays are searched in float, everything else is
+// computed in double, but for the places of patches, in float as on the CPU. What a device cannot
+// do (an opening so near that it falls into many parts) is done by the CPU, pair by pair. The same
+// device gives the same bits for any number of threads. Calls throw calc::BackendFailure when the
+// device fails.
+std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread);
+std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread,
+                                                          const DirectLimits& limits);
+
+}  // namespace gpu

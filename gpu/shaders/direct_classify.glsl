@@ -1,0 +1,90 @@
+// Stage 1: one pair. What is proved of the opening, or whether a point opening is seen.
+
+layout(local_size_x = GROUP_SIZE) in;
+
+uniform uint first_pair, last_pair;
+
+uint sampled_cells(Lamp lamp, Point point) {
+  const View view = view_from(lamp, point.position_m);
+  Place place = Place(0u, 0u);
+  uint cells = 0u, samples = 0u;
+  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
+    const CellAt at = cell_at(lamp, view, point.position_m, place);
+    if (!at.is_leaf) {
+      if (place.depth == DEEPEST_PLACE) return PAIR_LEFT;
+      place = first_half(place);
+      continue;
+    }
+    ++cells;
+    samples += cell_samples(at);
+    if (!go_on(place)) return cells <= MOST_PARTS ? PAIR_SAMPLED + PAIR_STEP * samples : PAIR_LEFT;
+  }
+  return PAIR_LEFT;
+}
+
+// As many patches as a later stage can visit.
+uint seen_patches(Lamp lamp, Point point) {
+  Place place = Place(0u, 0u);
+  uint patches = 0u;
+  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
+    if (is_halved(patch_of(lamp, point, place))) {
+      if (place.depth == DEEPEST_PLACE) return PAIR_LEFT;
+      place = first_half(place);
+      continue;
+    }
+    ++patches;
+    if (!go_on(place)) return patches <= MOST_PARTS ? PAIR_SEEN : PAIR_LEFT;
+  }
+  return PAIR_LEFT;
+}
+
+uint point_opening(Lamp lamp, Point point) {
+  if (!is_reached(lamp, point.position_m)) return PAIR_NOTHING;
+  if (!(point_illuminance_lx(lamp, lamp.centre_m, point) > DBL(0.0))) return PAIR_NOTHING;
+  if (has_shadows == 0u) return PAIR_SEEN;
+  bool is_left_early;
+  const bool is_hidden =
+      is_blocked_between(vec3(lifted_point_m(point)),
+                         vec3(lifted_source_m(lamp, lamp.centre_m, point.position_m)),
+                         is_left_early);
+  if (is_left_early) is_cut = true;
+  return is_hidden ? PAIR_HIDDEN : PAIR_SEEN;
+}
+
+uint sight_of_opening(Lamp lamp, Point point) {
+  SightQuery query;
+  query.from_m = lifted_point_m(point);
+  const dvec3 u = lamp.half_m.x * lamp.x, v = lamp.half_m.y * lamp.y;
+  const dvec3 corner[4] = dvec3[4](-u - v, u - v, u + v, v - u);
+  for (int k = 0; k < 4; ++k) {
+    query.corner_m[k] = lifted_source_m(lamp, lamp.centre_m + corner[k], point.position_m);
+  }
+  query.margin_m = entry[1];
+  query.clear_m = entry[2];
+  return sight_of(query);
+}
+
+// Few cells, each a smooth part of the opening.
+bool has_patches(Lamp lamp, Point point) {
+  if (lamp.shape == SHAPE_RECTANGLE) return true;
+  return lamp.shape == SHAPE_DISK &&
+         cell_at(lamp, view_from(lamp, point.position_m), point.position_m, Place(0u, 0u)).is_leaf;
+}
+
+uint classified(uint index, uint p) {
+  if (!is_asked(index)) return PAIR_NOTHING;
+  const Lamp lamp = lamp_of(index);
+  const Point point = point_of(p);
+  if (lamp.shape == SHAPE_POINT) return point_opening(lamp, point);
+  if (!has_patches(lamp, point)) return sampled_cells(lamp, point);
+  const uint sight = has_shadows != 0u ? sight_of_opening(lamp, point) : SIGHT_FREE;
+  if (sight == SIGHT_HIDDEN) return PAIR_HIDDEN;
+  return sight == SIGHT_FREE ? seen_patches(lamp, point) : sampled_cells(lamp, point);
+}
+
+void main() {
+  const uint pair = first_pair + gl_GlobalInvocationID.x;
+  if (pair >= last_pair) return;
+  const uint kind = classified(pair / point_count, pair % point_count);
+  if (!is_cut) pair_word[pair] = kind;  // else not done
+}

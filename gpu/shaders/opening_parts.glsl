@@ -1,0 +1,336 @@
+// Parts of luminous openings: calc::opening_cells(), and the patches of opening_light.cpp. Parts are
+// leaves of a binary tree of halves, visited in depth-first order; a place in it is the path from
+// the root, one bit for each step.
+
+uniform float error_factor;  // calc::OpeningRounds::error_factor
+
+struct Cell {
+  double s, t, size_s, size_t;
+};
+
+struct Place {
+  uint path, depth;
+};
+
+const Cell kWholeOpening = Cell(DBL(0.0), DBL(0.0), DBL(1.0), DBL(1.0));
+
+Cell half_of(Cell cell, bool is_along_s, bool is_second) {
+  if (is_along_s) {
+    cell.size_s *= DBL(0.5);
+    if (is_second) cell.s += cell.size_s;
+  } else {
+    cell.size_t *= DBL(0.5);
+    if (is_second) cell.t += cell.size_t;
+  }
+  return cell;
+}
+
+bool is_second_half(Place place, uint step) {
+  return ((place.path >> (place.depth - 1u - step)) & 1u) != 0u;
+}
+
+Place first_half(Place place) { return Place(place.path << 1u, place.depth + 1u); }
+
+// False: it was the last. Once a part that is not halved further is done with.
+bool go_on(inout Place place) {
+  while (place.depth > 0u && (place.path & 1u) != 0u) {
+    place.path >>= 1u;
+    --place.depth;
+  }
+  if (place.depth == 0u) return false;
+  place.path |= 1u;
+  return true;
+}
+
+// --- openings that are seen in full: patches ----------------------------------------------------
+
+struct Patch {
+  dvec3 centre_m, u_m, v_m;
+  double share, ratio;  // of the opening; of its size to its distance
+  bool is_disk, is_small;
+  dvec3 c0, c1, c2;  // [power of x][power of y] of the polynomial
+  double rest_lx;
+};
+
+Cell patch_cell(Lamp lamp, Place place) {
+  Cell cell = kWholeOpening;
+  for (uint step = 0u; step < place.depth; ++step) {
+    const bool is_along_s = cell.size_s * lamp.half_m.x >= cell.size_t * lamp.half_m.y;
+    cell = half_of(cell, is_along_s, is_second_half(place, step));
+  }
+  return cell;
+}
+
+Patch patch_of(Lamp lamp, Point point, Place place) {
+  const Cell cell = patch_cell(lamp, place);
+  Patch part;
+  part.is_disk = lamp.shape == SHAPE_DISK;
+  part.share = cell.size_s * cell.size_t;
+  part.is_small = !(part.share > DBL(9.094947017729282e-13));  // 2^-40: it touches the point
+  part.u_m = cell.size_s * lamp.half_m.x * lamp.x;
+  part.v_m = cell.size_t * lamp.half_m.y * lamp.y;
+  part.centre_m = lamp.centre_m +
+                   (DBL(2.0) * cell.s + cell.size_s - DBL(1.0)) * lamp.half_m.x * lamp.x +
+                   (DBL(2.0) * cell.t + cell.size_t - DBL(1.0)) * lamp.half_m.y * lamp.y;
+  const double size_m =
+      DBL(2.0) * sqrt(dot(part.u_m, part.u_m) + dot(part.v_m, part.v_m));
+  part.ratio = size_m / length(part.centre_m - point.position_m);
+  part.c0 = part.c1 = part.c2 = dvec3(DBL(0.0));
+  part.rest_lx = DBL(0.0);
+  return part;
+}
+
+// Larger parts are halved: the rest falls with the third power.
+bool is_halved(Patch part) {
+  return part.ratio > LARGEST_PATCH && !part.is_disk && !part.is_small;
+}
+
+// Light of centre + x u + y v, by the sketch.
+double place_lx(Lamp lamp, Point point, Patch part, double x, double y) {
+  const dvec3 to_source_m =
+      part.centre_m - point.position_m + x * part.u_m + y * part.v_m;
+  const double response_times_m = response_times_distance(point.kernel, point.axis, to_source_m);
+  return double(sketched_lx(lamp, in_table(lamp, -to_source_m),
+                            lamp.flux_scale * max(DBL(0.0), response_times_m)));
+}
+
+const double kGauss = DBL(0.7745966692414834);  // sqrt(3/5)
+
+// p(-h), p(0), p(h) -> coefficients of x and x^2.
+dvec2 curve(double before, double middle, double after) {
+  return dvec2((after - before) / (DBL(2.0) * kGauss),
+               (after - DBL(2.0) * middle + before) / (DBL(2.0) * kGauss * kGauss));
+}
+
+// What places may have missed.
+double unseen_lx(Lamp lamp, Point point, Patch part) {
+  const dvec3 away_m = part.centre_m - point.position_m;
+  const double reach_m2 = dot(part.u_m, part.u_m) + dot(part.v_m, part.v_m);
+  return (UNSEEN_FLOOR + sketch_error_of(lamp)) * most_cd_of(lamp) * lamp.flux_scale /
+         max(dot(away_m, away_m), reach_m2);
+}
+
+const double kFloor = PATCH_FLOOR;  // of the brightest place
+
+void take_range(Lamp lamp, Point point, inout Patch part, double lowest_lx, double highest_lx) {
+  part.rest_lx = part.ratio * part.ratio * (highest_lx - lowest_lx) + kFloor * highest_lx +
+                  unseen_lx(lamp, point, part);
+}
+
+// lx: west, east, south, north.
+void fit_five(Lamp lamp, Point point, inout Patch part, double middle_lx, dvec4 lx) {
+  const dvec2 x = curve(lx.x, middle_lx, lx.y), y = curve(lx.z, middle_lx, lx.w);
+  part.c0 = dvec3(middle_lx, y);
+  part.c1 = dvec3(x.x, DBL(0.0), DBL(0.0));
+  part.c2 = dvec3(x.y, DBL(0.0), DBL(0.0));
+  take_range(lamp, point, part, min(middle_lx, min(min(lx.x, lx.y), min(lx.z, lx.w))),
+             max(middle_lx, max(max(lx.x, lx.y), max(lx.z, lx.w))));
+}
+
+dvec4 cross_lx(Lamp lamp, Point point, Patch part, double reach) {
+  return dvec4(place_lx(lamp, point, part, -reach, DBL(0.0)),
+               place_lx(lamp, point, part, reach, DBL(0.0)),
+               place_lx(lamp, point, part, DBL(0.0), -reach),
+               place_lx(lamp, point, part, DBL(0.0), reach));
+}
+
+// All places are dark, and the light may still begin at a corner or be a narrow beam between.
+void fit_dark(Lamp lamp, Point point, inout Patch part) {
+  fit_five(lamp, point, part, DBL(0.0), cross_lx(lamp, point, part, kGauss));
+  const double one = DBL(1.0);
+  const double corner_lx = max(max(place_lx(lamp, point, part, -one, -one),
+                                   place_lx(lamp, point, part, -one, one)),
+                               max(place_lx(lamp, point, part, one, -one),
+                                   place_lx(lamp, point, part, one, one)));
+  part.rest_lx += (part.ratio * part.ratio + kFloor) * corner_lx;
+}
+
+bool is_any_lit(dvec3 lx) { return any(greaterThan(lx, dvec3(DBL(0.0)))); }
+
+void fit_nine(Lamp lamp, Point point, inout Patch part) {
+  dvec3 row[3];  // [x place]: south, middle, north
+  for (int i = 0; i < 3; ++i) {
+    const double x = double(i - 1) * kGauss;
+    row[i] = dvec3(place_lx(lamp, point, part, x, -kGauss),
+                   place_lx(lamp, point, part, x, DBL(0.0)),
+                   place_lx(lamp, point, part, x, kGauss));
+  }
+  if (!is_any_lit(row[0]) && !is_any_lit(row[1]) && !is_any_lit(row[2])) {
+    fit_dark(lamp, point, part);
+    return;
+  }
+  dvec3 along_y[3];  // [x place]: coefficients of 1, y, y^2
+  for (int i = 0; i < 3; ++i) along_y[i] = dvec3(row[i].y, curve(row[i].x, row[i].y, row[i].z));
+  part.c0 = along_y[1];
+  for (int k = 0; k < 3; ++k) {
+    const dvec2 x = curve(along_y[0][k], along_y[1][k], along_y[2][k]);
+    part.c1[k] = x.x;
+    part.c2[k] = x.y;
+  }
+  const dvec3 low = min(row[0], min(row[1], row[2])), high = max(row[0], max(row[1], row[2]));
+  take_range(lamp, point, part, min(low.x, min(low.y, low.z)), max(high.x, max(high.y, high.z)));
+}
+
+void fit(Lamp lamp, Point point, inout Patch part) {
+  if (!(part.ratio < FIVE_PLACES)) {
+    fit_nine(lamp, point, part);
+    return;
+  }
+  const double middle_lx = place_lx(lamp, point, part, DBL(0.0), DBL(0.0));
+  if (part.ratio < ONE_PLACE) {
+    if (middle_lx > DBL(0.0)) {
+      part.c0.x = middle_lx;
+      part.rest_lx = part.ratio * middle_lx + unseen_lx(lamp, point, part);
+    } else {
+      fit_dark(lamp, point, part);
+    }
+    return;
+  }
+  const dvec4 lx = cross_lx(lamp, point, part, kGauss);
+  if (middle_lx > DBL(0.0) || any(greaterThan(lx, dvec4(DBL(0.0))))) {
+    fit_five(lamp, point, part, middle_lx, lx);
+  } else {
+    fit_dark(lamp, point, part);
+  }
+}
+
+// Mean of the polynomial over the part, times its share of the opening.
+double known_lx(Patch part) {
+  const double xx = part.is_disk ? DBL(0.25) : DBL(1.0) / DBL(3.0);
+  const double xxyy = part.is_disk ? DBL(1.0) / DBL(24.0) : DBL(1.0) / DBL(9.0);
+  return part.share *
+         (part.c0.x + xx * (part.c2.x + part.c0.z) + xxyy * part.c2.z);
+}
+
+double power_series(dvec3 c, double y) { return c.x + y * (c.y + y * c.z); }
+
+// The rest at a place of [0, 1)^2.
+double rest_at_lx(Lamp lamp, Point point, Patch part, double s, double t) {
+  const dvec2 at = part.is_disk ? unit_disk(s, t)
+                                 : dvec2(DBL(2.0) * s - DBL(1.0), DBL(2.0) * t - DBL(1.0));
+  const double polynomial =
+      power_series(part.c0, at.y) +
+      at.x * (power_series(part.c1, at.y) + at.x * power_series(part.c2, at.y));
+  const double lx = point_illuminance_lx(
+      lamp, part.centre_m + at.x * part.u_m + at.y * part.v_m, point);
+  return part.share * (lx - polynomial);
+}
+
+// --- openings that are sampled: cells -----------------------------------------------------------
+
+// The opening from the point, calc::OpeningView.
+struct View {
+  dvec3 towards, local_towards;
+  double outline_m2;  // of a body; 0: it shows nothing, and counts as a point
+};
+
+dvec3 in_lamp(Lamp lamp, dvec3 world) {
+  return dvec3(dot(lamp.x, world), dot(lamp.y, world), dot(lamp.z, world));
+}
+
+double outline_of(Lamp lamp, dvec3 local_direction) {
+  const dvec4 shown = shown_m2(lamp.shape, lamp.half_m, local_direction);
+  return shown.x + shown.y + shown.z + shown.w;
+}
+
+View view_from(Lamp lamp, dvec3 point_m) {
+  const dvec3 way_m = point_m - lamp.centre_m;
+  const double distance_m = length(way_m);
+  View view;
+  view.towards = distance_m > DBL(0.0) ? way_m / distance_m : -lamp.z;
+  view.local_towards = in_lamp(lamp, view.towards);
+  view.outline_m2 =
+      lamp.shape >= SHAPE_BOX ? outline_of(lamp, view.local_towards) : DBL(0.0);
+  return view;
+}
+
+// In the world.
+OpeningPoint opening_point(Lamp lamp, View view, double s, double t) {
+  OpeningPoint point;
+  if (lamp.shape >= SHAPE_BOX) {
+    point = body_point(lamp.shape, lamp.half_m, view.local_towards, s, t);
+    point.position_m = lamp.centre_m + lamp.x * point.position_m.x +
+                       lamp.y * point.position_m.y + lamp.z * point.position_m.z;
+    point.normal =
+        lamp.x * point.normal.x + lamp.y * point.normal.y + lamp.z * point.normal.z;
+    return point;
+  }
+  const dvec2 unit = lamp.shape == SHAPE_DISK
+                         ? unit_disk(s, t)
+                         : dvec2(DBL(2.0) * s - DBL(1.0), DBL(2.0) * t - DBL(1.0));
+  point.position_m =
+      lamp.centre_m + unit.x * lamp.half_m.x * lamp.x + unit.y * lamp.half_m.y * lamp.y;
+  point.normal = view.local_towards.z > DBL(0.0) ? lamp.z : -lamp.z;
+  return point;
+}
+
+// What light of a body's point towards the unit direction counts for.
+double view_weight(Lamp lamp, View view, OpeningPoint at, dvec3 direction) {
+  if (!(view.outline_m2 > DBL(0.0))) return DBL(1.0);
+  const double leaving = dot(at.normal, direction), facing = dot(at.normal, view.towards);
+  if (!(leaving > DBL(0.0)) || !(facing > DBL(0.0))) return DBL(0.0);
+  return view.outline_m2 / outline_of(lamp, in_lamp(lamp, direction)) * leaving / facing;
+}
+
+struct CellExtent {
+  dvec3 centre_m;
+  double diameter_m, length_s_m, length_t_m;
+};
+
+CellExtent cell_extent(Lamp lamp, View view, Cell cell) {
+  const double inside = DBL(1.0e-9);  // where two faces meet
+  const double place[3] = double[3](inside, DBL(0.5), DBL(1.0) - inside);
+  dvec3 at[9];
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      at[3 * i + k] = opening_point(lamp, view, cell.s + place[i] * cell.size_s,
+                                    cell.t + place[k] * cell.size_t)
+                          .position_m;
+    }
+  }
+  CellExtent extent;
+  extent.centre_m = at[4];
+  extent.diameter_m = extent.length_s_m = extent.length_t_m = DBL(0.0);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      extent.diameter_m =
+          max(extent.diameter_m, DBL(2.0) * length(at[3 * i + k] - extent.centre_m));
+    }
+    extent.length_s_m =
+        max(extent.length_s_m, length(at[3 + i] - at[i]) + length(at[6 + i] - at[3 + i]));
+    extent.length_t_m = max(extent.length_t_m, length(at[3 * i + 1] - at[3 * i]) +
+                                                   length(at[3 * i + 2] - at[3 * i + 1]));
+  }
+  return extent;
+}
+
+// A leaf, or what is to be halved.
+struct CellAt {
+  Cell cell;
+  bool is_leaf;
+  double diameter_m, distance_m;
+};
+
+CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Place place) {
+  CellAt result;
+  result.cell = kWholeOpening;
+  CellExtent extent = cell_extent(lamp, view, result.cell);
+  for (uint step = 0u; step < place.depth; ++step) {
+    result.cell = half_of(result.cell, extent.length_s_m >= extent.length_t_m,
+                          is_second_half(place, step));
+    extent = cell_extent(lamp, view, result.cell);
+  }
+  result.diameter_m = extent.diameter_m;
+  result.distance_m = length(extent.centre_m - point_m);
+  result.is_leaf = result.diameter_m <= result.distance_m;
+  return result;
+}
+
+// calc::cell_samples()
+uint cell_samples(CellAt at) {
+  const double wanted = CELL_ERROR * min(DBL(1.0), at.diameter_m / at.distance_m) /
+                        (CELL_WANTED_ERROR * double(error_factor));
+  double n = DBL(1.0);
+  for (int k = 0; k < 31 && n * n * n < wanted * wanted; ++k) n *= DBL(2.0);
+  return uint(n);
+}

@@ -1,0 +1,222 @@
+// What a point sees of a parallelogram, by proof: calc::sight_of() again, in double, but for the
+// four rays to the corners.
+
+struct HalfSpace {
+  dvec3 normal;   // unit, outward
+  double height;  // inside: dot(normal, p) <= height
+  bool is_none;
+};
+
+double above(HalfSpace plane, dvec3 p) { return dot(plane.normal, p) - plane.height; }
+
+// Through three places, with `inner` on its inner side.
+HalfSpace half_space(dvec3 a, dvec3 b, dvec3 c, dvec3 inner) {
+  const dvec3 u = b - a, v = c - a, across = cross(u, v);
+  const double area = length(across);
+  HalfSpace plane;
+  plane.is_none = !(area > DBL(1.0e-9) * length(u) * length(v));
+  plane.normal = plane.is_none ? dvec3(DBL(0.0)) : across / area;
+  const double side = dot(plane.normal, inner - a);
+  if (side == DBL(0.0)) plane.is_none = true;
+  if (side > DBL(0.0)) plane.normal = -plane.normal;
+  plane.height = dot(plane.normal, a);
+  return plane;
+}
+
+struct SightQuery {
+  dvec3 from_m;
+  dvec3 corner_m[4];  // in order around it
+  double margin_m, clear_m;
+};
+
+dvec3 corner_of(uint triangle, uint k) { return dvec3(bvh_corner[3u * triangle + k].xyz); }
+
+// --- free: nothing in the hull of point and corners ---------------------------------------------
+
+struct Pyramid {
+  dvec3 place[5];  // the point, the corners
+  dvec3 edge[6];   // directions: from the point, along the parallelogram
+  HalfSpace plane[5];
+  dvec3 low_m, high_m;
+  double margin_m;
+};
+
+Pyramid pyramid_of(SightQuery query) {
+  Pyramid pyramid;
+  pyramid.margin_m = query.margin_m;
+  pyramid.place[0] = query.from_m;
+  for (int k = 0; k < 4; ++k) pyramid.place[k + 1] = query.corner_m[k];
+  const dvec3 middle = DBL(0.5) * (pyramid.place[1] + pyramid.place[3]);
+  for (int k = 0; k < 4; ++k) {
+    pyramid.edge[k] = pyramid.place[k + 1] - pyramid.place[0];
+    pyramid.plane[k] =
+        half_space(pyramid.place[0], pyramid.place[k + 1], pyramid.place[(k + 1) % 4 + 1], middle);
+  }
+  pyramid.edge[4] = pyramid.place[2] - pyramid.place[1];
+  pyramid.edge[5] = pyramid.place[3] - pyramid.place[2];
+  pyramid.plane[4] =
+      half_space(pyramid.place[1], pyramid.place[2], pyramid.place[3], pyramid.place[0]);
+  pyramid.low_m = pyramid.high_m = pyramid.place[0];
+  for (int k = 0; k < 5; ++k) {
+    pyramid.plane[k].height += query.margin_m;
+    pyramid.low_m = min(pyramid.low_m, pyramid.place[k]);
+    pyramid.high_m = max(pyramid.high_m, pyramid.place[k]);
+  }
+  pyramid.low_m -= query.margin_m;
+  pyramid.high_m += query.margin_m;
+  return pyramid;
+}
+
+// false: no triangle in that box meets it, by more than rounding.
+bool may_meet_box(Pyramid pyramid, dvec3 low, dvec3 high) {
+  if (any(greaterThan(low, pyramid.high_m)) || any(lessThan(high, pyramid.low_m))) return false;
+  const double slack_m = pyramid.margin_m / DBL(64.0);
+  for (int k = 0; k < 5; ++k) {
+    const dvec3 n = pyramid.plane[k].normal;
+    const dvec3 lowest = mix(high, low, greaterThan(n, dvec3(DBL(0.0))));
+    if (!pyramid.plane[k].is_none && above(pyramid.plane[k], lowest) > slack_m) return false;
+  }
+  return true;
+}
+
+bool separates(Pyramid pyramid, dvec3 axis, dvec3 a, dvec3 b, dvec3 c) {
+  const double at_a = dot(axis, a), at_b = dot(axis, b), at_c = dot(axis, c);
+  const double low = min(at_a, min(at_b, at_c)), high = max(at_a, max(at_b, at_c));
+  double lowest = dot(axis, pyramid.place[0]), highest = lowest;
+  for (int k = 1; k < 5; ++k) {
+    const double at = dot(axis, pyramid.place[k]);
+    lowest = min(lowest, at);
+    highest = max(highest, at);
+  }
+  const double apart = max(low - highest, lowest - high);
+  return apart > DBL(0.0) &&
+         apart * apart > pyramid.margin_m * pyramid.margin_m * dot(axis, axis);
+}
+
+bool meets_triangle(Pyramid pyramid, uint triangle) {
+  const dvec3 a = corner_of(triangle, 0u), b = corner_of(triangle, 1u), c = corner_of(triangle, 2u);
+  for (int k = 0; k < 5; ++k) {
+    const HalfSpace plane = pyramid.plane[k];
+    if (!plane.is_none && above(plane, a) > DBL(0.0) && above(plane, b) > DBL(0.0) &&
+        above(plane, c) > DBL(0.0)) {
+      return false;
+    }
+  }
+  const dvec3 side[3] = dvec3[3](b - a, c - b, a - c);
+  if (separates(pyramid, cross(side[0], side[1]), a, b, c)) return false;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 6; ++k) {
+      if (separates(pyramid, cross(side[i], pyramid.edge[k]), a, b, c)) return false;
+    }
+  }
+  return true;
+}
+
+bool is_free(SightQuery query) {
+  const Pyramid pyramid = pyramid_of(query);
+  uint at = 0u;
+  while (at < node_count) {
+    const uvec4 low = bvh_node[2u * at];
+    const uvec4 high = bvh_node[2u * at + 1u];
+    if (!may_meet_box(pyramid, dvec3(uintBitsToFloat(low.xyz)),
+                      dvec3(uintBitsToFloat(high.xyz)))) {
+      at = low.w;
+      continue;
+    }
+    const uint begin = high.w / LEAF_STEP;
+    const uint end = begin + high.w % LEAF_STEP;  // the same for an inner node
+    for (uint k = begin; k < end; ++k) {
+      if (meets_triangle(pyramid, k)) return false;
+    }
+    ++at;
+  }
+  if (at < node_count) is_cut = true;
+  return true;
+}
+
+// --- hidden: one triangle, or two at an edge, in the way of all ---------------------------------
+
+// All ends lie beyond the triangle's plane.
+bool stands_between(SightQuery query, uint triangle) {
+  const HalfSpace plane = half_space(corner_of(triangle, 0u), corner_of(triangle, 1u),
+                                     corner_of(triangle, 2u), query.from_m);
+  if (plane.is_none || above(plane, query.from_m) > -query.clear_m) return false;
+  for (int k = 0; k < 4; ++k) {
+    if (!(above(plane, query.corner_m[k]) >= query.clear_m)) return false;
+  }
+  return true;
+}
+
+// All ends lie on one side of the plane through the point and an edge, that of `inner`.
+bool is_within(SightQuery query, dvec3 a, dvec3 b, dvec3 inner) {
+  const HalfSpace plane = half_space(query.from_m, a, b, inner);
+  if (plane.is_none) return false;
+  for (int k = 0; k < 4; ++k) {
+    if (!(above(plane, query.corner_m[k]) <= -query.margin_m)) return false;
+  }
+  return true;
+}
+
+bool hides(SightQuery query, uint triangle) {
+  const dvec3 a = corner_of(triangle, 0u), b = corner_of(triangle, 1u), c = corner_of(triangle, 2u);
+  return stands_between(query, triangle) && is_within(query, a, b, c) &&
+         is_within(query, b, c, a) && is_within(query, c, a, b);
+}
+
+bool bounds(SightQuery query, dvec3 p, dvec3 q, dvec3 near, dvec3 far) {
+  const HalfSpace plane = half_space(query.from_m, p, q, near);
+  return !plane.is_none && above(plane, far) < DBL(0.0) && is_within(query, p, q, near);
+}
+
+// Triangles a b c and a b d: as seen from the point, a convex figure a c b d that holds all ends.
+bool hides_quad(SightQuery query, dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
+  const HalfSpace seam = half_space(query.from_m, a, b, c);
+  return !seam.is_none && above(seam, d) > DBL(0.0) && bounds(query, a, c, b, d) &&
+         bounds(query, c, b, a, d) && bounds(query, b, d, a, c) && bounds(query, d, a, b, c);
+}
+
+bool hide(SightQuery query, uint first, uint second) {
+  if (!stands_between(query, first) || !stands_between(query, second)) return false;
+  for (uint i = 0u; i < 3u; ++i) {
+    const dvec3 a = corner_of(first, i), b = corner_of(first, (i + 1u) % 3u),
+                c = corner_of(first, (i + 2u) % 3u);
+    for (uint k = 0u; k < 3u; ++k) {
+      const dvec3 d = corner_of(second, k), e = corner_of(second, (k + 1u) % 3u),
+                  f = corner_of(second, (k + 2u) % 3u);
+      if ((d == a && e == b) || (d == b && e == a)) return hides_quad(query, a, b, c, f);
+    }
+  }
+  return false;
+}
+
+bool is_covered(SightQuery query, uvec4 hits) {
+  const uint first = hits.x;
+  uint second = first;
+  for (int k = 1; k < 4; ++k) {
+    if (hits[k] == first) continue;
+    if (second != first && hits[k] != second) return false;
+    second = hits[k];
+  }
+  return second == first ? hides(query, first) : hide(query, first, second);
+}
+
+uint sight_of(SightQuery query) {
+  if (node_count == 0u) return SIGHT_FREE;
+  for (int k = 0; k < 4; ++k) {
+    if (length(query.corner_m[k] - query.from_m) < query.clear_m) return SIGHT_UNKNOWN;
+  }
+  uvec4 hits = uvec4(0u);
+  uint met = 0u;
+  const vec3 from = vec3(query.from_m);
+  for (int k = 0; k < 4; ++k) {
+    uint triangle;
+    dvec2 share;
+    if (closest_hit(from, vec3(query.corner_m[k]) - from, 0.0, 1.0, triangle, share)) {
+      hits[k] = triangle;
+      ++met;
+    }
+  }
+  if (met == 4u) return is_covered(query, hits) ? SIGHT_HIDDEN : SIGHT_UNKNOWN;
+  if (met != 0u) return SIGHT_UNKNOWN;
+  return is_free(query) ? SIGHT_FREE : SIGHT_UNKNOWN;
+}
