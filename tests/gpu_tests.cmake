@@ -1,6 +1,7 @@
 # OpenGL, on Mesa's software renderer where there is no other; label gpu.
 luxgate_test(gpu_tests
   SOURCES
+    differential/gpu_direct_test.cpp
     differential/gpu_draws_test.cpp
     differential/gpu_gatherer_test.cpp
     differential/gpu_near_test.cpp

@@ -1,6 +1,7 @@
 #pragma once
 // OpenGL for tests: Mesa's software renderer where there is nothing else.
 
+#include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
