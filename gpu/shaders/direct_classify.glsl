@@ -6,18 +6,18 @@ uniform uint first_pair, last_pair;
 
 uint sampled_cells(Lamp lamp, Point point) {
   const View view = view_from(lamp, point.position_m);
-  Place place = Place(0u, 0u);
+  Walk walk = kBegin;
   uint cells = 0u, samples = 0u;
   for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    const CellAt at = cell_at(lamp, view, point.position_m, place);
+    const CellAt at = cell_at(lamp, view, point.position_m, walk);
     if (!at.is_leaf) {
-      if (place.depth == DEEPEST_PLACE) return PAIR_LEFT;
-      place = first_half(place);
+      if (walk.place.depth == DEEPEST_PLACE) return PAIR_LEFT;
+      walk.place = first_half(walk.place);
       continue;
     }
     ++cells;
     samples += cell_samples(at);
-    if (!go_on(place)) return cells <= MOST_PARTS ? PAIR_SAMPLED + PAIR_STEP * samples : PAIR_LEFT;
+    if (!go_on(view, walk)) return cells <= MOST_PARTS ? PAIR_SAMPLED + PAIR_STEP * samples : PAIR_LEFT;
   }
   return PAIR_LEFT;
 }
@@ -68,7 +68,7 @@ uint sight_of_opening(Lamp lamp, Point point) {
 bool has_patches(Lamp lamp, Point point) {
   if (lamp.shape == SHAPE_RECTANGLE) return true;
   return lamp.shape == SHAPE_DISK &&
-         cell_at(lamp, view_from(lamp, point.position_m), point.position_m, Place(0u, 0u)).is_leaf;
+         cell_at(lamp, view_from(lamp, point.position_m), point.position_m, kBegin).is_leaf;
 }
 
 uint classified(uint index, uint p) {

@@ -47,11 +47,11 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
   ChunkSum sum = ChunkSum(DBL(0.0), 0.0, 0u, 0u);
   const uint begin = chunk.z, end = chunk.z + chunk.w;
   uint before = 0u, cell = 0u;  // samples of cells before; of this one
-  Place place = Place(0u, 0u);
+  Walk walk = kBegin;
   for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    const CellAt at = cell_at(lamp, view, point.position_m, place);
+    const CellAt at = cell_at(lamp, view, point.position_m, walk);
     if (!at.is_leaf) {
-      place = first_half(place);
+      walk.place = first_half(walk.place);
       continue;
     }
     const uint samples = cell_samples(at);
@@ -68,7 +68,7 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
     if (after >= end) return sum;
     before = after;
     ++cell;
-    if (!go_on(place)) break;
+    if (!go_on(view, walk)) break;
   }
   is_cut = true;  // the list asks for more samples than there are
   return sum;

@@ -222,6 +222,10 @@ double rest_at_lx(Lamp lamp, Point point, Patch part, double s, double t) {
 struct View {
   dvec3 towards, local_towards;
   double outline_m2;  // of a body; 0: it shows nothing, and counts as a point
+  double size_m, distance_m;  // of the whole opening
+  // Where the first coordinate passes from one face of a body to the next: the ends of its pieces.
+  dvec4 piece_end;
+  int pieces;
 };
 
 dvec3 in_lamp(Lamp lamp, dvec3 world) {
@@ -239,9 +243,29 @@ View view_from(Lamp lamp, dvec3 point_m) {
   View view;
   view.towards = distance_m > DBL(0.0) ? way_m / distance_m : -lamp.z;
   view.local_towards = in_lamp(lamp, view.towards);
-  view.outline_m2 =
-      lamp.shape >= SHAPE_BOX ? outline_of(lamp, view.local_towards) : DBL(0.0);
+  view.size_m = DBL(2.0) * length(lamp.half_m);
+  view.distance_m = distance_m;
+  view.outline_m2 = DBL(0.0);
+  view.piece_end = dvec4(DBL(1.0));
+  view.pieces = 1;
+  if (lamp.shape < SHAPE_BOX) return view;
+  view.outline_m2 = outline_of(lamp, view.local_towards);
+  if (!(view.outline_m2 > DBL(0.0))) return view;
+  const dvec4 shown = shown_m2(lamp.shape, lamp.half_m, view.local_towards);
+  double sum_m2 = DBL(0.0);
+  view.pieces = 0;
+  for (int face = 0; face < 4; ++face) {
+    if (!(shown[face] > DBL(0.0))) continue;
+    sum_m2 += shown[face];
+    view.piece_end[view.pieces++] = min(DBL(1.0), sum_m2 / view.outline_m2);
+  }
+  view.piece_end[view.pieces - 1] = DBL(1.0);
   return view;
+}
+
+Cell piece_of(View view, int piece) {
+  const double begin = piece > 0 ? view.piece_end[piece - 1] : DBL(0.0);
+  return Cell(begin, DBL(0.0), view.piece_end[piece] - begin, DBL(1.0));
 }
 
 // In the world.
@@ -304,6 +328,22 @@ CellExtent cell_extent(Lamp lamp, View view, Cell cell) {
   return extent;
 }
 
+// Where a walk through all cells is: in which piece, and where in its tree of halves.
+struct Walk {
+  int piece;
+  Place place;
+};
+
+const Walk kBegin = Walk(0, Place(0u, 0u));
+
+// False: it was the last.
+bool go_on(View view, inout Walk walk) {
+  if (go_on(walk.place)) return true;
+  if (view.size_m <= view.distance_m) return false;  // one cell
+  ++walk.piece;
+  return walk.piece < view.pieces;
+}
+
 // A leaf, or what is to be halved.
 struct CellAt {
   Cell cell;
@@ -311,13 +351,20 @@ struct CellAt {
   double diameter_m, distance_m;
 };
 
-CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Place place) {
+CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
   CellAt result;
-  result.cell = kWholeOpening;
+  if (view.size_m <= view.distance_m) {
+    result.cell = kWholeOpening;
+    result.diameter_m = view.size_m;
+    result.distance_m = view.distance_m;
+    result.is_leaf = true;
+    return result;
+  }
+  result.cell = piece_of(view, walk.piece);
   CellExtent extent = cell_extent(lamp, view, result.cell);
-  for (uint step = 0u; step < place.depth; ++step) {
+  for (uint step = 0u; step < walk.place.depth; ++step) {
     result.cell = half_of(result.cell, extent.length_s_m >= extent.length_t_m,
-                          is_second_half(place, step));
+                          is_second_half(walk.place, step));
     extent = cell_extent(lamp, view, result.cell);
   }
   result.diameter_m = extent.diameter_m;
