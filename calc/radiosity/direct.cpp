@@ -103,7 +103,7 @@ void split_cell(const OpeningView& view, const glm::dvec3& position_m, const Ope
   }
   // The longer side is halved, so that parts stay about as long as wide.
   OpeningCell first = cell;
-  const bool is_along_s = extent.length_s_m >= extent.length_t_m;
+  const bool is_along_s = extent.length_s_m >= kAlikeSides * extent.length_t_m;
   (is_along_s ? first.size_s : first.size_t) *= 0.5;
   OpeningCell second = first;
   (is_along_s ? second.s : second.t) += is_along_s ? first.size_s : first.size_t;

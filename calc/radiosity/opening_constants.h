@@ -12,6 +12,9 @@ namespace calc {
 inline constexpr double kCellError = 0.8;
 inline constexpr double kCellWantedError = 0.005;
 
+// Of two sides as long as each other but for this, the first is halved, whatever rounding says.
+inline constexpr double kAlikeSides = 1.0 - 1e-9;
+
 // Samples of the rest, of all openings of a channel together, in each round of a replicate: as many
 // as keep its error at that share of what is known.
 inline constexpr double kRestWantedError = 0.003;

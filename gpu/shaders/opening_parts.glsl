@@ -363,7 +363,7 @@ CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
   result.cell = piece_of(view, walk.piece);
   CellExtent extent = cell_extent(lamp, view, result.cell);
   for (uint step = 0u; step < walk.place.depth; ++step) {
-    result.cell = half_of(result.cell, extent.length_s_m >= extent.length_t_m,
+    result.cell = half_of(result.cell, extent.length_s_m >= ALIKE_SIDES * extent.length_t_m,
                           is_second_half(walk.place, step));
     extent = cell_extent(lamp, view, result.cell);
   }
