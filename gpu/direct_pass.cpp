@@ -90,7 +90,7 @@ Chunks chunks_of(const DirectPiece& piece, std::uint32_t most_samples) {
   const std::size_t points = piece.points.size(), luminaires = piece.is_asked.size();
   const std::uint32_t rounds = piece.rounds.last - piece.rounds.first;
   for (std::size_t p = 0; p < points; ++p) {
-    for (std::size_t l = 0; l < luminaires; ++l) {
+    for (std::size_t l = 0; l < luminaires && piece.is_left[p] == 0; ++l) {
       const std::uint32_t pair = piece.pairs[l * points + p];
       if (pair % kPairStep != kPairSampled) continue;
       const std::uint32_t samples = pair / kPairStep * rounds;
@@ -175,8 +175,11 @@ void DirectPass::find_pairs(DeviceState& device, DirectPiece& piece) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   pairs_.read(0, std::as_writable_bytes(std::span(piece.pairs)));
   device.check("finding what points see of luminaires");
-  if (std::find(piece.pairs.begin(), piece.pairs.end(), kNotDone) != piece.pairs.end()) {
-    throw_not_done();
+  const std::size_t points = piece.points.size();
+  piece.is_left.assign(points, 0);
+  for (std::size_t i = 0; i < piece.pairs.size(); ++i) {
+    if (piece.pairs[i] == kNotDone) throw_not_done();
+    if (piece.pairs[i] == kPairLeft) piece.is_left[i % points] = 1;
   }
 }
 

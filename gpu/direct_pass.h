@@ -27,6 +27,9 @@ struct DirectPiece {
 
   // [luminaire * points + point]: kPairNothing and so on.
   std::vector<std::uint32_t> pairs{};
+  // [point]: 1 = so near to an opening that this falls into more parts than a shader visits; all of
+  // the point is left to the CPU, so that its light is that of the CPU.
+  std::vector<std::uint8_t> is_left{};
   // [channel * points + point]
   std::vector<double> known_lx{};
   // [replicate][channel][point] and then [replicate][point], see shaders/direct_totals.glsl

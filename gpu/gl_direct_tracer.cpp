@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <exception>
 #include <utility>
@@ -117,49 +118,49 @@ class GlDirectTracer : public calc::DirectTracer {
                    const calc::DirectBatchSums& sums) {
     const std::size_t n = batch.receivers.size(), points = piece.points.size();
     const std::size_t sampled = piece.rounds.replicates * batch.tracer.scene().channels.size();
-    for (std::size_t i = 0; i < piece.known_lx.size() && piece.rounds.first == 0; ++i) {
-      sums.known_lx[i / points * n + first + i % points] += piece.known_lx[i];
-    }
-    for (std::size_t i = 0; i < sampled * points; ++i) {
-      sums.sampled_lx[i / points * n + first + i % points] += piece.totals[i];
-    }
+    const auto add = [&](std::span<double> to, const std::vector<double>& from, std::size_t rows) {
+      for (std::size_t i = 0; i < rows * points; ++i) {
+        if (piece.is_left[i % points] == 0) to[i / points * n + first + i % points] += from[i];
+      }
+    };
+    if (piece.rounds.first == 0) add(sums.known_lx, piece.known_lx, piece.known_lx.size() / points);
+    add(sums.sampled_lx, piece.totals, sampled);
     for (std::size_t r = 0; r < piece.rounds.replicates; ++r) {
       for (std::size_t p = 0; p < points; ++p) {
+        if (piece.is_left[p] != 0) continue;
         const auto words =
             std::bit_cast<std::array<std::uint32_t, 2>>(piece.totals[(sampled + r) * points + p]);
         float& largest = sums.largest[first + p];
         largest = std::max(largest, std::bit_cast<float>(words[0]));
-        calc::DirectRays& rays = sums.rays[first + p];
-        rays.may_be_lit |= (words[1] & kChunkIsLit) != 0;
-        rays.has_hidden |= (words[1] & kChunkHasHidden) != 0;
-        rays.has_seen |= (words[1] & kChunkHasSeen) != 0;
-        rays.traced += words[1] >> kChunkFlags;
+        add_rays({words[1] >> kChunkFlags, (words[1] & kChunkIsLit) != 0,
+                  (words[1] & kChunkHasHidden) != 0, (words[1] & kChunkHasSeen) != 0},
+                 sums.rays[first + p]);
       }
     }
   }
 
-  // What the device left undone.
+  // Points that the device left undone, on the threads of the CPU.
   static void add_left(const calc::DirectBatch& batch, std::size_t first, const DirectPiece& piece,
                        const calc::DirectBatchSums& sums) {
-    const std::size_t n = batch.receivers.size(), points = piece.points.size();
+    const std::size_t n = batch.receivers.size();
     const std::size_t channels = batch.tracer.scene().channels.size();
-    tbb::parallel_for(std::size_t{0}, points, [&](std::size_t p) {
-      std::vector<std::uint8_t> is_done(piece.is_asked.size(), 1);
-      for (std::size_t l = 0; l < is_done.size(); ++l) {
-        if (piece.pairs[l * points + p] == kPairLeft) is_done[l] = 0;
-      }
-      if (std::find(is_done.begin(), is_done.end(), 0) == is_done.end()) return;
+    tbb::parallel_for(std::size_t{0}, piece.points.size(), [&](std::size_t p) {
+      if (piece.is_left[p] == 0 || calc::is_past(batch.deadline_s)) return;
       const calc::FlushDenormals flush;
       const std::size_t k = first + p;
-      const calc::DirectRays rays = calc::add_openings(
-          batch.tracer, piece.points[p], {is_done, batch.proofs.has_shadows}, piece.keys[p],
-          piece.rounds,
-          {&sums.known_lx[k], &sums.sampled_lx[k], n, channels * n, &sums.largest[k]});
-      sums.rays[k].may_be_lit |= rays.may_be_lit;
-      sums.rays[k].has_hidden |= rays.has_hidden;
-      sums.rays[k].has_seen |= rays.has_seen;
-      sums.rays[k].traced += rays.traced;
+      add_rays(calc::add_openings(
+                   batch.tracer, piece.points[p], {batch.proofs.is_dark, batch.proofs.has_shadows},
+                   piece.keys[p], piece.rounds,
+                   {&sums.known_lx[k], &sums.sampled_lx[k], n, channels * n, &sums.largest[k]}),
+               sums.rays[k]);
     });
+  }
+
+  static void add_rays(const calc::DirectRays& rays, calc::DirectRays& to) {
+    to.traced += rays.traced;
+    to.may_be_lit |= rays.may_be_lit;
+    to.has_hidden |= rays.has_hidden;
+    to.has_seen |= rays.has_seen;
   }
 
   const std::shared_ptr<DeviceThread> thread_;

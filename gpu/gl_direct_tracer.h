@@ -21,11 +21,10 @@ struct DirectLimits {
 DirectLimits direct_limits(const Device& device);
 
 // Proofs of sight, light of what is seen, samples of what is not known, and their sums are made on
-// the device, from the random numbers of the CPU. Rays are searched in float, everything else is
-// computed in double, but for the places of patches, in float as on the CPU. What a device cannot
-// do (an opening so near that it falls into many parts) is done by the CPU, pair by pair. The same
-// device gives the same bits for any number of threads. Calls throw calc::BackendFailure when the
-// device fails.
+// the device, from the random numbers of the CPU. Rays are searched in float, places of patches are
+// read in float as on the CPU, all else is computed in double. Points so near to an opening that it
+// falls into many parts are done by the CPU. The same device gives the same bits for any number of
+// threads. Calls throw calc::BackendFailure when the device fails.
 std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread);
 std::unique_ptr<calc::DirectTracer> make_gl_direct_tracer(std::shared_ptr<DeviceThread> thread,
                                                           const DirectLimits& limits);
