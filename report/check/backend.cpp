@@ -2,6 +2,7 @@
 
 #include "calc/forecast/cost_model.h"
 #include "calc/rays/triangle_tree.h"
+#include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "gpu/shadow_map_gatherer.h"
@@ -18,6 +19,7 @@ namespace check {
 namespace {
 
 constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
+    {"direct-light", &GpuStages::direct_light},
     {"light-paths", &GpuStages::light_paths},
     {"connections", &GpuStages::connections},
     {"near-field", &GpuStages::near_field}};
@@ -44,7 +46,8 @@ std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
 std::string describe(const gpu::Device& device, const GpuStages& stages) {
   const std::string gpu =
       fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
-  const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field};
+  const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field,
+                       !stages.direct_light};
   if (stages == GpuStages()) return gpu;
   return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
                      calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
@@ -117,9 +120,9 @@ BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow
                              gpu::Fault fault, const std::function<GatherWork()>& work) {
   if (shadow_map_texels > 0) {
     // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
-    const GpuStages wanted = request.stages.value_or(GpuStages{false, true, false});
+    const GpuStages wanted = request.stages.value_or(GpuStages{false, true, false, false});
     return {Backend::gpu, request.gl_device, "--visibility shadow-map draws with OpenGL",
-            GpuStages{wanted.light_paths, true, false}, shadow_map_texels};
+            GpuStages{wanted.light_paths, true, false, wanted.direct_light}, shadow_map_texels};
   }
   if (request.backend != Backend::automatic) {
     return {request.backend, request.gl_device, "asked for with --backend",
@@ -156,11 +159,13 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
   if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
+  if (stages.direct_light) backend.direct_tracer = gpu::make_gl_direct_tracer(thread);
   if (choice.shadow_map_texels == 0) {
     backend.description = describe(thread->device(), stages);
   } else {
     backend.description = backend.gatherer->description();
     if (stages.light_paths) backend.description += "; light paths too";
+    if (stages.direct_light) backend.description += "; direct light too";
   }
   const gpu::Device& device = thread->device();
   backend.identity = fmt::format("{}; {}; {}; {}", backend.description, device.vendor,

@@ -17,10 +17,10 @@ namespace check {
 enum class Backend { automatic, cpu, gpu };
 // Which parts of the calculation a gpu does.
 struct GpuStages {
-  bool light_paths = true, connections = true, near_field = true;
+  bool light_paths = true, connections = true, near_field = true, direct_light = true;
   friend bool operator==(const GpuStages&, const GpuStages&) = default;
 };
-// "light-paths", "connections" and "near-field": those that are set, in this order.
+// "direct-light", "light-paths", "connections" and "near-field": those that are set, in this order.
 std::vector<std::string_view> gpu_stage_names(const GpuStages& stages);
 // Of such a name; null if there is none.
 bool GpuStages::*find_gpu_stage(std::string_view name);
@@ -76,14 +76,17 @@ std::string backend_line(const BackendChoice& choice);
 // Who computes which part.
 struct OpenBackend {
   std::unique_ptr<calc::Gatherer> gatherer;
-  std::unique_ptr<calc::PathTracer> path_tracer;     // null: the CPU
-  std::unique_ptr<calc::ShortRayCaster> short_rays;  // null: the CPU
+  std::unique_ptr<calc::PathTracer> path_tracer;      // null: the CPU
+  std::unique_ptr<calc::ShortRayCaster> short_rays;   // null: the CPU
+  std::unique_ptr<calc::DirectTracer> direct_tracer;  // null: the CPU
   // For reports: "cpu (Embree 3.13.5)", "gpu (...): light-paths; cpu (...): connections, ...".
   std::string description;
   // The same with all that bits may depend on, the driver's version too: of looks that are kept.
   std::string identity;
 
-  calc::Stages stages() const { return {*gatherer, path_tracer.get(), short_rays.get()}; }
+  calc::Stages stages() const {
+    return {*gatherer, path_tracer.get(), short_rays.get(), direct_tracer.get()};
+  }
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be

@@ -113,8 +113,8 @@ std::vector<Option> backend_options(check::BackendRequest& request) {
            "With --backend gpu: the OpenGL device to use; 'luxgate devices' lists them",
            whole_number(request.gl_device, 0, 1023)},
           {"--gpu-stages", "LIST",
-           "With --backend gpu: what runs on it, of light-paths, connections and near-field, with\n"
-           "commas between; default all. The CPU does the rest",
+           "With --backend gpu: what runs on it, of direct-light, light-paths, connections and\n"
+           "near-field, with commas between; default all. The CPU does the rest",
            gpu_stages(request.stages)}};
 }
 

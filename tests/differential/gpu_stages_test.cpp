@@ -28,6 +28,9 @@ struct Device {
   std::unique_ptr<calc::Gatherer> gatherer = gpu::make_gl_gatherer(thread);
   std::unique_ptr<calc::PathTracer> paths = gpu::make_gl_path_tracer(thread);
   std::unique_ptr<calc::ShortRayCaster> near = gpu::make_gl_short_rays(thread);
+  std::unique_ptr<calc::DirectTracer> direct = gpu::make_gl_direct_tracer(thread);
+
+  calc::Stages all() const { return {*gatherer, paths.get(), near.get(), direct.get()}; }
 
   explicit Device(gpu::Fault fault = gpu::Fault::none) : thread(gl_device(fault)) {}
 };
@@ -69,6 +72,22 @@ void expect_within_intervals(const std::vector<calc::PlaneField>& a,
   }
 }
 
+void expect_near(const std::vector<double>& a_lx, const std::vector<double>& b_lx) {
+  ASSERT_EQ(a_lx.size(), b_lx.size());
+  for (std::size_t i = 0; i < a_lx.size(); ++i) EXPECT_NEAR(a_lx[i], b_lx[i], 1e-6 * a_lx[i]) << i;
+}
+
+// The same samples, but for rays that graze an edge, of which these scenes have none.
+void expect_same_direct_light(const std::vector<calc::PlaneField>& a,
+                              const std::vector<calc::PlaneField>& b) {
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    EXPECT_GT(a[p].direct_exact_lx.size() + a[p].direct_sampled_lx.size(), 0u);
+    expect_near(a[p].direct_exact_lx, b[p].direct_exact_lx);
+    expect_near(a[p].direct_sampled_lx, b[p].direct_sampled_lx);
+    EXPECT_EQ(a[p].counters.direct_rays, b[p].counters.direct_rays);
+  }
+}
+
 TEST(GlStages, GiveTheSameSumEachAndTogether) {
   LUXGATE_NEEDS_OPENGL();
   const Hall hall;
@@ -103,14 +122,16 @@ TEST(GlStages, GiveTheSameSumEachAndTogether) {
   };
   compare("near field", {*device.cpu, nullptr, device.near.get()}, 0.005, 1e-6);
   compare("light paths", {*device.cpu, device.paths.get()}, 0.2, 1e-4);
-  compare("all", {*device.gatherer, device.paths.get(), device.near.get()}, 0.2, 1e-4);
+  compare("direct light", {*device.cpu, nullptr, nullptr, device.direct.get()}, 0.0, 0.0);
+  expect_same_direct_light(cpu, solve_with(hall.hall.scene, hall.tasks, settings, device.all()));
+  compare("all", device.all(), 0.2, 1e-4);
 }
 
 // Photometry of all formats, as projects name it.
 TEST(GlStages, GiveTheSameSumForEveryExample) {
   LUXGATE_NEEDS_OPENGL();
   const Device device;
-  const calc::Stages stages{*device.gatherer, device.paths.get(), device.near.get()};
+  const calc::Stages stages = device.all();
   const std::filesystem::path folder = std::filesystem::path(LUXGATE_SOURCE_DIR) / "examples";
   std::size_t values = 0, grazed = 0;
   for (const std::filesystem::directory_entry& entry :
@@ -148,12 +169,15 @@ TEST(GlStages, GiveTheSameBitsForAnyNumberOfThreads) {
   LUXGATE_NEEDS_OPENGL();
   const Hall hall;
   const Device device;
-  const calc::Stages stages{*device.cpu, device.paths.get(), device.near.get()};
+  const calc::Stages stages{*device.cpu, device.paths.get(), device.near.get(),
+                            device.direct.get()};
   const auto one = solve_with(hall.hall.scene, hall.tasks, settings_of(128, 1), stages);
   for (const int jobs : {2, 8, 3}) {
     const auto many = solve_with(hall.hall.scene, hall.tasks, settings_of(128, jobs), stages);
     for (std::size_t p = 0; p < one.size(); ++p) {
       EXPECT_EQ(one[p].indirect_lx, many[p].indirect_lx);
+      EXPECT_EQ(one[p].direct_exact_lx, many[p].direct_exact_lx);
+      EXPECT_EQ(one[p].direct_sampled_lx, many[p].direct_sampled_lx);
       EXPECT_EQ(one[p].largest_share, many[p].largest_share);
       EXPECT_EQ(one[p].counters.near_rays, many[p].counters.near_rays);
     }
@@ -164,8 +188,10 @@ TEST(GlStages, EndWithTheReasonWhenTheDeviceFails) {
   LUXGATE_NEEDS_OPENGL();
   const Hall hall;
   const Device device(gpu::Fault::context_lost);
-  for (const calc::Stages& stages : {calc::Stages{*device.cpu, device.paths.get()},
-                                     calc::Stages{*device.cpu, nullptr, device.near.get()}}) {
+  for (const calc::Stages& stages :
+       {calc::Stages{*device.cpu, device.paths.get()},
+        calc::Stages{*device.cpu, nullptr, device.near.get()},
+        calc::Stages{*device.cpu, nullptr, nullptr, device.direct.get()}}) {
     EXPECT_THROW(solve_with(hall.hall.scene, hall.tasks, settings_of(64, 4), stages),
                  calc::BackendFailure);
   }

@@ -96,7 +96,7 @@ TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
 TEST(Backend, StagesAreNamed) {
   check::BackendRequest request;
   request.backend = check::Backend::gpu;
-  request.stages = check::GpuStages{true, false, true};
+  request.stages = check::GpuStages{true, false, true, false};
   const auto choose = [&] {
     return check::choose_backend(request, 0, gpu::Fault::no_egl,
                                  [] { return check::GatherWork(); });
@@ -106,7 +106,7 @@ TEST(Backend, StagesAreNamed) {
   request.stages.reset();
   EXPECT_EQ(choose().stages, check::GpuStages());
   EXPECT_THAT(check::backend_line(choose()),
-              HasSubstr("gpu stages: light-paths, connections, near-field\n"));
+              HasSubstr("gpu stages: direct-light, light-paths, connections, near-field\n"));
 }
 
 // Maps make the connections, whatever is chosen, and nothing is near to them.
@@ -118,7 +118,7 @@ TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
         check::choose_backend(request, 64, gpu::Fault::no_egl, [] { return check::GatherWork(); }));
   };
   EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
-  request.stages = check::GpuStages{true, false, true};
+  request.stages = check::GpuStages{true, false, true, false};
   EXPECT_THAT(line(), HasSubstr("gpu stages: light-paths, connections\n"));
 }
 

@@ -127,14 +127,14 @@ TEST(Options, GpuStagesBelongToResults) {
     return parsed({"check", "a.xml", "--backend", "gpu", "--gpu-stages", list});
   };
   const cli::CheckOptions two = stages("near-field,light-paths");
-  EXPECT_EQ(two.backend.stages, (check::GpuStages{true, false, true}));
+  EXPECT_EQ(two.backend.stages, (check::GpuStages{true, false, true, false}));
   EXPECT_EQ(cli::reproducible_command(two),
             "luxgate check a.xml --backend gpu --gpu-stages light-paths,near-field");
-  EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,light-paths")),
+  EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,direct-light,light-paths")),
             "luxgate check a.xml --backend gpu");
   for (const char* wrong : {"", "near", "near-field,", "Near-Field", "all"}) {
     expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages", wrong},
-                       "light-paths, connections or near-field");
+                       "direct-light, light-paths, connections or near-field");
   }
   expect_usage_error(
       {"check", "a.xml", "--backend", "gpu", "--gpu-stages", "near-field,near-field"},
