@@ -74,7 +74,8 @@ void expect_within_intervals(const std::vector<calc::PlaneField>& a,
 
 void expect_near(const std::vector<double>& a_lx, const std::vector<double>& b_lx) {
   ASSERT_EQ(a_lx.size(), b_lx.size());
-  for (std::size_t i = 0; i < a_lx.size(); ++i) EXPECT_NEAR(a_lx[i], b_lx[i], 1e-6 * a_lx[i]) << i;
+  for (std::size_t i = 0; i < a_lx.size(); ++i)
+    EXPECT_NEAR(a_lx[i], b_lx[i], 1e-6 * std::abs(a_lx[i])) << i;
 }
 
 // The same samples, but for rays that graze an edge, of which these scenes have none.
