@@ -29,4 +29,7 @@ std::string path_places_shader();
 std::string path_balance_shader();
 std::string short_ray_shader();
 
+// Declares is_blocked(), closest_hit() and what they are made of: for tests and benchmarks.
+std::string ray_text();
+
 }  // namespace gpu
