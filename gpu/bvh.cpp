@@ -11,7 +11,7 @@ namespace {
 constexpr double kMostSteps = 255.0;
 constexpr int kExponentBias = 127;
 
-// a - b is exactly value + rest. [Knuth's two-sum; coordinates are far from overflow]
+// a - b is exactly value + rest: Knuth's two-sum.
 struct Difference {
   double value, rest;
   Difference(double a, double b) : value(a - b) {
@@ -123,12 +123,13 @@ class Widener {
   }
 
  private:
-  // Those below in the binary tree, opened the largest first. What is too high for the levels that
-  // are left is opened before all others: it has at most eight nodes three levels down.
+  // Those below in the binary tree, opened the largest first, to eight or to nothing but leaves.
+  // What is too high for the levels that are left is opened before all others: it has at most eight
+  // nodes three levels down.
   std::vector<const BoxTree::Node*> children_of(const BoxTree::Node& from, int level) const {
     const int most_height = 3 * (kBvhLevels - level - 1);
-    std::vector<const BoxTree::Node*> children{&from};
-    // A scene of one leaf keeps it as the root's only child.
+    std::vector<const BoxTree::Node*> children{
+        &from};  // which stays if it is the scene's only leaf
     while (children.size() < kBvhWidth) {
       std::size_t best = children.size();
       for (std::size_t c = 0; c < children.size(); ++c) {

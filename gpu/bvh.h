@@ -14,7 +14,7 @@
 namespace gpu {
 
 inline constexpr std::size_t kBvhWidth = 8;
-inline constexpr std::size_t kMostPerLeaf = 4;
+inline constexpr std::size_t kMostPerLeaf = 3;  // 1 to 4
 // Nodes on a path from the root; a search keeps one word pair for each but the root. Three levels
 // of the binary tree make at least one of this.
 inline constexpr int kBvhLevels = BoxTree::kMostHeight / 3;
@@ -41,7 +41,7 @@ struct BvhTriangle {
 static_assert(sizeof(BvhTriangle) == 48);
 
 struct Bvh {
-  std::vector<BvhNode> nodes;          // the root first
+  std::vector<BvhNode> nodes;          // the root first; at most 9 / 16 of the triangles, and 1
   std::vector<BvhTriangle> triangles;  // in the order of leaves
   std::vector<std::uint32_t> order;    // which of the scene's triangles they are
 };

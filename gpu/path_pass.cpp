@@ -30,8 +30,8 @@ constexpr std::uint32_t kReflectionsPerRound = 8;
 constexpr std::uint32_t kMostReflectionsPerRound = 64;
 
 // Mesa's llvmpipe leaves all loops of an invocation after 65535 turns: reflections of one round
-// that stay below it even if a ray visits all boxes and triangles. More than the 65535 of a single
-// ray are told by the shader.
+// that stay below it even if a ray visits all boxes and triangles, twice because the rays of one
+// vector wait for each other. More than the 65535 of a single ray are told by the shader.
 std::uint32_t reflections_of_software(std::uint32_t turns_of_ray) {
   constexpr std::uint32_t kMostTurns = 60000, kTurnsBesides = 100;
   return std::max(1u, kMostTurns / (2 * std::min(turns_of_ray, kMostTurns) + kTurnsBesides));

@@ -96,9 +96,10 @@ uint four_times(uint bits) {
 // The bits of a mask below one of them, counted: where something stands among its like.
 uint place_among(uint mask, uint bit) { return bitCount(mask & ((1u << bit) - 1u)); }
 
-// Nodes that wait while others are searched: the first child of their parent, and their slots below
-// its inner slots. At most one entry for each level of the tree, of which there are no more than
-// kBvhLevels.
+// Nodes that wait while others are searched: the first child of their parent, and their slots above
+// its inner slots. One entry for each level of the tree at most, of which there are no more than
+// kBvhLevels. Shared memory, because drivers put arrays of an invocation that are indexed freely
+// into the slowest.
 shared uvec2 waiting[MOST_WAITING * GROUP_SIZE];
 
 // is_cut: the driver left the loop early, so that the answer means nothing: llvmpipe does after

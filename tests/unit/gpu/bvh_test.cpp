@@ -93,6 +93,7 @@ void expect_sound(const calc::PreparedScene& scene) {
   EXPECT_EQ(sound.outside, 0u);
   EXPECT_TRUE(sound.has_each_once());
   EXPECT_LE(sound.levels, gpu::kBvhLevels);
+  EXPECT_LE(16 * (bvh.nodes.size() - 1), 9 * bvh.triangles.size());
   for (std::size_t k = 0; k < bvh.order.size(); ++k) {
     const glm::vec3 corner(bvh.triangles[k].corner_m[0]);
     ASSERT_EQ(corner, scene.vertex_m[scene.triangle[bvh.order[k]].x]);
@@ -105,7 +106,7 @@ TEST(Bvh, HoldsEveryTriangleOnceInsideItsBoxes) {
   add_sphere(scene, 1.0, 3, 0.5);
   expect_sound(scene);
   const gpu::Bvh bvh = gpu::build_bvh(scene);
-  EXPECT_GT(bvh.nodes.size(), scene.triangle.size() / 32);  // leaves hold up to 4, nodes 8 leaves
+  EXPECT_GT(bvh.nodes.size(), scene.triangle.size() / 24);  // leaves hold up to 3, nodes 8 leaves
   EXPECT_LT(bvh.nodes.size(), scene.triangle.size() / 4);
 }
 

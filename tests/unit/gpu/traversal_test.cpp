@@ -125,7 +125,7 @@ Boxes random_boxes(std::uint64_t trial) {
 
 TEST(GlTraversal, NoBoxIsMissedThatARayMeets) {
   LUXGATE_NEEDS_OPENGL();
-  constexpr std::size_t kTrials = 1u << 18;
+  constexpr std::size_t kTrials = 1u << 16;
   std::vector<Boxes> boxes;
   std::vector<gpu::BvhNode> nodes;
   std::vector<GpuRay> rays;
@@ -278,7 +278,7 @@ calc::PreparedScene heap(double size_m, const glm::dvec3& at_m) {
 
 TEST(GlTraversal, AnswersAsTheCpuDoesInTinyAndHugeScenes) {
   LUXGATE_NEEDS_OPENGL();
-  constexpr std::size_t kRays = 20'000;
+  constexpr std::size_t kRays = 8000;
   for (const auto& [size_m, at_m] : {std::pair{1e-3, glm::dvec3(0)},
                                      {1.0, glm::dvec3(0)},
                                      {10.0, glm::dvec3(900, -400, 200)},
