@@ -1,158 +1,82 @@
 #include "gpu/bvh.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <numeric>
-#include <span>
 
 namespace gpu {
 namespace {
 
-constexpr std::size_t kBins = 16;
-constexpr std::size_t kMostPerLeaf = 4;
-static_assert(kMostPerLeaf < kLeafStep);
-// Below this depth halves by number keep the tree from growing into a list.
-constexpr int kDeepest = 48;
-constexpr std::size_t kWorthATask = 4096;
+constexpr double kMostSteps = 255.0;
+constexpr int kExponentBias = 127;
 
-struct Box {
-  glm::vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
-
-  void add(const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  void add(const Box& box) {
-    low = glm::min(low, box.low);
-    high = glm::max(high, box.high);
-  }
-  // Half of it; 0 if nothing is inside.
-  float area() const {
-    const glm::vec3 d = glm::max(high - low, glm::vec3(0.0f));
-    return d.x * d.y + d.y * d.z + d.z * d.x;
+// a - b is exactly value + rest: Knuth's two-sum.
+struct Difference {
+  double value, rest;
+  Difference(double a, double b) : value(a - b) {
+    const double of_b = a - value, of_a = value + of_b;
+    rest = (a - of_a) - (b - of_b);
   }
 };
 
-struct Item {
-  Box box;
-  glm::vec3 middle;
-  std::uint32_t triangle;
-};
-
-// Subtrees of n items have room for the 2n - 1 nodes that they need at most, so that threads can
-// build them side by side; gaps go when the tree is flattened.
-struct BuildNode {
-  Box box;
-  std::size_t first = 0, count = 0;  // of items
-  std::size_t second_child = 0;      // 0 = leaf; the first child follows the node
-};
-
-struct Split {
-  int axis = -1;  // -1 = none pays
-  std::size_t bin = 0;
-  float begin = 0.0f, bins_per_m = 0.0f;
-
-  std::size_t bin_of(const glm::vec3& middle) const {
-    const float place = (middle[axis] - begin) * bins_per_m;
-    return std::min(static_cast<std::size_t>(std::max(0.0f, place)), kBins - 1);
-  }
-};
-
-// The least cost of all planes between bins, if it is less than that of one leaf or if there are
-// too many items for one.
-Split best_split(std::span<const Item> items, const Box& box, const Box& middles) {
-  float least = items.size() <= kMostPerLeaf ? box.area() * static_cast<float>(items.size() - 1)
-                                             : std::numeric_limits<float>::max();
-  Split best;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float width = middles.high[axis] - middles.low[axis];
-    Split split{axis, 0, middles.low[axis], static_cast<float>(kBins) / width};
-    if (!(width > 0.0f) || !(split.bins_per_m < std::numeric_limits<float>::max())) continue;
-    std::array<Box, kBins> bin_box;
-    std::array<std::size_t, kBins> bin_count{};
-    for (const Item& item : items) {
-      const std::size_t b = split.bin_of(item.middle);
-      bin_box[b].add(item.box);
-      ++bin_count[b];
-    }
-    std::array<float, kBins> cost_below{};
-    Box below;
-    std::size_t count = 0;
-    for (std::size_t b = 0; b + 1 < kBins; ++b) {
-      below.add(bin_box[b]);
-      count += bin_count[b];
-      cost_below[b + 1] = below.area() * static_cast<float>(count);
-    }
-    Box above;
-    count = 0;
-    for (std::size_t b = kBins - 1; b > 0; --b) {
-      above.add(bin_box[b]);
-      count += bin_count[b];
-      const float cost = cost_below[b] + above.area() * static_cast<float>(count);
-      if (count == 0 || count == items.size() || !(cost < least)) continue;
-      least = cost;
-      best = split;
-      best.bin = b;
-    }
-  }
-  return best;
+// Whole steps from `begin` that do not reach beyond a place.
+double steps_below(float place, float begin, double step) {
+  const Difference way(place, begin);
+  const double steps = std::floor(way.value / step);
+  return steps * step == way.value && way.rest < 0.0 ? steps - 1.0 : steps;
 }
 
-class Builder {
+// Whole steps from `begin` that reach a place.
+double steps_above(float place, float begin, double step) {
+  const Difference way(place, begin);
+  const double steps = std::ceil(way.value / step);
+  return steps * step == way.value && way.rest > 0.0 ? steps + 1.0 : steps;
+}
+
+double step_m(std::uint8_t exponent_bits) {
+  return std::ldexp(1.0, int{exponent_bits} - kExponentBias);
+}
+
+// The finest step that reaches from one place to another.
+std::uint8_t finest_step(float begin, float end, float least_step_m) {
+  auto exponent = static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(least_step_m) >> 23);
+  while (steps_above(end, begin, step_m(exponent)) > kMostSteps) ++exponent;
+  return exponent;
+}
+
+// Puts children into slots so that they lie along the slots' directions, the best pair first.
+class Slots {
  public:
-  Builder(std::vector<Item>& items, std::vector<BuildNode>& nodes) : items_(items), nodes_(nodes) {}
-
-  void build(std::size_t node, std::size_t first, std::size_t count, int depth) {
-    Box box, middles;
-    for (std::size_t i = first; i < first + count; ++i) {
-      box.add(items_[i].box);
-      middles.add(items_[i].middle);
+  Slots(const std::vector<const BoxTree::Node*>& children, const glm::vec3& middle) {
+    std::array<std::array<float, kBvhWidth>, kBvhWidth> gain{};
+    for (std::size_t c = 0; c < children.size(); ++c) {
+      const glm::vec3 off = children[c]->box.middle() - middle;
+      for (std::size_t slot = 0; slot < kBvhWidth; ++slot) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const float along = off[static_cast<int>(axis)];
+          gain[c][slot] += ((slot >> axis) & 1u) != 0 ? along : -along;
+        }
+      }
     }
-    nodes_[node] = {box, first, count, 0};
-    if (count <= 1) return;
-    const std::size_t below = divide(first, count, box, middles, depth);
-    if (below == 0) return;
-    const std::size_t second = node + 2 * below;
-    nodes_[node].second_child = second;
-    const auto build_first = [&] { build(node + 1, first, below, depth + 1); };
-    const auto build_second = [&] { build(second, first + below, count - below, depth + 1); };
-    if (count > kWorthATask) {
-      tbb::parallel_invoke(build_first, build_second);
-    } else {
-      build_first();
-      build_second();
+    std::array<bool, kBvhWidth> has_slot{};
+    for (std::size_t k = 0; k < children.size(); ++k) {
+      std::size_t child = kBvhWidth, place = 0;
+      for (std::size_t c = 0; c < children.size(); ++c) {
+        for (std::size_t slot = 0; slot < kBvhWidth; ++slot) {
+          if (has_slot[c] || at[slot] != nullptr) continue;
+          if (child < kBvhWidth && !(gain[c][slot] > gain[child][place])) continue;
+          child = c;
+          place = slot;
+        }
+      }
+      at[place] = children[child];
+      has_slot[child] = true;
     }
   }
 
- private:
-  // Orders the items so that the first ones belong to the first child; their number, 0 = a leaf.
-  std::size_t divide(std::size_t first, std::size_t count, const Box& box, const Box& middles,
-                     int depth) {
-    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = begin + static_cast<std::ptrdiff_t>(count);
-    const Split split = depth < kDeepest ? best_split({begin, end}, box, middles) : Split{};
-    if (split.axis < 0) return count <= kMostPerLeaf ? 0 : count / 2;
-    const auto middle = std::stable_partition(
-        begin, end, [&](const Item& item) { return split.bin_of(item.middle) < split.bin; });
-    return static_cast<std::size_t>(middle - begin);
-  }
-
-  std::vector<Item>& items_;
-  std::vector<BuildNode>& nodes_;
+  std::array<const BoxTree::Node*, kBvhWidth> at{};  // nullptr = empty
 };
-
-std::vector<Item> items_of(const calc::PreparedScene& scene) {
-  std::vector<Item> items(scene.triangle.size());
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    for (int k = 0; k < 3; ++k) items[i].box.add(scene.vertex_m[scene.triangle[i][k]]);
-    items[i].middle = 0.5f * items[i].box.low + 0.5f * items[i].box.high;
-    items[i].triangle = static_cast<std::uint32_t>(i);
-  }
-  return items;
-}
 
 BvhTriangle triangle_of(const calc::PreparedScene& scene, std::uint32_t triangle) {
   const glm::uvec3 corner = scene.triangle[triangle];
@@ -163,37 +87,117 @@ BvhTriangle triangle_of(const calc::PreparedScene& scene, std::uint32_t triangle
   return {{glm::vec4(a, normal.x), glm::vec4(b, normal.y), glm::vec4(c, normal.z)}};
 }
 
-// Closes the gaps. Returns nothing: `flat` grows by the subtree.
-void flatten(const std::vector<BuildNode>& nodes, std::size_t node, std::vector<BvhNode>& flat) {
-  const BuildNode& from = nodes[node];
-  const std::size_t place = flat.size();
-  const bool is_leaf = from.second_child == 0;
-  const auto leaf = is_leaf ? static_cast<std::uint32_t>(from.first * kLeafStep + from.count) : 0u;
-  flat.push_back({{from.box.low.x, from.box.low.y, from.box.low.z},
-                  0,
-                  {from.box.high.x, from.box.high.y, from.box.high.z},
-                  leaf});
-  if (!is_leaf) {
-    flatten(nodes, node + 1, flat);
-    flatten(nodes, from.second_child, flat);
+class Widener {
+ public:
+  Widener(const BoxTree& tree, float least_step_m, Bvh& bvh)
+      : tree_(tree), least_step_m_(least_step_m), bvh_(bvh) {}
+
+  // Fills the node `to` from a subtree that is at most 3 * (kBvhLevels - level) high.
+  void fill(std::size_t to, const BoxTree::Node& from, int level) {
+    const Slots slots(children_of(from, level), from.box.middle());
+    BvhNode node{};
+    node.first_child = static_cast<std::uint32_t>(bvh_.nodes.size());
+    node.first_triangle = static_cast<std::uint32_t>(bvh_.order.size());
+    std::array<Box, kBvhWidth> box;
+    std::size_t inner = 0;
+    for (std::size_t slot = 0; slot < kBvhWidth; ++slot) {
+      const BoxTree::Node* child = slots.at[slot];
+      if (child == nullptr) continue;
+      box[slot] = child->box;
+      if (!child->is_leaf()) {
+        node.inner = static_cast<std::uint8_t>(node.inner | (1u << slot));
+        ++inner;
+        continue;
+      }
+      node.triangles |= ((1u << child->count) - 1u) << (4 * slot);
+      const auto first = tree_.order.begin() + static_cast<std::ptrdiff_t>(child->first);
+      bvh_.order.insert(bvh_.order.end(), first, first + static_cast<std::ptrdiff_t>(child->count));
+    }
+    set_boxes(node, box, least_step_m_);
+    bvh_.nodes[to] = node;
+    bvh_.nodes.resize(bvh_.nodes.size() + inner);
+    std::size_t place = node.first_child;
+    for (const BoxTree::Node* child : slots.at) {
+      if (child != nullptr && !child->is_leaf()) fill(place++, *child, level + 1);
+    }
   }
-  flat[place].next = static_cast<std::uint32_t>(flat.size());
-}
+
+ private:
+  // Those below in the binary tree, opened the largest first, to eight or to nothing but leaves.
+  // What is too high for the levels that are left is opened before all others: it has at most eight
+  // nodes three levels down.
+  std::vector<const BoxTree::Node*> children_of(const BoxTree::Node& from, int level) const {
+    const int most_height = 3 * (kBvhLevels - level - 1);
+    std::vector<const BoxTree::Node*> children{
+        &from};  // which stays if it is the scene's only leaf
+    while (children.size() < kBvhWidth) {
+      std::size_t best = children.size();
+      for (std::size_t c = 0; c < children.size(); ++c) {
+        if (children[c]->is_leaf()) continue;
+        if (best == children.size() || is_opened_before(*children[c], *children[best], most_height))
+          best = c;
+      }
+      if (best == children.size()) break;
+      const BoxTree::Node* opened = children[best];
+      children[best] = opened + 1;
+      children.push_back(&tree_.nodes[opened->second_child]);
+    }
+    return children;
+  }
+
+  static bool is_opened_before(const BoxTree::Node& a, const BoxTree::Node& b, int most_height) {
+    const bool a_must = a.height > most_height, b_must = b.height > most_height;
+    return a_must != b_must ? a_must : a.box.area() > b.box.area();
+  }
+
+  const BoxTree& tree_;
+  float least_step_m_;
+  Bvh& bvh_;
+};
 
 }  // namespace
 
+float least_step_m(float largest_coordinate_m) {
+  constexpr int kLeastExponent = -100;  // no denormal number comes of it
+  const int exponent = largest_coordinate_m > 0.0f ? std::ilogb(largest_coordinate_m) - 32 : 0;
+  return std::ldexp(1.0f, std::max(exponent, kLeastExponent));
+}
+
+void set_boxes(BvhNode& node, const std::array<Box, kBvhWidth>& child, float least_step_m) {
+  Box all;
+  for (const Box& box : child) all.add(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const float begin = all.low[axis];
+    node.low_m[a] = begin;
+    node.step[a] = finest_step(begin, all.high[axis], least_step_m);
+    const double step = step_m(node.step[a]);
+    for (std::size_t slot = 0; slot < kBvhWidth; ++slot) {
+      if (child[slot].is_empty()) {  // the shader does not ask whether it is met
+        node.low[a][slot] = node.high[a][slot] = 0;
+        continue;
+      }
+      node.low[a][slot] =
+          static_cast<std::uint8_t>(steps_below(child[slot].low[axis], begin, step));
+      node.high[a][slot] =
+          static_cast<std::uint8_t>(steps_above(child[slot].high[axis], begin, step));
+    }
+  }
+}
+
 Bvh build_bvh(const calc::PreparedScene& scene) {
   Bvh bvh;
-  std::vector<Item> items = items_of(scene);
-  if (items.empty()) return bvh;
-  std::vector<BuildNode> nodes(2 * items.size() - 1);
-  Builder(items, nodes).build(0, 0, items.size(), 0);
-  flatten(nodes, 0, bvh.nodes);
-  bvh.triangles.reserve(items.size());
-  bvh.order.reserve(items.size());
-  for (const Item& item : items) {
-    bvh.triangles.push_back(triangle_of(scene, item.triangle));
-    bvh.order.push_back(item.triangle);
+  const BoxTree tree = build_box_tree(scene, kMostPerLeaf);
+  if (tree.nodes.empty()) return bvh;
+  const Box& all = tree.nodes.front().box;
+  const glm::vec3 farthest = glm::max(glm::abs(all.low), glm::abs(all.high));
+  const float least = least_step_m(std::max(farthest.x, std::max(farthest.y, farthest.z)));
+  bvh.order.reserve(scene.triangle.size());
+  bvh.nodes.resize(1);
+  Widener(tree, least, bvh).fill(0, tree.nodes.front(), 0);
+  bvh.triangles.reserve(bvh.order.size());
+  for (const std::uint32_t triangle : bvh.order) {
+    bvh.triangles.push_back(triangle_of(scene, triangle));
   }
   return bvh;
 }

@@ -29,6 +29,11 @@ void DeviceScene::bind() const {
   triangle.bind(1);
 }
 
+void DeviceScene::bind_surfaces() const {
+  surface.bind(2);
+  order.bind(8);
+}
+
 const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
   const auto found = std::find_if(scenes_.begin(), scenes_.end(), [&](const DeviceScene& scene) {
     return scene.identity == tracer.identity();
@@ -41,6 +46,7 @@ const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
   const Bvh bvh = build_bvh(tracer.scene());
   DeviceScene scene{tracer.identity(),
                     static_cast<std::uint32_t>(bvh.nodes.size()),
+                    static_cast<std::uint32_t>(bvh.nodes.size() + bvh.triangles.size()),
                     GlBuffer("the scene's boxes"),
                     GlBuffer("the scene's triangles"),
                     GlBuffer("the scene's surfaces"),

@@ -13,12 +13,15 @@ namespace gpu {
 struct DeviceScene {
   std::uint64_t identity;  // calc::Tracer::identity()
   std::uint32_t nodes;
+  std::uint32_t most_turns;  // of a ray's loops: it visits all nodes and triangles
   GlBuffer node, triangle;
   GlBuffer surface;  // per triangle of the tree: unit normal and reflectance, four double
   GlBuffer order;    // per triangle of the tree: its index in the scene
 
   // To bindings 0 and 1.
   void bind() const;
+  // What closest hits need besides, to bindings 2 and 8: surfaces and triangle numbers.
+  void bind_surfaces() const;
 };
 
 // The scenes used last. All calls need the context current in which it lives, the destructor too.

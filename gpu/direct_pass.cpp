@@ -22,7 +22,7 @@ enum Binding : unsigned {
   kSketches,
   kPairs,
   kLight,
-  kList,
+  kList,  // before samples are taken it is the scene's, for closest hits
   kChunkSums,
   kKnown,
   kTotals
@@ -143,7 +143,9 @@ void DirectPass::send(DeviceState& device, const DirectPiece& piece) {
   send_tables(*piece.tracer);
   points_.assign(gpu_points(piece));
   words_.assign(words_of(piece));
-  device.scenes.of(*piece.tracer).bind();
+  const DeviceScene& scene = device.scenes.of(*piece.tracer);
+  scene.bind();
+  scene.order.bind(kList);
   points_.bind(kPoints);
   tables_.bind(kTables);
   words_.bind(kWords);

@@ -20,7 +20,7 @@
 namespace gpu {
 namespace {
 
-enum Binding : unsigned { kSurfaces = 2, kRequests, kWords, kOrder, kHits };
+enum Binding : unsigned { kRequests = 3, kWords, kHits = 6 };  // others are those of DeviceScene
 
 // Of one dispatch: short enough for the watchdogs of desktop drivers.
 constexpr std::uint32_t kRaysPerDispatch = std::uint32_t{1} << 18;
@@ -60,10 +60,9 @@ class ShortRayPass {
     const DeviceScene& scene = device.scenes.of(tracer);
     program_.use();
     scene.bind();
-    scene.surface.bind(kSurfaces);
+    scene.bind_surfaces();
     requests_.bind(kRequests);
     words_.bind(kWords);
-    scene.order.bind(kOrder);
     hits_.bind(kHits);
     program_.set("node_count", scene.nodes);
     program_.set("request_count", static_cast<std::uint32_t>(requests.size()));

@@ -17,8 +17,7 @@ namespace gpu {
 namespace {
 
 enum LightPathBinding : unsigned {
-  kSurfaces = 2,  // after those of DeviceScene
-  kTables,
+  kTables = 3,  // 0 to 2 and 8 are those of DeviceScene
   kWords,
   kStates,
   kVertices,
@@ -31,11 +30,11 @@ constexpr std::uint32_t kReflectionsPerRound = 8;
 constexpr std::uint32_t kMostReflectionsPerRound = 64;
 
 // Mesa's llvmpipe leaves all loops of an invocation after 65535 turns: reflections of one round
-// that stay below it even if a ray visits all boxes and triangles. More than the 65535 of a single
-// ray are told by the shader.
-std::uint32_t reflections_of_software(std::uint32_t nodes) {
+// that stay below it even if a ray visits all boxes and triangles, twice because the rays of one
+// vector wait for each other. More than the 65535 of a single ray are told by the shader.
+std::uint32_t reflections_of_software(std::uint32_t turns_of_ray) {
   constexpr std::uint32_t kMostTurns = 60000, kTurnsBesides = 100;
-  return std::max(1u, kMostTurns / (3 * std::min(nodes, kMostTurns) + kTurnsBesides));
+  return std::max(1u, kMostTurns / (2 * std::min(turns_of_ray, kMostTurns) + kTurnsBesides));
 }
 
 constexpr std::size_t kMostTables = 2;
@@ -81,7 +80,8 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   while (slot_.back() > 0) {
     std::uint32_t left = kMostReflectionsPerRound;
     if (device.context.device().is_software) {
-      left = std::min(left, reflections_of_software(device.scenes.of(jobs.front()->tracer).nodes));
+      left = std::min(left,
+                      reflections_of_software(device.scenes.of(jobs.front()->tracer).most_turns));
     }
     for (std::size_t j = 0; j < jobs.size(); ++j) {
       // A batch whose paths have all ended may have reached its last reflection.
@@ -163,7 +163,7 @@ void PathPass::trace(DeviceState& device, const PathJob& job, std::uint32_t refl
   const DeviceScene& scene = device.scenes.of(job.tracer);
   paths_program_.use();
   scene.bind();
-  scene.surface.bind(kSurfaces);
+  scene.bind_surfaces();
   tables_of(job).bind(kTables);
   words_.bind(kWords);
   states_[now_].bind(kStates);

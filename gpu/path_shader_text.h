@@ -42,4 +42,7 @@ inline constexpr std::uint32_t kChunkFlags = 3;
 enum class DirectStage { classify, seen, sums, samples, totals };
 std::string direct_shader(DirectStage stage);
 
+// Declares is_blocked(), closest_hit() and what they are made of: for tests and benchmarks.
+std::string ray_text();
+
 }  // namespace gpu

@@ -13,6 +13,7 @@ luxgate_test(gpu_tests
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
     unit/gpu/program_cache_test.cpp
+    unit/gpu/traversal_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})
 target_include_directories(gpu_tests SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 
@@ -34,6 +35,10 @@ add_executable(bench_gpu bench/bench_gpu.cpp)
 target_link_libraries(bench_gpu PRIVATE gpu calc_radiosity)
 add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp)
 target_link_libraries(bench_gpu_stages PRIVATE gpu calc_radiosity TBB::tbb fmt::fmt)
+add_executable(bench_gpu_traversal
+  bench/bench_gpu_traversal.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
+target_include_directories(bench_gpu_traversal SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
+target_link_libraries(bench_gpu_traversal PRIVATE gpu calc_radiosity fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
 
 # What only a machine with a GPU can tell, in one call; ctest sees that it runs.
 add_executable(gpu_figures

@@ -1,6 +1,9 @@
 // The first surface that a ray meets: the tree and triangles of visibility.glsl. Children are
-// visited in the order of the tree, not of the ray; what is found shortens the rest of the way.
+// visited about in the order of the ray; what is found shortens the rest of the way. Of equally near
+// triangles the one that comes first in the scene counts, whatever the order of visits.
 // calc::Tracer::closest_hits() is what it must answer like.
+
+layout(std430, binding = 8) readonly buffer Order { uint triangle_of[]; };
 
 // Shares of the triangle's second and third corner at the place that a ray meets, as
 // calc::meets() has them: light paths carry rounding on and enlarge it.
@@ -13,34 +16,65 @@ dvec2 place_on(uint triangle, vec3 from, vec3 along) {
   return clamp(side.yz / sum, dvec2(DBL(0.0)), dvec2(DBL(1.0)));
 }
 
+// Bits of slots moved to slot ^ signs: the ray's nearest lowest. It is its own reverse.
+uint in_order_of_ray(uint slots, uint signs) {
+  if ((signs & 1u) != 0u) slots = ((slots & 0x55u) << 1u) | ((slots >> 1u) & 0x55u);
+  if ((signs & 2u) != 0u) slots = ((slots & 0x33u) << 2u) | ((slots >> 2u) & 0x33u);
+  if ((signs & 4u) != 0u) slots = ((slots & 0x0fu) << 4u) | (slots >> 4u);
+  return slots;
+}
+
 // share: of the triangle's second and third corner at the place that is met.
 bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint triangle,
                  out dvec2 share) {
-  const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
+  const vec3 per_along = reciprocals(along);
+  const uint signs = (per_along.x < 0.0 ? 1u : 0u) | (per_along.y < 0.0 ? 2u : 0u) |
+                     (per_along.z < 0.0 ? 4u : 0u);
   bool is_found = false;
   triangle = 0u;
   share = dvec2(DBL(0.0));
-  uint at = 0u;
-  while (at < node_count) {
-    const uvec4 low = bvh_node[2u * at];
-    const uvec4 high = bvh_node[2u * at + 1u];
-    if (misses_box(low, high, from, per_along, t_near, t_far)) {
-      at = low.w;
-      continue;
+  const uint stack = gl_LocalInvocationIndex;
+  // As in is_blocked(), but open slots are in the order of the ray.
+  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u << signs : 0u;
+  uint height = 0u, triangles = 0u;
+  while ((open | height) != 0u) {
+    if (open == 0u) {
+      --height;
+      const uvec2 group = waiting[height * GROUP_SIZE + stack];
+      siblings = group.x;
+      inner = group.y & 255u;
+      open = group.y >> 8u;
     }
-    const uint begin = high.w / LEAF_STEP;
-    const uint end = begin + high.w % LEAF_STEP;  // the same for an inner node
-    for (uint k = begin; k < end; ++k) {
+    const uint slot = uint(findLSB(open)) ^ signs;
+    open &= open - 1u;
+    if (open != 0u) {
+      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
+      ++height;
+    }
+    COUNT_NODE;
+    const uint at = 5u * (siblings + place_among(inner, slot));
+    const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
+    const uint met = boxes_met(grid, bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u], from,
+                               per_along, t_near, t_far);
+    triangles = links.z & four_times(met);
+    while (triangles != 0u) {
+      const uint bit = uint(findLSB(triangles));
+      triangles &= triangles - 1u;
+      COUNT_TRIANGLE;
+      const uint k = links.y + place_among(links.z, bit);
       float t;
       if (!is_crossed(k, from, along, t)) continue;
-      if (!(t > t_near && t <= t_far) || (is_found && t == t_far)) continue;
+      if (!(t > t_near && t <= t_far)) continue;
+      if (is_found && t == t_far && triangle_of[k] > triangle_of[triangle]) continue;
       is_found = true;
       t_far = t;
       triangle = k;
     }
-    ++at;
+    siblings = links.x;
+    inner = grid.w >> 24u;
+    open = in_order_of_ray(met & inner, signs);
   }
-  if (at < node_count) is_cut = true;
+  if ((open | height | triangles) != 0u) is_cut = true;
   if (is_found) share = place_on(triangle, from, along);
   return is_found;
 }

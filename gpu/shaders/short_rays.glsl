@@ -4,7 +4,6 @@
 layout(local_size_x = GROUP_SIZE) in;
 
 layout(std430, binding = 3) readonly buffer Requests { uvec4 request[]; };
-layout(std430, binding = 5) readonly buffer Order { uint triangle_of[]; };
 layout(std430, binding = 6) writeonly buffer Hits { uint hit[]; };
 
 uniform uint request_count, first_ray, ray_count;

@@ -112,25 +112,77 @@ bool meets_triangle(Pyramid pyramid, uint triangle) {
   return true;
 }
 
+// Of the planes of eight boxes along an axis, in double, which holds them as they are.
+double plane_at(float low, uint exponent, uvec2 bytes, uint slot) {
+  const uint number = (bytes[slot >> 2u] >> (8u * (slot & 3u))) & 255u;
+  return double(low) + double(uintBitsToFloat(exponent)) * double(number);
+}
+
+// Slots of a node (visibility.glsl) with a child whose box the pyramid may meet.
+uint boxes_met_by(Pyramid pyramid, uint children, uvec4 grid, uvec4 a, uvec4 b, uvec4 c) {
+  const uvec3 exponent = (uvec3(grid.w) << uvec3(23u, 15u, 7u)) & 0x7f800000u;
+  const vec3 low_m = uintBitsToFloat(grid.xyz);
+  uint met = 0u;
+  for (; children != 0u; children &= children - 1u) {
+    const uint slot = uint(findLSB(children));
+    if (may_meet_box(pyramid,
+                     dvec3(plane_at(low_m.x, exponent.x, a.xy, slot),
+                           plane_at(low_m.y, exponent.y, a.zw, slot),
+                           plane_at(low_m.z, exponent.z, b.xy, slot)),
+                     dvec3(plane_at(low_m.x, exponent.x, b.zw, slot),
+                           plane_at(low_m.y, exponent.y, c.xy, slot),
+                           plane_at(low_m.z, exponent.z, c.zw, slot)))) {
+      met |= 1u << slot;
+    }
+  }
+  if (children != 0u) is_cut = true;
+  return met;
+}
+
+// Slots of leaves, from four bits for each.
+uint slots_of(uint triangles) {
+  uint slots = triangles | (triangles >> 1u);
+  slots = (slots | (slots >> 2u)) & 0x11111111u;
+  slots = (slots | (slots >> 3u)) & 0x03030303u;
+  slots = (slots | (slots >> 6u)) & 0x000f000fu;
+  return (slots | (slots >> 12u)) & 255u;
+}
+
+// The search is that of visibility.glsl.
 bool is_free(SightQuery query) {
   const Pyramid pyramid = pyramid_of(query);
-  uint at = 0u;
-  while (at < node_count) {
-    const uvec4 low = bvh_node[2u * at];
-    const uvec4 high = bvh_node[2u * at + 1u];
-    if (!may_meet_box(pyramid, dvec3(uintBitsToFloat(low.xyz)),
-                      dvec3(uintBitsToFloat(high.xyz)))) {
-      at = low.w;
-      continue;
+  const uint stack = gl_LocalInvocationIndex;
+  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u : 0u;  // the root as an only child
+  uint height = 0u, triangles = 0u;
+  while ((open | height) != 0u) {
+    if (open == 0u) {
+      --height;
+      const uvec2 group = waiting[height * GROUP_SIZE + stack];
+      siblings = group.x;
+      inner = group.y & 255u;
+      open = group.y >> 8u;
     }
-    const uint begin = high.w / LEAF_STEP;
-    const uint end = begin + high.w % LEAF_STEP;  // the same for an inner node
-    for (uint k = begin; k < end; ++k) {
-      if (meets_triangle(pyramid, k)) return false;
+    const uint slot = uint(findLSB(open));
+    open &= open - 1u;
+    if (open != 0u) {
+      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
+      ++height;
     }
-    ++at;
+    const uint at = 5u * (siblings + place_among(inner, slot));
+    const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
+    inner = grid.w >> 24u;
+    const uint met = boxes_met_by(pyramid, inner | slots_of(links.z), grid, bvh_node[at + 2u],
+                                  bvh_node[at + 3u], bvh_node[at + 4u]);
+    triangles = links.z & four_times(met);
+    while (triangles != 0u) {
+      const uint bit = uint(findLSB(triangles));
+      triangles &= triangles - 1u;
+      if (meets_triangle(pyramid, links.y + place_among(links.z, bit))) return false;
+    }
+    siblings = links.x;
+    open = met & inner;
   }
-  if (at < node_count) is_cut = true;
+  if ((open | height | triangles) != 0u) is_cut = true;
   return true;
 }
 

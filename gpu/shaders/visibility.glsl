@@ -1,10 +1,16 @@
 // Whether anything stands between two points: any-hit traversal of the tree in bvh.h.
 // calc::Tracer::blocked() is what it must answer like.
 
+// For benchmarks.
+#ifndef COUNT_NODE
+#define COUNT_NODE
+#define COUNT_TRIANGLE
+#endif
+
 layout(std430, binding = 0) readonly buffer Nodes { uvec4 bvh_node[]; };
 layout(std430, binding = 1) readonly buffer Triangles { vec4 bvh_corner[]; };
 
-uniform uint node_count;
+uniform uint node_count;  // 0: no scene
 uniform float offset_m;  // the stretch that is left out where a segment begins
 
 // Edge tests by volumes, which are the same with opposite sign for both triangles at an edge: no
@@ -34,46 +40,110 @@ bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
   return is_crossed(triangle, from, along, t) && t_near <= t && t <= t_far;
 }
 
-// Rays along an axis would divide by 0.
+// Rays along an axis would divide by 0. What is put in its place moves them by less than
+// boxes_met() allows for, see least_step_m().
 float reciprocal(float component) {
-  return 1.0 / (abs(component) > 1.0e-30 ? component : 1.0e-30);
+  return 1.0 / (abs(component) > 1.0e-28 ? component : 1.0e-28);
 }
 
-// Whether a ray misses a node of the tree between two places of it.
-bool misses_box(uvec4 low, uvec4 high, vec3 from, vec3 per_along, float t_near, float t_far) {
-  const float rounding = 1.0e-6;  // of the distances to box planes
-  const vec3 t0 = (uintBitsToFloat(low.xyz) - from) * per_along;
-  const vec3 t1 = (uintBitsToFloat(high.xyz) - from) * per_along;
-  const vec3 first = min(t0, t1), last = max(t0, t1);
-  const float enter = max(max(first.x, first.y), max(first.z, t_near));
-  const float leave = min(min(last.x, last.y), min(last.z, t_far));
-  return !(enter * (1.0 - rounding) <= leave * (1.0 + rounding));
+vec3 reciprocals(vec3 along) {
+  return vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
 }
+
+vec4 bytes_of(uint word) { return vec4((uvec4(word) >> uvec4(0u, 8u, 16u, 24u)) & 255u); }
+
+// Of four boxes, given the planes where rays enter and leave them.
+uint four_boxes_met(uvec3 entry, uvec3 exit, vec3 cell, vec3 early, vec3 late, float t_near,
+                    float t_far) {
+  const vec4 enter = max(max(bytes_of(entry.x) * cell.x + early.x, bytes_of(entry.y) * cell.y + early.y),
+                         max(bytes_of(entry.z) * cell.z + early.z, vec4(t_near)));
+  const vec4 leave = min(min(bytes_of(exit.x) * cell.x + late.x, bytes_of(exit.y) * cell.y + late.y),
+                         min(bytes_of(exit.z) * cell.z + late.z, vec4(t_far)));
+  const uvec4 met = uvec4(not(greaterThan(enter, leave)));
+  return met.x | (met.y << 1u) | (met.z << 2u) | (met.w << 3u);
+}
+
+// Slots of a node (given without its links) whose boxes a ray may meet between two places of it,
+// those without a child among them: never too few.
+uint boxes_met(uvec4 grid, uvec4 a, uvec4 b, uvec4 c, vec3 from, vec3 per_along, float t_near,
+               float t_far) {
+  // Of the longest ways to planes, twice what five roundings and a division of GLSL can add up to.
+  const float rounding = 1.0e-6;
+  const uvec3 exponent = (uvec3(grid.w) << uvec3(23u, 15u, 7u)) & 0x7f800000u;
+  const vec3 cell = uintBitsToFloat(exponent) * per_along;
+  const vec3 begin = (uintBitsToFloat(grid.xyz) - from) * per_along;
+  const vec3 slack = rounding * (abs(begin) + 255.0 * abs(cell));
+  const bvec3 is_down = lessThan(per_along, vec3(0.0));
+  const uvec2 entry_x = is_down.x ? b.zw : a.xy, exit_x = is_down.x ? a.xy : b.zw;
+  const uvec2 entry_y = is_down.y ? c.xy : a.zw, exit_y = is_down.y ? a.zw : c.xy;
+  const uvec2 entry_z = is_down.z ? c.zw : b.xy, exit_z = is_down.z ? b.xy : c.zw;
+  return four_boxes_met(uvec3(entry_x.x, entry_y.x, entry_z.x), uvec3(exit_x.x, exit_y.x, exit_z.x),
+                        cell, begin - slack, begin + slack, t_near, t_far) |
+         (four_boxes_met(uvec3(entry_x.y, entry_y.y, entry_z.y),
+                         uvec3(exit_x.y, exit_y.y, exit_z.y), cell, begin - slack, begin + slack,
+                         t_near, t_far)
+          << 4u);
+}
+
+// Each of the lowest eight bits four times.
+uint four_times(uint bits) {
+  bits = (bits | (bits << 12u)) & 0x000f000fu;
+  bits = (bits | (bits << 6u)) & 0x03030303u;
+  bits = (bits | (bits << 3u)) & 0x11111111u;
+  return bits * 15u;
+}
+
+// The bits of a mask below one of them, counted: where something stands among its like.
+uint place_among(uint mask, uint bit) { return bitCount(mask & ((1u << bit) - 1u)); }
+
+// Nodes that wait while others are searched: the first child of their parent, and their slots above
+// its inner slots. One entry for each level of the tree at most, of which there are no more than
+// kBvhLevels. Shared memory, because drivers put arrays of an invocation that are indexed freely
+// into the slowest.
+shared uvec2 waiting[MOST_WAITING * GROUP_SIZE];
 
 // Whether anything stands between from + t_near along and from + t_far along. is_cut: the driver
 // left the loop early, so that the answer means nothing: llvmpipe does after 65535 turns, without a
-// word.
+// word. Needs work groups of no more than GROUP_SIZE.
 bool is_crossed_by_any(vec3 from, vec3 along, float t_near, float t_far, out bool is_cut) {
   is_cut = false;
   // Two points nearer than the margins have nothing between them.
   if (!(t_near < t_far)) return false;
-  const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
-  uint at = 0u;
-  while (at < node_count) {
-    const uvec4 low = bvh_node[2u * at];
-    const uvec4 high = bvh_node[2u * at + 1u];
-    if (misses_box(low, high, from, per_along, t_near, t_far)) {
-      at = low.w;
-      continue;
+  const vec3 per_along = reciprocals(along);
+  const uint stack = gl_LocalInvocationIndex;
+  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u : 0u;  // the root as an only child
+  uint height = 0u, triangles = 0u;
+  while ((open | height) != 0u) {
+    if (open == 0u) {
+      --height;
+      const uvec2 group = waiting[height * GROUP_SIZE + stack];
+      siblings = group.x;
+      inner = group.y & 255u;
+      open = group.y >> 8u;
     }
-    const uint begin = high.w / LEAF_STEP;
-    const uint end = begin + high.w % LEAF_STEP;  // the same for an inner node
-    for (uint k = begin; k < end; ++k) {
-      if (is_hit(k, from, along, t_near, t_far)) return true;
+    const uint slot = uint(findLSB(open));
+    open &= open - 1u;
+    if (open != 0u) {
+      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
+      ++height;
     }
-    ++at;
+    COUNT_NODE;
+    const uint at = 5u * (siblings + place_among(inner, slot));
+    const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
+    const uint met = boxes_met(grid, bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u], from,
+                               per_along, t_near, t_far);
+    triangles = links.z & four_times(met);
+    while (triangles != 0u) {
+      const uint bit = uint(findLSB(triangles));
+      triangles &= triangles - 1u;
+      COUNT_TRIANGLE;
+      if (is_hit(links.y + place_among(links.z, bit), from, along, t_near, t_far)) return true;
+    }
+    siblings = links.x;
+    inner = grid.w >> 24u;
+    open = met & inner;
   }
-  is_cut = at < node_count;
+  is_cut = (open | height | triangles) != 0u;
   return false;
 }
 

@@ -6,57 +6,121 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <vector>
 
 namespace {
 
 using namespace test_support;
 
-// Every triangle once, inside the boxes of its leaf and of all nodes above it; `next` leads past
-// what is below. Returns the depth.
-void expect_sound(const calc::PreparedScene& scene, const gpu::Bvh& bvh) {
-  ASSERT_EQ(bvh.triangles.size(), scene.triangle.size());
-  std::vector<int> seen(bvh.triangles.size(), 0);
-  for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
-    const gpu::BvhNode& node = bvh.nodes[n];
-    ASSERT_GT(node.next, n);
-    ASSERT_LE(node.next, bvh.nodes.size());
-    if (node.leaf != 0) {
-      EXPECT_EQ(node.next, n + 1);
-      EXPECT_LE(node.leaf % gpu::kLeafStep, 4u);
-    }
-    for (std::size_t below = n; below < node.next; ++below) {
-      const std::uint32_t leaf = bvh.nodes[below].leaf;
-      ASSERT_LE(bvh.nodes[below].next, node.next);
-      for (std::uint32_t k = 0; k < leaf % gpu::kLeafStep; ++k) {
-        const std::size_t triangle = leaf / gpu::kLeafStep + k;
-        if (below == n) ++seen.at(triangle);
-        for (const glm::vec4& corner : bvh.triangles.at(triangle).corner_m) {
-          for (int axis = 0; axis < 3; ++axis) {
-            ASSERT_GE(corner[axis], node.low_m[static_cast<std::size_t>(axis)]);
-            ASSERT_LE(corner[axis], node.high_m[static_cast<std::size_t>(axis)]);
-          }
+double step_m(const gpu::BvhNode& node, std::size_t axis) {
+  return std::ldexp(1.0, node.step[axis] - 127);
+}
+
+// The sign of place - (begin + steps * step), in real numbers.
+int compare(float place, float begin, double steps, double step) {
+  const double a = place, b = begin, way = a - b;  // and what rounding took from it
+  const double of_b = a - way, rest = (a - (way + of_b)) - (b - of_b);
+  const double off = way - steps * step;  // 0 only if it is exactly that
+  return off != 0.0 ? (off > 0.0 ? 1 : -1) : (rest > 0.0) - (rest < 0.0);
+}
+
+bool holds(const gpu::BvhNode& node, std::size_t slot, const glm::vec3& p) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float place = p[static_cast<int>(axis)];
+    const double step = step_m(node, axis);
+    if (compare(place, node.low_m[axis], node.low[axis][slot], step) < 0) return false;
+    if (compare(place, node.low_m[axis], node.high[axis][slot], step) > 0) return false;
+  }
+  return true;
+}
+
+class Soundness {
+ public:
+  explicit Soundness(const gpu::Bvh& bvh) : bvh_(bvh), triangle_(bvh.triangles.size()) {}
+
+  // Triangles of a subtree, after all of it was looked at.
+  std::vector<std::uint32_t> below(std::uint32_t at, int level) {
+    ++nodes;
+    levels = std::max(levels, level);
+    const gpu::BvhNode& node = bvh_.nodes.at(at);
+    std::vector<std::uint32_t> all;
+    std::uint32_t child = node.first_child, first = node.first_triangle;
+    for (std::size_t slot = 0; slot < gpu::kBvhWidth; ++slot) {
+      std::vector<std::uint32_t> own;
+      const std::uint32_t bits = (node.triangles >> (4 * slot)) & 0xfu;
+      if (((node.inner >> slot) & 1u) != 0) {
+        EXPECT_EQ(bits, 0u);
+        EXPECT_GT(child, at);
+        own = below(child++, level + 1);
+      } else {
+        EXPECT_TRUE(std::has_single_bit(bits + 1));  // the lowest ones
+        for (int k = 0; k < std::popcount(bits); ++k) {
+          own.push_back(first);
+          ++triangle_.at(first++);
         }
       }
+      for (const std::uint32_t t : own) {
+        for (const glm::vec4& corner : bvh_.triangles[t].corner_m) {
+          if (!holds(node, slot, glm::vec3(corner))) ++outside;
+        }
+      }
+      all.insert(all.end(), own.begin(), own.end());
     }
+    return all;
   }
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+
+  bool has_each_once() const {
+    return std::all_of(triangle_.begin(), triangle_.end(), [](int count) { return count == 1; });
+  }
+
+  std::size_t nodes = 0, outside = 0;
+  int levels = 0;
+
+ private:
+  const gpu::Bvh& bvh_;
+  std::vector<int> triangle_;
+};
+
+// Every triangle once, inside the boxes of all nodes above it; no deeper than the shader's stack.
+void expect_sound(const calc::PreparedScene& scene) {
+  const gpu::Bvh bvh = gpu::build_bvh(scene);
+  ASSERT_EQ(bvh.triangles.size(), scene.triangle.size());
+  Soundness sound(bvh);
+  sound.below(0, 1);
+  EXPECT_EQ(sound.nodes, bvh.nodes.size());
+  EXPECT_EQ(sound.outside, 0u);
+  EXPECT_TRUE(sound.has_each_once());
+  EXPECT_LE(sound.levels, gpu::kBvhLevels);
+  EXPECT_LE(16 * (bvh.nodes.size() - 1), 9 * bvh.triangles.size());
+  for (std::size_t k = 0; k < bvh.order.size(); ++k) {
+    const glm::vec3 corner(bvh.triangles[k].corner_m[0]);
+    ASSERT_EQ(corner, scene.vertex_m[scene.triangle[bvh.order[k]].x]);
+  }
 }
 
 TEST(Bvh, HoldsEveryTriangleOnceInsideItsBoxes) {
   calc::PreparedScene scene;
   add_box(scene, {-2, -2, 0}, {4, 4, 3}, 0.5);
   add_sphere(scene, 1.0, 3, 0.5);
+  expect_sound(scene);
   const gpu::Bvh bvh = gpu::build_bvh(scene);
-  expect_sound(scene, bvh);
-  EXPECT_GT(bvh.nodes.size(), scene.triangle.size() / 4);  // no heap of triangles in one leaf
+  EXPECT_GT(bvh.nodes.size(), scene.triangle.size() / 24);  // leaves hold up to 3, nodes 8 leaves
+  EXPECT_LT(bvh.nodes.size(), scene.triangle.size() / 4);
 }
 
 TEST(Bvh, IsEmptyWithoutTriangles) {
   EXPECT_TRUE(gpu::build_bvh(calc::PreparedScene()).nodes.empty());
 }
 
-// 5000 triangles in one place and others in distances that double: nothing to split by, and a tree
+TEST(Bvh, HoldsASingleTriangle) {
+  calc::PreparedScene scene;
+  add_triangle(scene, {0, 0, 2}, {3, 0, 2}, {0, 5, 2}, 0.5);
+  expect_sound(scene);
+}
+
+// 5000 triangles in one place and others in distances that double: nothing to split by, and trees
 // that would grow into a list.
 TEST(Bvh, EndsWhereTrianglesCannotBeToldApart) {
   calc::PreparedScene scene;
@@ -65,7 +129,23 @@ TEST(Bvh, EndsWhereTrianglesCannotBeToldApart) {
   for (int k = 0; k < 100; ++k, x *= 2.0) {
     add_triangle(scene, {x, 0, 0}, {1.1 * x, 0, 0}, {x, 0.1 * x, 0}, 0.5);
   }
-  expect_sound(scene, gpu::build_bvh(scene));
+  expect_sound(scene);
+}
+
+// Triangles shrink towards a corner, so that the small one of two parts is a leaf at each split and
+// the largest box of a node is never the one that is deep: every level of the tree is used up.
+TEST(Bvh, IsNeverDeeperThanTheStack) {
+  for (const double factor : {0.9, 0.7, 0.5, 0.3}) {
+    calc::PreparedScene scene;
+    double x = 1e5;
+    for (int k = 0; k < 2000 && x > 1e-30; ++k, x *= factor) {
+      add_triangle(scene, {x, 0, 0}, {x, factor * x, 0}, {x, 0, factor * x}, 0.5);
+      for (int j = 0; j < 8; ++j) {
+        add_triangle(scene, {x, x, 0.01 * x * j}, {2 * x, x, 0}, {x, 2 * x, 0.3 * x}, 0.5);
+      }
+    }
+    expect_sound(scene);
+  }
 }
 
 TEST(Bvh, NormalsStandInTheLastComponents) {
@@ -75,6 +155,54 @@ TEST(Bvh, NormalsStandInTheLastComponents) {
   EXPECT_EQ(bvh.triangles[0].corner_m[0], glm::vec4(0, 0, 2, 0));
   EXPECT_EQ(bvh.triangles[0].corner_m[1], glm::vec4(3, 0, 2, 0));
   EXPECT_EQ(bvh.triangles[0].corner_m[2], glm::vec4(0, 5, 2, 1));
+}
+
+// Boxes of all sizes, some flat, some a point, near the origin and far from it.
+TEST(Bvh, PlanesInBytesHoldTheBoxes) {
+  for (std::uint64_t trial = 0; trial < 20'000; ++trial) {
+    const calc::RandomKey key = calc::RandomKey(31).with(trial);
+    const double size = std::pow(10.0, 14.0 * key.with(0).uniform() - 7.0);
+    const double away = size * std::pow(10.0, 9.0 * key.with(1).uniform() - 3.0);
+    std::array<gpu::Box, gpu::kBvhWidth> box;
+    float largest = 0.0f;
+    gpu::Box all;
+    for (std::uint64_t slot = 0; slot < gpu::kBvhWidth; ++slot) {
+      const calc::RandomKey own = key.with(2).with(slot);
+      if (own.with(0).uniform() < 0.1 && slot > 0) continue;  // empty
+      glm::dvec3 low, extent;
+      for (int axis = 0; axis < 3; ++axis) {
+        const calc::RandomKey along = own.with(static_cast<std::uint64_t>(axis) + 1);
+        low[axis] = away + size * along.with(0).uniform();
+        extent[axis] = along.with(1).uniform() < 0.2
+                           ? 0.0
+                           : size * std::pow(10.0, -8.0 * along.with(2).uniform());
+        if (along.with(3).uniform() < 0.1) low[axis] = away;
+      }
+      box[slot].add(glm::vec3(low));
+      box[slot].add(glm::vec3(low + extent));
+      all.add(box[slot]);
+      for (int axis = 0; axis < 3; ++axis) {
+        largest = std::max({largest, std::abs(box[slot].low[axis]), box[slot].high[axis]});
+      }
+    }
+    gpu::BvhNode node{};
+    const float least_m = gpu::least_step_m(largest);
+    gpu::set_boxes(node, box, least_m);
+    for (std::size_t slot = 0; slot < gpu::kBvhWidth; ++slot) {
+      if (box[slot].is_empty()) continue;
+      ASSERT_TRUE(holds(node, slot, box[slot].low) && holds(node, slot, box[slot].high)) << trial;
+      for (std::size_t axis = 0; axis < 3; ++axis) {  // and no more than that
+        const int a = static_cast<int>(axis);
+        const double step = step_m(node, axis);
+        ASSERT_LT(compare(box[slot].low[a], node.low_m[axis], node.low[axis][slot] + 1.0, step), 0);
+        ASSERT_GT(compare(box[slot].high[a], node.low_m[axis], node.high[axis][slot] - 1.0, step),
+                  0);
+        if (step > static_cast<double>(least_m)) {
+          ASSERT_GT(compare(all.high[a], node.low_m[axis], 255.0, 0.5 * step), 0) << trial;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
