@@ -162,6 +162,8 @@ void DirectPass::start(const GlProgram& program, const DirectPiece& piece) const
   program.set("has_shadows", piece.has_shadows ? 1u : 0u);
   program.set("first_round", piece.rounds.first);
   program.set("last_round", piece.rounds.last);
+  program.set("cell_places", 9u);
+  program.set("corner_count", 4u);
   program.set("error_factor", static_cast<float>(piece.rounds.error_factor));
   program.set("first_pair", 0u);
   program.set("last_pair", count(piece.points.size() * piece.is_asked.size()));
