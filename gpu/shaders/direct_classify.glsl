@@ -64,11 +64,19 @@ uint sight_of_opening(Lamp lamp, Point point) {
   return sight_of(query);
 }
 
+// Whether a disk is one cell: cell_at() of its root, whose places lie on one diameter.
+bool is_one_cell(Lamp lamp, Point point) {
+  const View view = view_from(lamp, point.position_m);
+  if (view.size_m <= view.distance_m) return true;
+  const double middle = sqrt(DBL(0.5));
+  const dvec3 centre_m = lamp.centre_m - middle * lamp.half_m.x * lamp.x;
+  return DBL(2.0) * (DBL(1.0) + middle) * lamp.half_m.x <= length(centre_m - point.position_m);
+}
+
 // Few cells, each a smooth part of the opening.
 bool has_patches(Lamp lamp, Point point) {
-  if (lamp.shape == SHAPE_RECTANGLE) return true;
-  return lamp.shape == SHAPE_DISK &&
-         cell_at(lamp, view_from(lamp, point.position_m), point.position_m, kBegin).is_leaf;
+  return lamp.shape == SHAPE_RECTANGLE ||
+         (lamp.shape == SHAPE_DISK && is_one_cell(lamp, point));
 }
 
 uint classified(uint index, uint p) {
@@ -76,10 +84,12 @@ uint classified(uint index, uint p) {
   const Lamp lamp = lamp_of(index);
   const Point point = point_of(p);
   if (lamp.shape == SHAPE_POINT) return point_opening(lamp, point);
-  if (!has_patches(lamp, point)) return sampled_cells(lamp, point);
-  const uint sight = has_shadows != 0u ? sight_of_opening(lamp, point) : SIGHT_FREE;
-  if (sight == SIGHT_HIDDEN) return PAIR_HIDDEN;
-  return sight == SIGHT_FREE ? seen_patches(lamp, point) : sampled_cells(lamp, point);
+  if (has_patches(lamp, point)) {
+    const uint sight = has_shadows != 0u ? sight_of_opening(lamp, point) : SIGHT_FREE;
+    if (sight == SIGHT_HIDDEN) return PAIR_HIDDEN;
+    if (sight == SIGHT_FREE) return seen_patches(lamp, point);
+  }
+  return sampled_cells(lamp, point);
 }
 
 void main() {

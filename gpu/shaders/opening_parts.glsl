@@ -3,6 +3,7 @@
 // the root, one bit for each step.
 
 uniform float error_factor;  // calc::OpeningRounds::error_factor
+uniform uint cell_places;    // 9
 
 struct Cell {
   double s, t, size_s, size_t;
@@ -110,91 +111,69 @@ double unseen_lx(Lamp lamp, Point point, Patch part) {
          max(dot(away_m, away_m), reach_m2);
 }
 
-const double kFloor = PATCH_FLOOR;  // of the brightest place
-
-void take_range(Lamp lamp, Point point, inout Patch part, double lowest_lx, double highest_lx) {
-  part.rest_lx = part.ratio * part.ratio * (highest_lx - lowest_lx) + kFloor * highest_lx +
-                  unseen_lx(lamp, point, part);
-}
-
-// lx: west, east, south, north.
-void fit_five(Lamp lamp, Point point, inout Patch part, double middle_lx, dvec4 lx) {
-  const dvec2 x = curve(lx.x, middle_lx, lx.y), y = curve(lx.z, middle_lx, lx.w);
-  part.c0 = dvec3(middle_lx, y);
-  part.c1 = dvec3(x.x, DBL(0.0), DBL(0.0));
-  part.c2 = dvec3(x.y, DBL(0.0), DBL(0.0));
-  take_range(lamp, point, part, min(middle_lx, min(min(lx.x, lx.y), min(lx.z, lx.w))),
-             max(middle_lx, max(max(lx.x, lx.y), max(lx.z, lx.w))));
-}
-
-dvec4 cross_lx(Lamp lamp, Point point, Patch part, double reach) {
-  return dvec4(place_lx(lamp, point, part, -reach, DBL(0.0)),
-               place_lx(lamp, point, part, reach, DBL(0.0)),
-               place_lx(lamp, point, part, DBL(0.0), -reach),
-               place_lx(lamp, point, part, DBL(0.0), reach));
-}
-
-// All places are dark, and the light may still begin at a corner or be a narrow beam between.
-void fit_dark(Lamp lamp, Point point, inout Patch part) {
-  fit_five(lamp, point, part, DBL(0.0), cross_lx(lamp, point, part, kGauss));
-  const double one = DBL(1.0);
-  const double corner_lx = max(max(place_lx(lamp, point, part, -one, -one),
-                                   place_lx(lamp, point, part, -one, one)),
-                               max(place_lx(lamp, point, part, one, -one),
-                                   place_lx(lamp, point, part, one, one)));
-  part.rest_lx += (part.ratio * part.ratio + kFloor) * corner_lx;
-}
-
-bool is_any_lit(dvec3 lx) { return any(greaterThan(lx, dvec3(DBL(0.0)))); }
-
-void fit_nine(Lamp lamp, Point point, inout Patch part) {
-  dvec3 row[3];  // [x place]: south, middle, north
-  for (int i = 0; i < 3; ++i) {
-    const double x = double(i - 1) * kGauss;
-    row[i] = dvec3(place_lx(lamp, point, part, x, -kGauss),
-                   place_lx(lamp, point, part, x, DBL(0.0)),
-                   place_lx(lamp, point, part, x, kGauss));
-  }
-  if (!is_any_lit(row[0]) && !is_any_lit(row[1]) && !is_any_lit(row[2])) {
-    fit_dark(lamp, point, part);
-    return;
-  }
-  dvec3 along_y[3];  // [x place]: coefficients of 1, y, y^2
-  for (int i = 0; i < 3; ++i) along_y[i] = dvec3(row[i].y, curve(row[i].x, row[i].y, row[i].z));
-  part.c0 = along_y[1];
-  for (int k = 0; k < 3; ++k) {
-    const dvec2 x = curve(along_y[0][k], along_y[1][k], along_y[2][k]);
-    part.c1[k] = x.x;
-    part.c2[k] = x.y;
-  }
-  const dvec3 low = min(row[0], min(row[1], row[2])), high = max(row[0], max(row[1], row[2]));
-  take_range(lamp, point, part, min(low.x, min(low.y, low.z)), max(high.x, max(high.y, high.z)));
+// Places at which light is read: the middle, then west, east, south, north of it, then the corners;
+// nine of Gauss's rule, the first five, or the first. Where all of them are dark, once more: four of
+// Gauss's rule and the true corners, for light may still begin at a corner or be a narrow beam
+// between.
+dvec2 place_of(uint k, bool is_dark) {
+  if (k == 0u) return dvec2(DBL(0.0));
+  const double sign = (k & 1u) != 0u ? DBL(-1.0) : DBL(1.0);
+  if (k < 3u) return dvec2(sign * kGauss, DBL(0.0));
+  if (k < 5u) return dvec2(DBL(0.0), sign * kGauss);
+  const double reach = is_dark ? DBL(1.0) : kGauss;
+  return reach * dvec2(k < 7u ? DBL(-1.0) : DBL(1.0), sign);
 }
 
 void fit(Lamp lamp, Point point, inout Patch part) {
-  if (!(part.ratio < FIVE_PLACES)) {
-    fit_nine(lamp, point, part);
-    return;
-  }
-  const double middle_lx = place_lx(lamp, point, part, DBL(0.0), DBL(0.0));
-  if (part.ratio < ONE_PLACE) {
-    if (middle_lx > DBL(0.0)) {
-      part.c0.x = middle_lx;
-      part.rest_lx = part.ratio * middle_lx + unseen_lx(lamp, point, part);
-    } else {
-      fit_dark(lamp, point, part);
+  const uint places = part.ratio < ONE_PLACE ? 1u : (part.ratio < FIVE_PLACES ? 5u : 9u);
+  double lx[9] = double[9](DBL(0.0), DBL(0.0), DBL(0.0), DBL(0.0), DBL(0.0), DBL(0.0), DBL(0.0),
+                           DBL(0.0), DBL(0.0));
+  bool is_dark = false;
+  double lowest_lx, highest_lx;
+  // Twice at most; one loop, so that compilers write the photometry down once.
+  for (uint count = places;; count = 9u) {
+    lowest_lx = DBL(1.0e300);
+    highest_lx = DBL(0.0);
+    for (uint k = 0u; k < count; ++k) {
+      const dvec2 at = place_of(k, is_dark);
+      lx[k] = is_dark && k == 0u ? DBL(0.0) : place_lx(lamp, point, part, at.x, at.y);
+      if (is_dark && k > 4u) continue;
+      lowest_lx = min(lowest_lx, lx[k]);
+      highest_lx = max(highest_lx, lx[k]);
     }
+    if (is_dark || highest_lx > DBL(0.0)) break;
+    is_dark = true;
+  }
+  part.c0.x = lx[0];
+  if (places == 1u && !is_dark) {
+    part.rest_lx = part.ratio * lx[0] + unseen_lx(lamp, point, part);
     return;
   }
-  const dvec4 lx = cross_lx(lamp, point, part, kGauss);
-  if (middle_lx > DBL(0.0) || any(greaterThan(lx, dvec4(DBL(0.0))))) {
-    fit_five(lamp, point, part, middle_lx, lx);
+  if (places == 9u && !is_dark) {
+    // [x place]: coefficients of 1, y, y^2.
+    const dvec3 west = dvec3(lx[1], curve(lx[5], lx[1], lx[6]));
+    const dvec3 middle = dvec3(lx[0], curve(lx[3], lx[0], lx[4]));
+    const dvec3 east = dvec3(lx[2], curve(lx[7], lx[2], lx[8]));
+    part.c0 = middle;
+    for (int k = 0; k < 3; ++k) {
+      const dvec2 x = curve(west[k], middle[k], east[k]);
+      part.c1[k] = x.x;
+      part.c2[k] = x.y;
+    }
   } else {
-    fit_dark(lamp, point, part);
+    const dvec2 x = curve(lx[1], lx[0], lx[2]), y = curve(lx[3], lx[0], lx[4]);
+    part.c0.yz = y;
+    part.c1.x = x.x;
+    part.c2.x = x.y;
   }
+  part.rest_lx = part.ratio * part.ratio * (highest_lx - lowest_lx) + PATCH_FLOOR * highest_lx +
+                 unseen_lx(lamp, point, part);
+  if (!is_dark) return;
+  const double corner_lx = max(max(lx[5], lx[6]), max(lx[7], lx[8]));
+  part.rest_lx += (part.ratio * part.ratio + PATCH_FLOOR) * corner_lx;
 }
 
-// Mean of the polynomial over the part, times its share of the opening.
+// Mean of the polynomial over the patch, times its share of the opening.
 double known_lx(Patch part) {
   const double xx = part.is_disk ? DBL(0.25) : DBL(1.0) / DBL(3.0);
   const double xxyy = part.is_disk ? DBL(1.0) / DBL(24.0) : DBL(1.0) / DBL(9.0);
@@ -303,23 +282,22 @@ struct CellExtent {
 
 CellExtent cell_extent(Lamp lamp, View view, Cell cell) {
   const double inside = DBL(1.0e-9);  // where two faces meet
-  const double place[3] = double[3](inside, DBL(0.5), DBL(1.0) - inside);
   dvec3 at[9];
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      at[3 * i + k] = opening_point(lamp, view, cell.s + place[i] * cell.size_s,
-                                    cell.t + place[k] * cell.size_t)
-                          .position_m;
-    }
+  // As many as there are, told so that compilers do not write the loop out.
+  for (uint k = 0u; k < cell_places; ++k) {
+    const double s = k < 3u ? inside : (k < 6u ? DBL(0.5) : DBL(1.0) - inside);
+    const uint column = k % 3u;
+    const double t = column == 0u ? inside : (column == 1u ? DBL(0.5) : DBL(1.0) - inside);
+    at[k] = opening_point(lamp, view, cell.s + s * cell.size_s, cell.t + t * cell.size_t)
+                .position_m;
   }
   CellExtent extent;
   extent.centre_m = at[4];
   extent.diameter_m = extent.length_s_m = extent.length_t_m = DBL(0.0);
+  for (int i = 0; i < 9; ++i) {
+    extent.diameter_m = max(extent.diameter_m, DBL(2.0) * length(at[i] - extent.centre_m));
+  }
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      extent.diameter_m =
-          max(extent.diameter_m, DBL(2.0) * length(at[3 * i + k] - extent.centre_m));
-    }
     extent.length_s_m =
         max(extent.length_s_m, length(at[3 + i] - at[i]) + length(at[6 + i] - at[3 + i]));
     extent.length_t_m = max(extent.length_t_m, length(at[3 * i + 1] - at[3 * i]) +
@@ -361,11 +339,12 @@ CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
     return result;
   }
   result.cell = piece_of(view, walk.piece);
-  CellExtent extent = cell_extent(lamp, view, result.cell);
-  for (uint step = 0u; step < walk.place.depth; ++step) {
+  CellExtent extent;
+  for (uint step = 0u;; ++step) {
+    extent = cell_extent(lamp, view, result.cell);
+    if (step == walk.place.depth) break;
     result.cell = half_of(result.cell, extent.length_s_m >= ALIKE_SIDES * extent.length_t_m,
                           is_second_half(walk.place, step));
-    extent = cell_extent(lamp, view, result.cell);
   }
   result.diameter_m = extent.diameter_m;
   result.distance_m = length(extent.centre_m - point_m);

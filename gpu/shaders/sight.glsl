@@ -1,6 +1,8 @@
 // What a point sees of a parallelogram, by proof: calc::sight_of() again, in double, but for the
 // four rays to the corners.
 
+uniform uint corner_count;  // 4
+
 struct HalfSpace {
   dvec3 normal;   // unit, outward
   double height;  // inside: dot(normal, p) <= height
@@ -229,16 +231,20 @@ bool hides_quad(SightQuery query, dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
 
 bool hide(SightQuery query, uint first, uint second) {
   if (!stands_between(query, first) || !stands_between(query, second)) return false;
+  uint edge = 3u, other = 3u;  // that they share: of the first, of the second
   for (uint i = 0u; i < 3u; ++i) {
-    const dvec3 a = corner_of(first, i), b = corner_of(first, (i + 1u) % 3u),
-                c = corner_of(first, (i + 2u) % 3u);
+    const dvec3 a = corner_of(first, i), b = corner_of(first, (i + 1u) % 3u);
     for (uint k = 0u; k < 3u; ++k) {
-      const dvec3 d = corner_of(second, k), e = corner_of(second, (k + 1u) % 3u),
-                  f = corner_of(second, (k + 2u) % 3u);
-      if ((d == a && e == b) || (d == b && e == a)) return hides_quad(query, a, b, c, f);
+      const dvec3 d = corner_of(second, k), e = corner_of(second, (k + 1u) % 3u);
+      if (edge == 3u && ((d == a && e == b) || (d == b && e == a))) {
+        edge = i;
+        other = k;
+      }
     }
   }
-  return false;
+  return edge < 3u && hides_quad(query, corner_of(first, edge), corner_of(first, (edge + 1u) % 3u),
+                                 corner_of(first, (edge + 2u) % 3u),
+                                 corner_of(second, (other + 2u) % 3u));
 }
 
 bool is_covered(SightQuery query, uvec4 hits) {
@@ -260,7 +266,8 @@ uint sight_of(SightQuery query) {
   uvec4 hits = uvec4(0u);
   uint met = 0u;
   const vec3 from = vec3(query.from_m);
-  for (int k = 0; k < 4; ++k) {
+  // As many as there are, told so that compilers do not write the search out.
+  for (uint k = 0u; k < corner_count; ++k) {
     uint triangle;
     dvec2 share;
     if (closest_hit(from, vec3(query.corner_m[k]) - from, 0.0, 1.0, triangle, share)) {
