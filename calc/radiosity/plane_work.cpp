@@ -23,6 +23,8 @@ namespace {
 constexpr double kClearReaches = 4.0;
 // Neighbours that share one proof that an opening is seen; where it fails each has its own.
 constexpr std::size_t kPointsPerProof = 32;
+// Of a DirectTracer: enough for a large device, and little beside what the plane itself takes.
+constexpr std::size_t kPointsPerBatch = std::size_t{1} << 14;
 
 // Runs work(i) -> rays for every point on all threads and returns the sum of rays.
 template <class Work>
@@ -148,41 +150,49 @@ void PlaneWork::take_opening_rays(std::size_t point, const DirectRays& rays,
 
 void PlaneWork::sample_openings_by(DirectTracer& direct, std::uint32_t last_round,
                                    double deadline_s) {
-  // Points that left the work in an earlier look have had fewer rounds; those still at work are
-  // alike, but for what a store may hold: one batch for each number of rounds.
+  // Those at work are alike, but for what a store may hold.
   std::map<std::uint32_t, std::vector<std::size_t>> points_of_rounds;
   for (const std::uint32_t i : spatial_order_) {
     if (state_.active()[i] != 0) points_of_rounds[sums_.rounds[i]].push_back(i);
   }
-  const std::size_t many = channels();
   for (const auto& [first_round, chosen] : points_of_rounds) {
-    std::vector<Receiver> receivers;
-    std::vector<RandomKey> keys;
-    for (const std::size_t i : chosen) {
-      receivers.push_back(receiver_[i]);
-      keys.push_back(opening_key_.with(i));
+    const OpeningRounds rounds{first_round, last_round, field_.replicates,
+                               settings_.opening_error_factor};
+    const std::span<const std::size_t> all(chosen);
+    for (std::size_t first = 0; first < all.size(); first += kPointsPerBatch) {
+      if (is_past(deadline_s)) return;
+      sample_batch(direct, all.subspan(first, std::min(kPointsPerBatch, all.size() - first)),
+                   rounds, deadline_s);
     }
-    const std::size_t n = chosen.size();
-    std::vector<double> known(many * n), sampled(field_.replicates * many * n);
-    std::vector<float> largest(n);
-    std::vector<DirectRays> rays(n);
-    direct.add_openings(
-        {tracer_, receivers, {decision_.is_dark, has_shadows()}, deadline_s}, keys,
-        {first_round, last_round, field_.replicates, settings_.opening_error_factor},
-        {known, sampled, largest, rays});
-    if (is_past(deadline_s)) return;
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = chosen[k];
-      for (std::size_t c = 0; c < many; ++c) {
-        field_.direct_exact_lx[c * points() + i] += known[c * n + k];
-      }
-      for (std::size_t sum = 0; sum < field_.replicates * many; ++sum) {
-        sums_.direct_sum_lx[sum * points() + i] += sampled[sum * n + k];
-      }
-      sums_.largest_opening_lx[i] = std::max(sums_.largest_opening_lx[i], largest[k]);
-      take_opening_rays(i, rays[k], last_round);
-      field_.counters.direct_rays += rays[k].traced;
+  }
+}
+
+void PlaneWork::sample_batch(DirectTracer& direct, std::span<const std::size_t> chosen,
+                             const OpeningRounds& rounds, double deadline_s) {
+  std::vector<Receiver> receivers;
+  std::vector<RandomKey> keys;
+  for (const std::size_t i : chosen) {
+    receivers.push_back(receiver_[i]);
+    keys.push_back(opening_key_.with(i));
+  }
+  const std::size_t n = chosen.size(), sums = field_.replicates * channels();
+  std::vector<double> known(channels() * n), sampled(sums * n);
+  std::vector<float> largest(n);
+  std::vector<DirectRays> rays(n);
+  direct.add_openings({tracer_, receivers, {decision_.is_dark, has_shadows()}, deadline_s}, keys,
+                      rounds, {known, sampled, largest, rays});
+  if (is_past(deadline_s)) return;  // some of it may be missing
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = chosen[k];
+    for (std::size_t c = 0; c < channels(); ++c) {
+      field_.direct_exact_lx[c * points() + i] += known[c * n + k];
     }
+    for (std::size_t sum = 0; sum < sums; ++sum) {
+      sums_.direct_sum_lx[sum * points() + i] += sampled[sum * n + k];
+    }
+    sums_.largest_opening_lx[i] = std::max(sums_.largest_opening_lx[i], largest[k]);
+    take_opening_rays(i, rays[k], rounds.last);
+    field_.counters.direct_rays += rays[k].traced;
   }
 }
 

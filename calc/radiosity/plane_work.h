@@ -106,6 +106,8 @@ class PlaneWork {
   void prove_openings(double deadline_s);
   void sample_openings_by_points(std::uint32_t last_round, double deadline_s);
   void sample_openings_by(DirectTracer& direct, std::uint32_t last_round, double deadline_s);
+  void sample_batch(DirectTracer& direct, std::span<const std::size_t> chosen,
+                    const OpeningRounds& rounds, double deadline_s);
   void take_opening_rays(std::size_t point, const DirectRays& rays, std::uint32_t last_round);
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
