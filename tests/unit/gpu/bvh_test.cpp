@@ -148,6 +148,18 @@ TEST(Bvh, IsNeverDeeperThanTheStack) {
   }
 }
 
+// Sheets that draw nearer to a pile faster than bins become narrow, so that a split takes off one:
+// the halves of what cannot be told apart must still find room.
+TEST(BoxTree, IsNoHigherThanItSays) {
+  calc::PreparedScene scene;
+  for (double x = 1e18; x > 1e-32; x *= 0.06) {
+    add_triangle(scene, {x, 0, 0}, {x, 1, 0}, {x, 0, 1}, 0.5);
+  }
+  for (int k = 0; k < 3000; ++k) add_triangle(scene, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.5);
+  const gpu::BoxTree tree = gpu::build_box_tree(scene, 1);
+  EXPECT_EQ(tree.nodes.front().height, gpu::BoxTree::kMostHeight);
+}
+
 TEST(Bvh, NormalsStandInTheLastComponents) {
   calc::PreparedScene scene;
   add_triangle(scene, {0, 0, 2}, {3, 0, 2}, {0, 5, 2}, 0.5);
@@ -155,6 +167,23 @@ TEST(Bvh, NormalsStandInTheLastComponents) {
   EXPECT_EQ(bvh.triangles[0].corner_m[0], glm::vec4(0, 0, 2, 0));
   EXPECT_EQ(bvh.triangles[0].corner_m[1], glm::vec4(3, 0, 2, 0));
   EXPECT_EQ(bvh.triangles[0].corner_m[2], glm::vec4(0, 5, 2, 1));
+}
+
+// A grid that begins so little beside 0 that differences of double do not show it: places on whole
+// steps are then just outside them.
+TEST(Bvh, PlanesHoldWhatDoubleCannotTellFromThem) {
+  for (const float begin : {1e-25f, -1e-25f}) {
+    std::array<gpu::Box, gpu::kBvhWidth> box;
+    box[0].add(glm::vec3(begin));
+    box[0].add(glm::vec3(200.0f));  // steps of 1 m
+    box[1].add(glm::vec3(1.0f));
+    box[1].add(glm::vec3(2.0f));
+    gpu::BvhNode node{};
+    gpu::set_boxes(node, box, gpu::least_step_m(200.0f));
+    ASSERT_EQ(step_m(node, 0), 1.0);
+    EXPECT_EQ(node.low[0][1], begin > 0.0f ? 0 : 1);
+    EXPECT_EQ(node.high[0][1], begin > 0.0f ? 2 : 3);
+  }
 }
 
 // Boxes of all sizes, some flat, some a point, near the origin and far from it.
