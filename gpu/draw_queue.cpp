@@ -5,6 +5,11 @@
 #include <exception>
 
 namespace gpu {
+namespace {
+
+constexpr double kGlance_s = 0.0005;  // between looks for pieces of others
+
+}  // namespace
 
 void DrawQueue::run(DeviceThread& thread, DevicePools& pools, DrawPiece& piece,
                     const PackedPool* packed) {
@@ -42,9 +47,12 @@ void DrawQueue::advance(DeviceState& device, DevicePools& pools) {
       under_way_.push_back(entry);
       pass_->start(device, pools, next_slot_, *entry->piece, entry->packed);
       next_slot_ = (next_slot_ + 1) % DrawPass::kSlots;
+      places_per_dispatch_ = pass_->places_per_dispatch();
     }
     const std::size_t oldest =
         (next_slot_ + DrawPass::kSlots - under_way_.size()) % DrawPass::kSlots;
+    // Meanwhile others may send theirs.
+    if (under_way_.size() < DrawPass::kSlots && !pass_->is_ready(oldest, kGlance_s)) return;
     pass_->finish(device, oldest, *under_way_.front()->piece);
     under_way_.front()->is_done = true;
     under_way_.pop_front();
