@@ -14,8 +14,9 @@ namespace gpu {
 namespace {
 
 constexpr std::size_t kFewestPlaces = std::size_t{1} << 12;
-constexpr std::size_t kMostPlaces = std::size_t{1} << 21;
-constexpr std::size_t kFirstPlaces = std::size_t{1} << 14;
+// Some 10 ms in a room of a million triangles, on an entry-level device.
+constexpr std::size_t kFirstPlaces = std::size_t{1} << 17;
+constexpr std::size_t kFirstSoftwarePlaces = std::size_t{1} << 14;
 constexpr const char* kDoing = "gathering light";
 
 unsigned groups(std::size_t count) {
@@ -38,7 +39,9 @@ DrawPrograms::DrawPrograms(const DeviceState& device, const DrawShape& shape)
       trace("trace", draw_shader(DrawStage::trace, shape), device.programs),
       add("add", draw_shader(DrawStage::add, shape), device.programs) {}
 
-DrawPass::DrawPass() : pacer_({kFewestPlaces, kMostPlaces, kFirstPlaces}) {}
+DrawPass::DrawPass(const Device& device, std::size_t most_places)
+    : pacer_({std::min(kFewestPlaces, most_places), most_places,
+              std::min(device.is_software ? kFirstSoftwarePlaces : kFirstPlaces, most_places)}) {}
 
 const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShape& shape) {
   std::unique_ptr<DrawPrograms>& made = programs_[shape];

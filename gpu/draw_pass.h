@@ -27,7 +27,8 @@ struct DrawPrograms {
 class DrawPass {
  public:
   static constexpr std::size_t kSlots = 3;
-  DrawPass();
+  // most_places: rays of one dispatch, never changes a result.
+  DrawPass(const Device& device, std::size_t most_places);
 
   // Sends a piece and starts its work in a slot that is free. packed: the pool, null if the device
   // is thought to hold it. Throws GlError; what the slots hold is then lost.

@@ -40,7 +40,7 @@ DrawQueue::Entry* DrawQueue::next_waiting() {
 
 void DrawQueue::advance(DeviceState& device, DevicePools& pools) {
   try {
-    if (!pass_) pass_ = std::make_unique<DrawPass>();
+    if (!pass_) pass_ = std::make_unique<DrawPass>(device.context.device(), most_places_);
     while (under_way_.size() < DrawPass::kSlots) {
       Entry* entry = next_waiting();
       if (entry == nullptr) break;

@@ -14,6 +14,9 @@ namespace gpu {
 
 class DrawQueue {
  public:
+  // most_places: DrawLimits::dispatch.
+  explicit DrawQueue(std::size_t most_places) : most_places_(most_places) {}
+
   // Waits for the piece. packed: as in DrawPass::start(). Throws calc::BackendFailure.
   void run(DeviceThread& thread, DevicePools& pools, DrawPiece& piece, const PackedPool* packed);
   // With the context current. Nothing may be under way.
@@ -35,6 +38,7 @@ class DrawQueue {
   Entry* next_waiting();
   void fail_all(const std::string& problem);
 
+  const std::size_t most_places_;
   std::atomic<std::size_t> places_per_dispatch_{0};
   std::mutex mutex_;
   std::deque<Entry*> waiting_;
