@@ -74,11 +74,11 @@ const DevicePool* DevicePools::find(std::uint64_t identity, bool needs_tree) {
 const DevicePool& DevicePools::send(std::uint64_t identity, const PackedPool& packed) {
   DevicePool pool{identity,
                   packed.has_tree,
-                  GlBuffer("light vertices"),
-                  GlBuffer("normals of light vertices"),
-                  GlBuffer("groups of light vertices"),
-                  GlBuffer("fluxes of groups of light vertices"),
-                  GlBuffer("summed flux of light vertices")};
+                  GlBuffer("light vertices", BufferUse::fixed),
+                  GlBuffer("normals of light vertices", BufferUse::fixed),
+                  GlBuffer("groups of light vertices", BufferUse::fixed),
+                  GlBuffer("fluxes of groups of light vertices", BufferUse::fixed),
+                  GlBuffer("summed flux of light vertices", BufferUse::fixed)};
   pool.position.assign(packed.position_m);
   pool.normal.assign(packed.normal);
   pool.sphere.assign(packed.sphere);

@@ -60,7 +60,7 @@ void DeviceThread::live() {
   std::string problem;
   std::unique_ptr<EglContext> context;
   try {
-    context = EglContext::open(request_.device, request_.fault, problem);
+    context = EglContext::open(request_.device, request_.fault, problem, request_.messages);
   } catch (const std::exception& error) {  // would end the program: no one above catches it
     problem = std::string("it cannot be opened: ") + error.what();
   }

@@ -21,6 +21,7 @@ struct DeviceRequest {
   int device = -1;  // as in list_devices(); -1 = preferred_device()
   Fault fault = Fault::none;
   std::filesystem::path program_folder = {};  // of ProgramCache, "" = none
+  DriverMessages* messages = nullptr;         // as in EglContext::open(), outlives the thread
 };
 
 // What work on the context's thread may use.

@@ -8,13 +8,16 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <vector>
 
 namespace gpu {
 namespace {
 
 constexpr std::size_t kFewestPlaces = std::size_t{1} << 12;
-constexpr std::size_t kMostPlaces = std::size_t{1} << 21;
-constexpr double kShort_s = 0.025, kLong_s = 0.05;  // of one dispatch
+// Some 10 ms in a room of a million triangles, on an entry-level device.
+constexpr std::size_t kFirstPlaces = std::size_t{1} << 17;
+constexpr std::size_t kFirstSoftwarePlaces = std::size_t{1} << 14;
+constexpr const char* kDoing = "gathering light";
 
 unsigned groups(std::size_t count) {
   return static_cast<unsigned>((count + kGroupSize - 1) / kGroupSize);
@@ -35,6 +38,10 @@ DrawPrograms::DrawPrograms(const DeviceState& device, const DrawShape& shape)
       share("share", draw_shader(DrawStage::share, shape), device.programs),
       trace("trace", draw_shader(DrawStage::trace, shape), device.programs),
       add("add", draw_shader(DrawStage::add, shape), device.programs) {}
+
+DrawPass::DrawPass(const Device& device, std::size_t most_places)
+    : pacer_({std::min(kFewestPlaces, most_places), most_places,
+              std::min(device.is_software ? kFirstSoftwarePlaces : kFirstPlaces, most_places)}) {}
 
 const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShape& shape) {
   std::unique_ptr<DrawPrograms>& made = programs_[shape];
@@ -80,7 +87,6 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
   if (pool == nullptr) {
     pool = &pools.send(identity, packed != nullptr ? *packed : pack_pool(batch.tree));
   }
-  slot.started_s = calc::now_s();
   upload(slot, piece);
   pool->bind_vertices();
   pool->bind_tree();
@@ -94,17 +100,30 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
   glDispatchCompute(static_cast<unsigned>(receivers), 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   check_gl("drawing connections");
-  trace(program.trace, device, slot, piece);
+  trace(program.trace, device, piece);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   set_common(program.add, piece);
   program.add.set("most_ranges", piece.most_ranges);
   glDispatchCompute(static_cast<unsigned>(receivers), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glFlush();
+  fetch(slot, piece);
   check_gl("adding light");
 }
 
-void DrawPass::trace(const GlProgram& program, DeviceState& device, Slot& slot, DrawPiece& piece) {
+// The list of bounded draws begins behind its length. How long it is nobody knows yet.
+void DrawPass::fetch(Slot& slot, const DrawPiece& piece) {
+  const std::size_t receivers = piece.receivers.size();
+  std::vector<GlReadBack::Part> parts{
+      {slot.sums, 0, receivers * piece.words_per_answer() * sizeof(std::uint32_t)}};
+  slot.bounded_fetched = 0;
+  if (piece.shape.has_bound) {
+    slot.bounded_fetched = std::min(bounded_expected_, receivers * piece.places_per_receiver());
+    parts.push_back(
+        {slot.bounded, sizeof(std::uint32_t), slot.bounded_fetched * sizeof(BoundedDraw)});
+  }
+  slot.read_back.start(parts, kNotDone);
+}
+
+void DrawPass::trace(const GlProgram& program, DeviceState& device, DrawPiece& piece) {
   set_common(program, piece);
   if (piece.shape.has_shadows) {
     const DeviceScene& scene = device.scenes.of(piece.batch->tracer);
@@ -115,40 +134,50 @@ void DrawPass::trace(const GlProgram& program, DeviceState& device, Slot& slot, 
   program.set("lift_m", static_cast<float>(piece.batch->tracer.offset_m()));
   program.set("bounded_from_per_m2", std::min(piece.batch->bounds.lowest_per_m2(), FLT_MAX));
   const std::size_t places = piece.receivers.size() * piece.places_per_receiver();
-  slot.dispatches = 0;
-  for (std::size_t first = 0; first < places; first += places_per_dispatch_) {
+  for (std::size_t first = 0; first < places;) {
     if (calc::is_past(piece.batch->deadline_s)) {
       piece.is_cut_short = true;
       return;
     }
-    const std::size_t count = std::min(places_per_dispatch_, places - first);
-    program.set("first_place", word(first));
-    program.set("place_count", word(count));
-    glDispatchCompute(groups(count), 1, 1);
-    ++slot.dispatches;
-    if (first + count < places) glFinish();  // so that the deadline is looked at while it works
+    const std::size_t count = std::min(pacer_.items(), places - first);
+    pacer_.run(count, kDoing, [&] {
+      program.set("first_place", word(first));
+      program.set("place_count", word(count));
+      glDispatchCompute(groups(count), 1, 1);
+    });
+    first += count;
   }
   check_gl("tracing shadow rays");
 }
 
+bool DrawPass::is_ready(std::size_t slot, double most_s) {
+  return slot_[slot].read_back.wait_for(most_s, kDoing);
+}
+
 void DrawPass::finish(DeviceState& device, std::size_t slot_number, DrawPiece& piece) {
   Slot& slot = slot_[slot_number];
-  // "Not done" also if reading back does nothing.
+  slot.read_back.wait(kDoing);
   piece.answers.assign(piece.receivers.size() * piece.words_per_answer(), kNotDone);
-  slot.sums.read(0, std::as_writable_bytes(std::span(piece.answers)));
-  device.check("gathering light");
-  const double each_s = (calc::now_s() - slot.started_s) /
-                        static_cast<double>(std::max<std::size_t>(slot.dispatches, 1));
-  if (each_s < kShort_s) places_per_dispatch_ = std::min(2 * places_per_dispatch_, kMostPlaces);
-  if (each_s > kLong_s) places_per_dispatch_ = std::max(places_per_dispatch_ / 2, kFewestPlaces);
+  const auto answers = std::as_writable_bytes(std::span(piece.answers));
+  slot.read_back.copy(0, answers);
+  device.check(kDoing);
   if (!piece.shape.has_bound) return;
   std::size_t bounded = 0;
   for (std::size_t k = 0; k < piece.answers.size(); k += piece.words_per_answer()) {
     if (piece.answers[k] != kNotDone) bounded += piece.answers[k + 1];
   }
+  bounded_expected_ = std::max(bounded_expected_, bounded);
   piece.bounded.resize(bounded);
-  slot.bounded.read(sizeof(std::uint32_t), std::as_writable_bytes(std::span(piece.bounded)));
-  device.check("gathering light");
+  const auto list = std::as_writable_bytes(std::span(piece.bounded));
+  const std::size_t behind = slot.bounded_fetched * sizeof(BoundedDraw);
+  slot.read_back.copy(answers.size(), list.first(std::min(list.size(), behind)));
+  if (list.size() > behind) {
+    slot.read_back.start({{slot.bounded, sizeof(std::uint32_t) + behind, list.size() - behind}},
+                         kNotDone);
+    slot.read_back.wait(kDoing);
+    slot.read_back.copy(0, list.subspan(behind));
+  }
+  device.check(kDoing);
 }
 
 }  // namespace gpu

@@ -12,6 +12,11 @@ namespace gpu {
 namespace {
 
 constexpr std::size_t kMostReceivers = 65535;  // work groups in one direction, on any device
+constexpr std::size_t kFewestTiles = 64, kMostTiles = 1024;  // of a batch
+
+std::size_t most_receivers(const DrawLimits& limits, std::size_t places, std::size_t nodes) {
+  return std::min({limits.places / places, limits.weights / nodes, kMostReceivers});
+}
 
 DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& receiver, double shift,
                            std::size_t tile) {
@@ -32,6 +37,16 @@ DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& rec
 
 }  // namespace
 
+std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits,
+                            std::size_t places_per_dispatch) {
+  const std::size_t places = std::size_t{work.draws} + 1;
+  const std::size_t receivers =
+      std::min(most_receivers(limits, places, std::max<std::size_t>(work.nodes, 1)),
+               places_per_dispatch / places);
+  const std::size_t tiles = receivers / std::max<std::size_t>(work.receivers, 1);
+  return std::clamp(std::min(tiles, work.tiles_each), kFewestTiles, kMostTiles);
+}
+
 void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
   thread_local calc::Cut cut;
   nodes_.clear();
@@ -45,8 +60,7 @@ void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
 std::size_t DrawPacker::room_in(const DrawPiece& piece) const {
   const std::size_t used = piece.receivers.size();
   const std::size_t row = std::max<std::size_t>({piece.most_nodes, nodes_.size(), 1});
-  const std::size_t most = std::min(
-      {limits_.places / piece.places_per_receiver(), limits_.weights / row, kMostReceivers});
+  const std::size_t most = most_receivers(limits_, piece.places_per_receiver(), row);
   if (used == 0) return std::max<std::size_t>(most, 1);
   return most > used ? most - used : 0;
 }

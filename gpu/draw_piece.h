@@ -72,11 +72,19 @@ struct DrawPiece {
 };
 
 // Bounds of what a piece takes on the device, whose buffers may be no larger than 128 MiB. A
-// receiver with more draws makes a piece alone.
+// receiver with more draws makes a piece alone. Most pieces end by their weights: half a million
+// draws, twice what a large device has threads.
 struct DrawLimits {
-  std::size_t places = std::size_t{1} << 21;   // of draws: 12 bytes in the longest list
-  std::size_t weights = std::size_t{1} << 22;  // of groups: 8 bytes
+  std::size_t places = std::size_t{1} << 21;    // of draws: 12 bytes in the longest list
+  std::size_t weights = std::size_t{1} << 23;   // of groups: 8 bytes
+  std::size_t dispatch = std::size_t{1} << 21;  // draws whose rays go in one dispatch
 };
+
+// Tiles in a batch: as many as make one dispatch of one piece, so that the device is full where the
+// work is enough, but no more than a thread's share. Small beside a replicate, and large beside the
+// way to the device and back, a tenth of a millisecond.
+std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits,
+                            std::size_t places_per_dispatch);
 
 // Cuts a batch into pieces that fit onto the device, chooses the nodes of each tile on the way, and
 // adds what comes back.

@@ -5,6 +5,11 @@
 #include <exception>
 
 namespace gpu {
+namespace {
+
+constexpr double kGlance_s = 0.0005;  // between looks for pieces of others
+
+}  // namespace
 
 void DrawQueue::run(DeviceThread& thread, DevicePools& pools, DrawPiece& piece,
                     const PackedPool* packed) {
@@ -35,16 +40,19 @@ DrawQueue::Entry* DrawQueue::next_waiting() {
 
 void DrawQueue::advance(DeviceState& device, DevicePools& pools) {
   try {
-    if (!pass_) pass_ = std::make_unique<DrawPass>();
+    if (!pass_) pass_ = std::make_unique<DrawPass>(device.context.device(), most_places_);
     while (under_way_.size() < DrawPass::kSlots) {
       Entry* entry = next_waiting();
       if (entry == nullptr) break;
       under_way_.push_back(entry);
       pass_->start(device, pools, next_slot_, *entry->piece, entry->packed);
       next_slot_ = (next_slot_ + 1) % DrawPass::kSlots;
+      places_per_dispatch_ = pass_->places_per_dispatch();
     }
     const std::size_t oldest =
         (next_slot_ + DrawPass::kSlots - under_way_.size()) % DrawPass::kSlots;
+    // Meanwhile others may send theirs.
+    if (under_way_.size() < DrawPass::kSlots && !pass_->is_ready(oldest, kGlance_s)) return;
     pass_->finish(device, oldest, *under_way_.front()->piece);
     under_way_.front()->is_done = true;
     under_way_.pop_front();

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -131,7 +132,8 @@ bool choose_config(EGLDisplay display, EGLConfig& config) {
 }
 
 // With reset notification where it is offered, so that a lost device is told from a slow one.
-EGLContext create_context(EGLDisplay display, EGLConfig config, int major, int minor) {
+EGLContext create_context(EGLDisplay display, EGLConfig config, int major, int minor,
+                          bool has_messages) {
   std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                  major,
                                  EGL_CONTEXT_MINOR_VERSION,
@@ -140,6 +142,15 @@ EGLContext create_context(EGLDisplay display, EGLConfig config, int major, int m
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
   const bool is_core = epoxy_egl_version(display) >= 15;  // older: the extension's own token
+  if (has_messages) {
+    attributes.pop_back();
+    if (is_core) {
+      attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE});
+    } else {
+      attributes.insert(attributes.end(),
+                        {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR, EGL_NONE});
+    }
+  }
   if (is_core || epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) {
     static_assert(EGL_LOSE_CONTEXT_ON_RESET == EGL_LOSE_CONTEXT_ON_RESET_EXT);
     std::vector<EGLint> robust = attributes;
@@ -193,7 +204,7 @@ struct EglHandles {
   }
 
   // "" or why there is no context. Any version: what it lacks is seen later.
-  std::string open(const Candidate& candidate) {
+  std::string open(const Candidate& candidate, bool has_messages) {
     display = display_of(candidate);
     if (display == EGL_NO_DISPLAY) return "EGL gives no display: " + egl_error();
     EGLint major = 0, minor = 0;
@@ -206,8 +217,8 @@ struct EglHandles {
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) return "it has no desktop OpenGL";
     EGLConfig config = EGL_NO_CONFIG_KHR;
     if (!choose_config(display, config)) return "it offers no configuration for OpenGL";
-    context = create_context(display, config, kLeastMajor, kLeastMinor);
-    if (context == EGL_NO_CONTEXT) context = create_context(display, config, 3, 2);
+    context = create_context(display, config, kLeastMajor, kLeastMinor, has_messages);
+    if (context == EGL_NO_CONTEXT) context = create_context(display, config, 3, 2, has_messages);
     if (context == EGL_NO_CONTEXT) return "it gives no OpenGL context: " + egl_error();
     return make_current(config);
   }
@@ -229,12 +240,13 @@ void describe(Device& device) {
 }
 
 // Leaves the context current; device.problem is "" if it can be used.
-std::unique_ptr<EglHandles> open_device(const Candidate& candidate, int index, Device& device) {
+std::unique_ptr<EglHandles> open_device(const Candidate& candidate, int index, Device& device,
+                                        bool has_messages = false) {
   auto handles = std::make_unique<EglHandles>();
   device = Device{};
   device.index = index;
   device.is_software = candidate.is_software;
-  device.problem = handles->open(candidate);
+  device.problem = handles->open(candidate, has_messages);
   if (device.problem.empty()) describe(device);
   return handles;
 }
@@ -282,12 +294,47 @@ DeviceList list_hardware(Fault fault) {
   return list_candidates(fault, false);
 }
 
-EglContext::EglContext(std::unique_ptr<EglHandles> handles, Device device)
-    : handles_(std::move(handles)), device_(std::move(device)) {}
+namespace {
 
-EglContext::~EglContext() = default;
+thread_local const EglContext* current_context = nullptr;
 
-std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string& problem) {
+// Drivers may call it from threads of their own.
+void GLAPIENTRY take_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text,
+                             const void* messages) {
+  auto& taken = *static_cast<DriverMessages*>(const_cast<void*>(messages));
+  if (type == GL_DEBUG_TYPE_PERFORMANCE) taken.add(DriverMessages::Kind::performance, text);
+  if (type == GL_DEBUG_TYPE_OTHER) taken.add(DriverMessages::Kind::other, text);
+}
+
+}  // namespace
+
+EglContext::EglContext(std::unique_ptr<EglHandles> handles, Device device, Fault fault,
+                       DriverMessages* messages)
+    : handles_(std::move(handles)),
+      device_(std::move(device)),
+      fault_(fault),
+      messages_(messages),
+      has_buffer_storage_(
+          fault != Fault::no_buffer_storage &&
+          (epoxy_gl_version() >= 44 || epoxy_has_gl_extension("GL_ARB_buffer_storage"))) {
+  current_context = this;
+  if (messages_ == nullptr) return;
+  glEnable(GL_DEBUG_OUTPUT);
+  glDebugMessageCallback(take_message, messages_);
+}
+
+EglContext::~EglContext() {
+  if (messages_ != nullptr) glDebugMessageCallback(nullptr, nullptr);
+  if (current_context == this) current_context = nullptr;
+}
+
+const EglContext& EglContext::current() {
+  if (current_context == nullptr) throw std::logic_error("no OpenGL context is current");
+  return *current_context;
+}
+
+std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string& problem,
+                                             DriverMessages* messages) {
   const Candidates candidates = find_candidates(fault);
   problem = candidates.problem;
   if (!problem.empty()) return nullptr;
@@ -304,13 +351,14 @@ std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string
     return nullptr;
   }
   Device device;
-  std::unique_ptr<EglHandles> handles =
-      open_device(candidates.list[static_cast<std::size_t>(index)], index, device);
+  std::unique_ptr<EglHandles> handles = open_device(
+      candidates.list[static_cast<std::size_t>(index)], index, device, messages != nullptr);
   if (!device.is_usable()) {
     problem = fmt::format("OpenGL device {}: {}", index, device.problem);
     return nullptr;
   }
-  return std::unique_ptr<EglContext>(new EglContext(std::move(handles), std::move(device)));
+  return std::unique_ptr<EglContext>(
+      new EglContext(std::move(handles), std::move(device), fault, messages));
 }
 
 std::string EglContext::loss() const {

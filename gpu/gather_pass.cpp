@@ -29,7 +29,9 @@ std::vector<GpuReceiver> gpu_receivers(const calc::Tracer& tracer,
 }
 
 GatherPass::GatherPass()
-    : receivers_("calculation points"), connections_("connections"), results_("results") {}
+    : receivers_("calculation points"),
+      connections_("connections"),
+      results_("results", BufferUse::by_device) {}
 
 void GatherPass::run(DeviceState& device, DevicePools& pools, const GatherJob& job) {
   const DevicePool* pool = pools.find(job.vertices_identity, false);
@@ -37,7 +39,6 @@ void GatherPass::run(DeviceState& device, DevicePools& pools, const GatherJob& j
   pool->bind_vertices();
   upload(job);
   dispatch(device, job);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   results_.read(0, std::as_writable_bytes(job.results));
   device.check("gathering light");
 }

@@ -19,10 +19,6 @@
 namespace gpu {
 namespace {
 
-// A piece of work should be large beside the way to the device and back, a tenth of a millisecond,
-// and small beside a replicate.
-constexpr std::size_t kTilesPerBatch = 64;
-
 // Adds the results of some connections in their order; returns the rays.
 std::uint64_t add_results(const calc::GatherBatch& batch,
                           std::span<const calc::Connection> connections,
@@ -78,7 +74,7 @@ class PoolPacker {
 class GlGatherer : public calc::Gatherer {
  public:
   GlGatherer(std::shared_ptr<DeviceThread> thread, const DrawLimits& limits)
-      : thread_(std::move(thread)), limits_(limits) {}
+      : thread_(std::move(thread)), limits_(limits), draws_(limits.dispatch) {}
   ~GlGatherer() override {
     thread_->clean_up([this](DeviceState&) {
       gather_pass_.reset();
@@ -119,7 +115,9 @@ class GlGatherer : public calc::Gatherer {
     return rays;
   }
 
-  std::size_t tiles_per_batch() const override { return kTilesPerBatch; }
+  std::size_t tiles_per_batch(const calc::TileWork& work) const override {
+    return gpu::tiles_per_batch(work, limits_, draws_.places_per_dispatch());
+  }
 
   std::string description() const override {
     const Device& device = thread_->device();

@@ -15,8 +15,8 @@
 namespace gpu {
 namespace {
 
-// Paths of one pass: to fill a device, and short enough for watchdogs and time limits.
-constexpr std::uint32_t kPathsPerPass = std::uint32_t{1} << 17;
+// Paths of one pass: a large device runs 270,000 threads, and 64 MiB of vertices hold a round.
+constexpr std::uint32_t kPathsPerPass = std::uint32_t{1} << 18;
 constexpr std::uint32_t kPathsPerSoftwarePass = std::uint32_t{1} << 13;
 
 std::uint32_t whole_chunks(std::uint32_t paths) {

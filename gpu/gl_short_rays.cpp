@@ -2,9 +2,11 @@
 
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/low_discrepancy.h"
+#include "gpu/dispatch_pacer.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_error.h"
 #include "gpu/gl_program.h"
+#include "gpu/gl_read_back.h"
 #include "gpu/path_shader_text.h"
 #include "gpu/shader_text.h"
 
@@ -22,8 +24,11 @@ namespace {
 
 enum Binding : unsigned { kRequests = 3, kWords, kHits = 6 };  // others are those of DeviceScene
 
-// Of one dispatch: short enough for the watchdogs of desktop drivers.
-constexpr std::uint32_t kRaysPerDispatch = std::uint32_t{1} << 18;
+// Rays of one dispatch.
+constexpr std::size_t kFewestRays = std::size_t{1} << 12;
+constexpr std::size_t kMostRays = std::size_t{1} << 22;
+constexpr std::size_t kFirstRays = std::size_t{1} << 16;
+constexpr const char* kDoing = "tracing short rays";
 
 // One point as the shader reads it: four uvec4.
 struct GpuRequest {
@@ -41,9 +46,11 @@ class ShortRayPass {
  public:
   explicit ShortRayPass(const ProgramCache& programs)
       : program_("short rays", short_ray_shader(), programs),
-        words_("random numbers"),
+        words_("random numbers", BufferUse::fixed),
         requests_("calculation points"),
-        hits_("hits of short rays") {
+        hits_("hits of short rays", BufferUse::by_device),
+        read_back_("hits of short rays"),
+        pacer_({kFewestRays, kMostRays, kFirstRays}) {
     std::vector<std::uint32_t> words;
     for (int dimension = 0; dimension < 2; ++dimension) {
       for (int bit = 0; bit < 32; ++bit) {
@@ -68,21 +75,27 @@ class ShortRayPass {
     program_.set("request_count", static_cast<std::uint32_t>(requests.size()));
     program_.set("least_m", least_m);
     program_.set("most_m", most_m);
-    const auto rays = static_cast<std::uint32_t>(hits.size());
-    for (std::uint32_t first = 0; first < rays; first += kRaysPerDispatch) {
-      const std::uint32_t count = std::min(kRaysPerDispatch, rays - first);
-      program_.set("first_ray", first);
-      program_.set("ray_count", count);
-      glDispatchCompute((count + kGroupSize - 1) / kGroupSize, 1, 1);
+    for (std::size_t first = 0; first < hits.size();) {
+      const std::size_t count = std::min(pacer_.items(), hits.size() - first);
+      pacer_.run(count, kDoing, [&] {
+        program_.set("first_ray", static_cast<std::uint32_t>(first));
+        program_.set("ray_count", static_cast<std::uint32_t>(count));
+        glDispatchCompute(static_cast<GLuint>((count + kGroupSize - 1) / kGroupSize), 1, 1);
+      });
+      first += count;
     }
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    hits_.read(0, std::as_writable_bytes(hits));
-    device.check("tracing short rays");
+    // Their "not done" is a word of its own: all ones mean that a ray met nothing.
+    read_back_.start({{hits_, 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
+    read_back_.wait(kDoing);
+    read_back_.copy(0, std::as_writable_bytes(hits));
+    device.check(kDoing);
   }
 
  private:
   GlProgram program_;
   GlBuffer words_, requests_, hits_;
+  GlReadBack read_back_;
+  DispatchPacer pacer_;
 };
 
 std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,

@@ -40,6 +40,12 @@ std::uint32_t reflections_of_software(std::uint32_t turns_of_ray) {
 constexpr std::size_t kMostTables = 2;
 constexpr std::size_t kStateBytes = 64;
 
+// Reflections of all paths in one dispatch.
+DispatchSize dispatch_size(std::uint32_t most_paths) {
+  const std::size_t most = std::size_t{most_paths} * kMostReflectionsPerRound;
+  return {most_paths / kReflectionsPerRound, most, std::size_t{most_paths} * kReflectionsPerRound};
+}
+
 void run_groups(std::size_t invocations) {
   glDispatchCompute(static_cast<GLuint>((invocations + kGroupSize - 1) / kGroupSize), 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -57,14 +63,17 @@ PathPass::PathPass(std::uint32_t most_paths, const ProgramCache& programs)
       places_program_("places of light paths", path_places_shader(), programs),
       balance_program_("balance of light paths", path_balance_shader(), programs),
       words_("random numbers"),
-      vertices_("light vertices"),
-      packed_("packed light vertices"),
-      counts_("counts of light vertices"),
+      vertices_("light vertices", BufferUse::by_device),
+      packed_("packed light vertices", BufferUse::by_device),
+      counts_("counts of light vertices", BufferUse::by_device),
       chunks_("chunks of light paths"),
-      sums_("sums of light paths"),
+      sums_("sums of light paths", BufferUse::by_device),
       places_("places of light vertices"),
-      balances_("fluxes of light paths"),
-      states_{GlBuffer("light paths"), GlBuffer("light paths")} {
+      balances_("fluxes of light paths", BufferUse::by_device),
+      states_{GlBuffer("light paths", BufferUse::by_device),
+              GlBuffer("light paths", BufferUse::by_device)},
+      packed_back_("packed light vertices"),
+      pacer_(dispatch_size(most_paths)) {
   const std::size_t room =
       std::size_t{most_paths} * kReflectionsPerRound * sizeof(calc::LightVertex);
   vertices_.reserve(room);
@@ -78,18 +87,7 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   start(jobs);
   emit(jobs);
   while (slot_.back() > 0) {
-    std::uint32_t left = kMostReflectionsPerRound;
-    if (device.context.device().is_software) {
-      left = std::min(left,
-                      reflections_of_software(device.scenes.of(jobs.front()->tracer).most_turns));
-    }
-    for (std::size_t j = 0; j < jobs.size(); ++j) {
-      // A batch whose paths have all ended may have reached its last reflection.
-      const bool goes_on = !jobs[j]->is_useless() && alive_[j] > 0;
-      if (goes_on) left = std::min(left, reflections_left(*jobs[j]));
-    }
-    const std::uint32_t room = most_paths_ * kReflectionsPerRound / slot_.back();
-    const std::uint32_t reflections = std::min(left, room);
+    const std::uint32_t reflections = reflections_for(device, jobs);
     for (PathJob* job : jobs) {
       if (calc::is_past(job->batch.deadline_s)) job->is_late = true;
     }
@@ -101,6 +99,23 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   }
   fetch_balance(jobs);
   device.check("tracing light paths");
+}
+
+std::uint32_t PathPass::reflections_for(DeviceState& device, std::span<PathJob* const> jobs) const {
+  std::uint32_t left = kMostReflectionsPerRound;
+  if (device.context.device().is_software) {  // has no watchdog, and short rounds cost time
+    left =
+        std::min(left, reflections_of_software(device.scenes.of(jobs.front()->tracer).most_turns));
+  } else {
+    left = std::min(
+        left, static_cast<std::uint32_t>(std::max<std::size_t>(pacer_.items() / slot_.back(), 1)));
+  }
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    // A batch whose paths have all ended may have reached its last reflection.
+    const bool goes_on = !jobs[j]->is_useless() && alive_[j] > 0;
+    if (goes_on) left = std::min(left, reflections_left(*jobs[j]));
+  }
+  return std::min(left, most_paths_ * kReflectionsPerRound / slot_.back());
 }
 
 std::uint32_t PathPass::reflections_left(const PathJob& job) const {
@@ -173,7 +188,7 @@ void PathPass::trace(DeviceState& device, const PathJob& job, std::uint32_t refl
   paths_program_.set("path_count", paths);
   paths_program_.set("first_reflection", reflection_);
   paths_program_.set("reflections", reflections);
-  run_groups(paths);
+  pacer_.run(std::size_t{paths} * reflections, "tracing light paths", [&] { run_groups(paths); });
   check_gl("tracing light paths");
 }
 
@@ -242,12 +257,15 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
   counts_.bind(kCounts);
   run_groups(chunk_.size() * kGroupSize);  // a group for each chunk
   check_gl("packing light vertices");
+  packed_back_.start({{packed_, 0, vertex * sizeof(calc::LightVertex)}}, ~0u);
+  packed_back_.wait("packing light vertices");
   std::size_t first = 0;
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     if (jobs[j]->is_useless()) continue;
     calc::LightVertices& vertices = jobs[j]->rounds.back().vertices;
     vertices.resize(job_vertices[j]);
-    packed_.read(first * sizeof(calc::LightVertex), std::as_writable_bytes(std::span(vertices)));
+    packed_back_.copy(first * sizeof(calc::LightVertex),
+                      std::as_writable_bytes(std::span(vertices)));
     first += vertices.size();
     for (const calc::LightVertex& v : vertices) {
       if (std::bit_cast<std::uint32_t>(v.flux_lm) == ~0u) throw_not_done();
@@ -289,7 +307,7 @@ const GlBuffer& PathPass::tables_of(const PathJob& job) {
     return tables_.front().value;
   }
   while (tables_.size() >= kMostTables) tables_.pop_back();
-  Tables tables{job.emitter.identity(), GlBuffer("luminaires")};
+  Tables tables{job.emitter.identity(), GlBuffer("luminaires", BufferUse::fixed)};
   tables.value.assign(path_tables(job.emitter, job.tracer.offset_m()));
   check_gl("sending luminaires");
   tables_.push_front(std::move(tables));

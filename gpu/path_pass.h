@@ -4,8 +4,10 @@
 
 #include "calc/radiosity/light_paths.h"
 #include "gpu/device_thread.h"
+#include "gpu/dispatch_pacer.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
+#include "gpu/gl_read_back.h"
 
 #include <array>
 #include <cstddef>
@@ -72,6 +74,8 @@ class PathPass {
   };
 
   std::uint32_t reflections_left(const PathJob& job) const;
+  // Of the next round.
+  std::uint32_t reflections_for(DeviceState& device, std::span<PathJob* const> jobs) const;
   void start(std::span<PathJob* const> jobs);
   void emit(std::span<PathJob* const> jobs);
   // The next reflections of all living paths.
@@ -85,6 +89,8 @@ class PathPass {
   GlProgram starts_program_, paths_program_, sums_program_, places_program_, balance_program_;
   GlBuffer words_, vertices_, packed_, counts_, chunks_, sums_, places_, balances_;
   std::array<GlBuffer, 2> states_;
+  GlReadBack packed_back_;
+  DispatchPacer pacer_;       // items: reflections of all paths
   std::list<Tables> tables_;  // latest use first
   // Of this run:
   std::vector<Chunk> chunk_;

@@ -22,6 +22,7 @@ constexpr int kWidthInFaces = 3;  // of a map in the atlas
 // 64 MiB; one map of 2048 takes 48.
 constexpr std::size_t kAtlasTexels = std::size_t{1} << 24;
 constexpr std::size_t kMostMaps = 1024;
+constexpr std::size_t kFirstMaps = 8;  // of one draw call
 constexpr std::size_t kMostResults = std::size_t{1} << 21;
 constexpr std::size_t kFewestReceivers = 64;
 
@@ -36,8 +37,6 @@ std::uint32_t maps_in_row(std::uint32_t texels) {
       8192, static_cast<std::uint32_t>(std::max(GlTarget::largest_side(), 0)));
   return std::max(1u, width / (kWidthInFaces * texels));
 }
-
-constexpr double kShort_s = 0.025, kLong_s = 0.05;  // of one draw call
 
 }  // namespace
 
@@ -54,9 +53,10 @@ ShadowMapPass::ShadowMapPass(std::uint32_t texels, const ProgramCache& programs)
              {Layer::depth}),
       vertices_("light vertices"),
       receivers_("calculation points"),
-      results_("results"),
-      corners_("the scene's corners"),
-      triangles_("the scene's triangles") {
+      results_("results", BufferUse::by_device),
+      corners_("the scene's corners", BufferUse::fixed),
+      triangles_("the scene's triangles", BufferUse::fixed),
+      pacer_({1, kMostMaps, kFirstMaps}) {
   glGenVertexArrays(1, &layout_);
 }
 
@@ -135,8 +135,7 @@ bool ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size
   for (std::size_t map = 0; indices_ > 0 && map < count;) {
     is_whole = !calc::is_past(job.deadline_s);
     if (!is_whole) break;
-    const double begin_s = calc::now_s();
-    const std::size_t maps = std::min(maps_per_draw_, count - map);
+    const std::size_t maps = std::min(pacer_.items(), count - map);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     for (unsigned k = 0; k < 2; ++k) {  // position and normal of calc::LightVertex
       glVertexAttribPointer(
@@ -144,15 +143,11 @@ bool ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size
           reinterpret_cast<const void*>((first + map) * sizeof(calc::LightVertex) + 16 * k));
     }
     draw_.set("first_map", static_cast<std::uint32_t>(map));
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(kFaces * maps));
-    glFinish();
+    pacer_.run(maps, "drawing shadow maps", [&] {
+      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT,
+                              nullptr, static_cast<GLsizei>(kFaces * maps));
+    });
     map += maps;
-    const double took_s = calc::now_s() - begin_s;
-    if (took_s < kShort_s && maps == maps_per_draw_) {
-      maps_per_draw_ = std::min(2 * maps_per_draw_, kMostMaps);
-    }
-    if (took_s > kLong_s) maps_per_draw_ = std::max<std::size_t>(maps_per_draw_ / 2, 1);
   }
   for (unsigned k = 0; k < kFaces; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
   glBindVertexArray(0);
@@ -177,14 +172,13 @@ bool ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size
   for (std::size_t begin = 0; begin < job.receivers.size(); begin += most) {
     if (calc::is_past(job.deadline_s)) return false;
     const std::size_t receivers = std::min(most, job.receivers.size() - begin);
-    results.assign(count * receivers, kNotDone);  // also if reading back does nothing
+    results.assign(count * receivers, kNotDone);
     results_.assign(results.size() * sizeof(std::uint32_t), kNotDone);
     results_.bind(kResults);
     gather_.set("first_receiver", static_cast<std::uint32_t>(begin));
     gather_.set("receiver_count", static_cast<std::uint32_t>(receivers));
     glDispatchCompute(static_cast<GLuint>((receivers + kGroupSize - 1) / kGroupSize),
                       static_cast<GLuint>(count), 1);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     results_.read(0, std::as_writable_bytes(std::span(results)));
     check_gl("reading shadow maps");
     job.take(first, begin, receivers, results);

@@ -5,6 +5,7 @@
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/rays.h"
 #include "gpu/device_thread.h"
+#include "gpu/dispatch_pacer.h"
 #include "gpu/gather_pass.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
@@ -67,9 +68,7 @@ class ShadowMapPass {
   std::uint64_t scene_identity_ = 0;  // in corners_ and triangles_
   std::uint32_t indices_ = 0;
   float depth_unit_m_ = 1.0f;  // beyond every surface
-  // Of one draw call, so that each takes some 50 ms at most: desktop drivers watch, and between
-  // calls the work can end early.
-  std::size_t maps_per_draw_ = 8;
+  DispatchPacer pacer_;        // items: maps of one draw call
 };
 
 }  // namespace gpu

@@ -10,8 +10,11 @@ luxgate_test(gpu_tests
     differential/gpu_weights_test.cpp
     unit/gpu/bvh_test.cpp
     unit/gpu/device_test.cpp
+    unit/gpu/dispatch_pacer_test.cpp
+    unit/gpu/driver_messages_test.cpp
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
+    unit/gpu/gl_buffer_test.cpp
     unit/gpu/program_cache_test.cpp
     unit/gpu/traversal_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})
@@ -25,7 +28,7 @@ if(NOT LUXGATE_SANITIZE)
     GTest::gtest_main GTest::gmock)
   target_link_options(gpu_leaks PRIVATE -fsanitize=leak)
   add_test(NAME gpu_leaks COMMAND gpu_leaks
-    --gtest_filter=GlDraws.Fail*:GlDraws.DoNot*:GlDraws.End*:GlSolve.*Rooms:GlGatherer.Tells*:GlGatherer.Fails*:GlProgram*)
+    --gtest_filter=GlDraws.Fail*:GlDraws.TakeNoE*:GlDraws.DoNotDepend*Cut*:GlDraws.DoNotTake*:GlDraws.End*:GlSolve.*Rooms:GlGatherer.Tells*:GlGatherer.Fails*:GlProgram*)
   set_tests_properties(gpu_leaks PROPERTIES LABELS gpu
     SKIP_REGULAR_EXPRESSION "LeakSanitizer has encountered a fatal error")
 endif()
@@ -44,7 +47,7 @@ target_link_libraries(bench_gpu_traversal PRIVATE gpu calc_radiosity fmt::fmt ${
 add_executable(gpu_figures
   bench/gpu_figures.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp bench/table.cpp)
 target_link_libraries(gpu_figures PRIVATE luxgate_cli)
-add_test(NAME gpu_figures_runs COMMAND gpu_figures --quick)
+add_test(NAME gpu_figures_runs COMMAND gpu_figures --quick --messages)
 set_tests_properties(gpu_figures_runs PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "no OpenGL:")
 
 add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}

@@ -69,6 +69,14 @@ struct SharedGather {
   double maps_s = 0.0, gather_s = 0.0;  // without waiting for the device
 };
 
+// What waits to be drawn, for Gatherer::tiles_per_batch().
+struct TileWork {
+  std::uint32_t draws = 0;     // of each receiver
+  std::size_t nodes = 0;       // most of a tile's cut
+  std::size_t receivers = 0;   // of a tile, on average
+  std::size_t tiles_each = 0;  // for each thread, if all have the same
+};
+
 class Gatherer {
  public:
   virtual ~Gatherer() = default;
@@ -85,7 +93,7 @@ class Gatherer {
   // gatherer's own and moves a draw to a neighbouring vertex once in some 1e10.
   virtual std::uint64_t draw_and_gather(const DrawBatch& batch) = 0;
   // In one batch, to be worth its way: a hint, results do not depend on it.
-  virtual std::size_t tiles_per_batch() const { return 1; }
+  virtual std::size_t tiles_per_batch(const TileWork&) const { return 1; }
 
   // Whether instant radiosity is to hand over all points of a space at once, by gather_all(): what
   // is made for a vertex, a shadow map, then serves them all.

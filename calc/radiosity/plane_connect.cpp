@@ -42,11 +42,6 @@ std::size_t cut_nodes(std::uint32_t draws) {
 // A tile has too few short rays for a device: so many tiles send theirs together, at least.
 constexpr std::size_t kTilesPerCast = 128;
 
-// Results do not depend on it.
-std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) {
-  return std::max(gatherer.tiles_per_batch(), batch.short_rays != nullptr ? kTilesPerCast : 1);
-}
-
 }  // namespace
 
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points) {
@@ -206,9 +201,20 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
   return rays;
 }
 
+// Results do not depend on it.
+std::size_t PlaneWork::tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const {
+  const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t wanted =
+      gatherer.tiles_per_batch({draws, cut_nodes(draws), look_points_ / tiles_.size(),
+                                tiles_.size() * field_.replicates / threads});
+  return std::max(wanted, batch.short_rays != nullptr ? kTilesPerCast : 1);
+}
+
 void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
   std::atomic<std::uint64_t> connection_rays{0}, near_rays{0};
   std::atomic<double> connect_s{0.0}, near_s{0.0};
+  if (tiles_.empty()) return;
   // A thread that waits here must not take up another replicate, whose pool would add to memory.
   tbb::this_task_arena::isolate([&] {
     const tbb::blocked_range<std::size_t> all(0, tiles_.size(), tiles_per_task(batch, gatherer));

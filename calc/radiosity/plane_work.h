@@ -119,6 +119,7 @@ class PlaneWork {
   NearFieldRequest near_request(const ReceiverGroup& tile, std::size_t k,
                                 const VertexBatch& batch) const;
   struct ShortRays;
+  std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const;
   ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                             const VertexBatch& batch) const;
   std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch,

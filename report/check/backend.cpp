@@ -93,6 +93,9 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
   if (name == "no-egl") return gpu::Fault::no_egl;
   if (name == "out-of-memory") return gpu::Fault::out_of_memory;
   if (name == "context-lost") return gpu::Fault::context_lost;
+  if (name == "fence-lost") return gpu::Fault::fence_lost;
+  if (name == "results-lost") return gpu::Fault::results_lost;
+  if (name == "no-buffer-storage") return gpu::Fault::no_buffer_storage;
   return std::nullopt;
 }
 

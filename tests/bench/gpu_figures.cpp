@@ -32,7 +32,7 @@ namespace {
 using namespace bench;
 
 struct Settings {
-  bool is_quick = false;
+  bool is_quick = false, wants_messages = false;
   int device = -1;
   double limit_s = 0.0;  // of one run
 };
@@ -280,6 +280,21 @@ void print_break_even(const std::vector<Cell>& cells, double open_s) {
              at > 0.0 ? fmt::format("{:.2g} connections", at) : "at any size");
 }
 
+// Of a first run on a device: whether it moves buffers to host memory, or where it puts them.
+void print_messages(const gpu::DriverMessages& messages) {
+  using Kind = gpu::DriverMessages::Kind;
+  fmt::print("\nThe driver's messages: {} about performance, {} others\n",
+             messages.count(Kind::performance), messages.count(Kind::other));
+  for (const Kind kind : {Kind::performance, Kind::other}) {
+    for (const gpu::DriverMessages::Message& message : messages.messages()) {
+      if (message.kind != kind) continue;
+      fmt::print("  {}{} times: {}\n", kind == Kind::performance ? "performance, " : "",
+                 message.count, message.text);
+    }
+  }
+  for (const std::string& buffer : messages.buffers()) fmt::print("  {}\n", buffer);
+}
+
 Settings parse(int argc, char** argv) {
   Settings settings;
   for (int k = 1; k < argc; ++k) {
@@ -287,12 +302,14 @@ Settings parse(int argc, char** argv) {
     const bool has_value = k + 1 < argc;
     if (word == "--quick") {
       settings.is_quick = true;
+    } else if (word == "--messages") {
+      settings.wants_messages = true;
     } else if (word == "--device" && has_value) {
       settings.device = std::atoi(argv[++k]);
     } else if (word == "--limit" && has_value) {
       settings.limit_s = std::atof(argv[++k]);
     } else {
-      throw std::runtime_error("gpu_figures [--quick] [--device N] [--limit SECONDS]");
+      throw std::runtime_error("gpu_figures [--quick] [--messages] [--device N] [--limit SECONDS]");
     }
   }
   if (!(settings.limit_s > 0.0)) settings.limit_s = settings.is_quick ? 3.0 : 20.0;
@@ -302,7 +319,10 @@ Settings parse(int argc, char** argv) {
 int measure(const Settings& settings) {
   const double begin_s = calc::now_s();
   std::string problem;
-  const auto device = gpu::DeviceThread::open({settings.device, gpu::Fault::none, ""}, problem);
+  gpu::DriverMessages messages;
+  const auto device = gpu::DeviceThread::open(
+      {settings.device, gpu::Fault::none, "", settings.wants_messages ? &messages : nullptr},
+      problem);
   if (!device) {
     fmt::print("no OpenGL: {}\n", problem);
     return 2;
@@ -335,6 +355,7 @@ int measure(const Settings& settings) {
   const std::vector<Cell> cells = whole_runs(settings, workers);
   print_runs(cells, open_s);
   print_break_even(cells, open_s);
+  if (settings.wants_messages) print_messages(messages);
   fmt::print("{}took {:.0f} s\n", settings.is_quick ? "--quick: small rooms, 2 % alone; " : "",
              calc::now_s() - begin_s);
   return 0;

@@ -1,10 +1,12 @@
 // Connections that the device draws itself, in random scenes: the CPU's draws, the CPU's sums.
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/vertex_tree.h"
+#include "gpu/draw_pass.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"
 #include "tests/support/scenes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
@@ -12,11 +14,13 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace test_support;
+using ::testing::HasSubstr;
 
 // A room of some size with bodies in it, open or closed, up to three channels, and planes that
 // measure all that can be measured.
@@ -232,10 +236,53 @@ TEST(GlDraws, DoNotDependOnHowTheyAreCutIntoPieces) {
   const Batch batch(0.3);
   const Sums whole = gather(batch, *gl_gatherer(), 100);
   // Places of 101, one receiver's, or fewer: each receiver goes alone.
-  for (const gpu::DrawLimits limits :
-       {gpu::DrawLimits{1500, 1u << 22}, {1u << 21, 1000}, {101, 1u << 22}, {10, 10}}) {
+  for (const gpu::DrawLimits limits : {gpu::DrawLimits{1500, 1u << 22},
+                                       {1u << 21, 1000},
+                                       {101, 1u << 22},
+                                       {10, 10},
+                                       {1u << 21, 1u << 22, 64},
+                                       {1500, 1u << 22, 333}}) {
     const auto gl = gpu::make_gl_gatherer(gl_device(), limits);
-    EXPECT_EQ(whole, gather(batch, *gl, 100)) << limits.places << " " << limits.weights;
+    EXPECT_EQ(whole, gather(batch, *gl, 100))
+        << limits.places << " " << limits.weights << " " << limits.dispatch;
+  }
+}
+
+// As another sees fit.
+struct FixedTiles : TimedGatherer {
+  FixedTiles(calc::Gatherer& inner, std::size_t tiles) : TimedGatherer(inner), tiles_(tiles) {}
+  std::size_t tiles_per_batch(const calc::TileWork& work) const override {
+    EXPECT_GT(work.draws, 0u);
+    EXPECT_GT(work.nodes, 0u);
+    EXPECT_GT(work.receivers, 0u);
+    EXPECT_GT(work.tiles_each, 0u);
+    return tiles_;
+  }
+
+  std::size_t tiles_;
+};
+
+TEST(GlDraws, DoNotDependOnTheTilesOfABatch) {
+  LUXGATE_NEEDS_OPENGL();
+  RandomRoom room(4);
+  for (calc::SensorGrid& grid : room.grids) {
+    for (std::size_t i = 0; i < 280; ++i) {  // 10 tiles
+      grid.position_m.push_back(glm::dvec3(grid.position_m[i]));
+      grid.normal.push_back(glm::dvec3(grid.normal[i]));
+    }
+  }
+  const auto gl = gl_gatherer();
+  std::vector<std::vector<calc::PlaneField>> solved;
+  for (const std::size_t tiles : {1u, 7u, 1000u}) {
+    FixedTiles gatherer(*gl, tiles);
+    solved.push_back(solve_with(room.scene, room.tasks, settings_of(64, 1), gatherer));
+  }
+  for (const auto& fields : solved) {
+    for (std::size_t p = 0; p < fields.size(); ++p) {
+      EXPECT_EQ(fields[p].indirect_lx, solved[0][p].indirect_lx);
+      EXPECT_EQ(fields[p].largest_share, solved[0][p].largest_share);
+      EXPECT_EQ(fields[p].counters.connection_rays, solved[0][p].counters.connection_rays);
+    }
   }
 }
 
@@ -297,10 +344,63 @@ TEST(GlDraws, EndAtTheDeadline) {
 TEST(GlDraws, FailWithAReason) {
   LUXGATE_NEEDS_OPENGL();
   const Batch batch(0.3);
-  for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost}) {
+  for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gl_gatherer(fault);
     for (int k = 0; k < 2; ++k) {
-      EXPECT_THROW(gather(batch, *gl, 20), calc::BackendFailure);
+      try {
+        gather(batch, *gl, 20);
+        ADD_FAILURE() << text;
+      } catch (const calc::BackendFailure& failure) {
+        EXPECT_THAT(failure.what(), HasSubstr(text));
+      }
+    }
+  }
+}
+
+// The answers of the piece before lie where those that do not come should be. Slots take turns.
+TEST(GlDraws, TakeNoEarlierAnswers) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  const auto gl = gl_gatherer(gpu::Fault::results_lost);
+  const Sums expected = gather(batch, *gl_gatherer(), 20);
+  for (std::size_t k = 0; k < gpu::DrawPass::kSlots; ++k) {
+    EXPECT_EQ(gather(batch, *gl, 20), expected);
+  }
+  try {
+    gather(batch, *gl, 20);
+    ADD_FAILURE();
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish its work"));
+  }
+}
+
+// A driver older than OpenGL 4.4.
+TEST(GlDraws, GiveTheSameBitsWithoutBufferStorage) {
+  LUXGATE_NEEDS_OPENGL();
+  const auto gl = gl_gatherer(gpu::Fault::no_buffer_storage);
+  for (const double most : {0.02, 0.3}) {
+    const Batch batch(most);
+    EXPECT_EQ(gather(batch, *gl, 100), gather(batch, *gl_gatherer(), 100));
+  }
+}
+
+// More bounded draws than pieces had so far: they are fetched in two parts.
+TEST(GlDraws, FetchListsThatAreLongerThanExpected) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch few(0.3), many(0.002);
+  const auto gl = gl_gatherer(), whole = gl_gatherer();
+  gather(few, *gl, 20);
+  const Sums first = gather(many, *gl, 200);
+  EXPECT_EQ(first, gather(many, *gl, 200));
+  EXPECT_NE(first, gather(few, *gl, 200));
+  const auto cpu = calc::make_cpu_gatherer();
+  const Sums expected = gather(many, *cpu, 200);
+  EXPECT_EQ(first.rays, expected.rays);
+  for (std::size_t t = 0; t < first.lx.size(); ++t) {
+    for (std::size_t k = 0; k < first.lx[t].size(); ++k) {
+      EXPECT_NEAR(first.lx[t][k], expected.lx[t][k], 1e-5 * expected.lx[t][k]);
     }
   }
 }

@@ -228,7 +228,8 @@ TEST(GlGatherer, FailsWithAReason) {
   const Crowd crowd(10, 5);
   const calc::VertexBounds bounds(0.2);
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
-                                    {gpu::Fault::context_lost, "reset"}}) {
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gl_gatherer(fault);
     for (int k = 0; k < 2; ++k) {  // not only the first time
       try {
@@ -238,6 +239,20 @@ TEST(GlGatherer, FailsWithAReason) {
         EXPECT_THAT(failure.what(), HasSubstr(text));
       }
     }
+  }
+}
+
+TEST(GlGatherer, TakesNoEarlierResults) {
+  LUXGATE_NEEDS_OPENGL();
+  const Crowd crowd(10, 5);
+  const calc::VertexBounds bounds(0.2);
+  const auto gl = gl_gatherer(gpu::Fault::results_lost);
+  gather(crowd, *gl, bounds, crowd.connections);
+  try {
+    gather(crowd, *gl, bounds, crowd.connections);
+    ADD_FAILURE();
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
   }
 }
 

@@ -178,7 +178,8 @@ TEST(GlShortRays, FailWithAReason) {
   const calc::Tracer tracer(hall.scene);
   const std::vector<calc::NearFieldRequest> requests = points_in_hall(2, 4);
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
-                                    {gpu::Fault::context_lost, "reset"}}) {
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gl_short_rays(fault);
     for (int k = 0; k < 2; ++k) {  // not only the first time
       std::vector<calc::FirstHit> hits(8);
@@ -189,6 +190,40 @@ TEST(GlShortRays, FailWithAReason) {
         EXPECT_THAT(failure.what(), HasSubstr(text));
       }
     }
+  }
+}
+
+// Hits of the cast before lie where those that do not come should be.
+TEST(GlShortRays, TakeNoEarlierHits) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const calc::Tracer tracer(hall.scene);
+  const std::vector<calc::NearFieldRequest> requests = points_in_hall(20, 4);
+  std::vector<calc::FirstHit> hits(80);
+  const auto gl = gl_short_rays(gpu::Fault::results_lost);
+  gl->cast(tracer, 0.0f, 1e30f, requests, hits);
+  try {
+    gl->cast(tracer, 0.0f, 1e30f, requests, hits);
+    ADD_FAILURE();
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+  }
+}
+
+// A driver older than OpenGL 4.4.
+TEST(GlShortRays, GiveTheSameBitsWithoutBufferStorage) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const calc::Tracer tracer(hall.scene);
+  const std::vector<calc::NearFieldRequest> requests = points_in_hall(20, 4);
+  std::vector<calc::FirstHit> a(80), b(80);
+  gl_short_rays()->cast(tracer, 0.0f, 1e30f, requests, a);
+  gl_short_rays(gpu::Fault::no_buffer_storage)->cast(tracer, 0.0f, 1e30f, requests, b);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].triangle_and_side, b[k].triangle_and_side);
+    if (a[k].triangle_and_side == calc::FirstHit::kNothing) continue;
+    EXPECT_EQ(a[k].u, b[k].u);
+    EXPECT_EQ(a[k].v, b[k].v);
   }
 }
 

@@ -301,7 +301,8 @@ TEST(GlPathTracer, FailsWithAReason) {
   const LampHall hall(0.5);
   const Source source(hall.scene);
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
-                                    {gpu::Fault::context_lost, "reset"}}) {
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gl_path_tracer(fault);
     for (int k = 0; k < 2; ++k) {  // not only the first time
       try {
@@ -312,6 +313,30 @@ TEST(GlPathTracer, FailsWithAReason) {
       }
     }
   }
+}
+
+// What came back in a round before lies where that of the next should be.
+TEST(GlPathTracer, TakesNoEarlierResults) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const Source source(hall.scene);
+  const auto gl = gl_path_tracer(gpu::Fault::results_lost);
+  try {
+    source.gl(*gl, {1, 0, 0, 1024});  // of several rounds, and a balance
+    ADD_FAILURE();
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+  }
+}
+
+// A driver older than OpenGL 4.4.
+TEST(GlPathTracer, GivesTheSameBitsWithoutBufferStorage) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const Source source(hall.scene);
+  const calc::PathBatch batch{1, 0, 0, 1024};
+  expect_same_bits(source.gl(*gl_path_tracer(), batch),
+                   source.gl(*gl_path_tracer(gpu::Fault::no_buffer_storage), batch));
 }
 
 }  // namespace

@@ -200,7 +200,8 @@ TEST(ShadowMaps, EndWithTheReasonWhenTheDeviceFails) {
   LUXGATE_NEEDS_OPENGL();
   const Furnished room;
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
-                                    {gpu::Fault::context_lost, "reset"}}) {
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gatherer = gpu::make_shadow_map_gatherer(gl_device(fault), 16);
     for (int k = 0; k < 2; ++k) {
       try {

@@ -44,7 +44,9 @@ struct TimedGatherer : calc::Gatherer {
     }
     return rays;
   }
-  std::size_t tiles_per_batch() const override { return inner_.tiles_per_batch(); }
+  std::size_t tiles_per_batch(const calc::TileWork& work) const override {
+    return inner_.tiles_per_batch(work);
+  }
   std::string description() const override { return inner_.description(); }
 
   calc::Gatherer& inner_;

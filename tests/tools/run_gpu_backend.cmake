@@ -128,6 +128,10 @@ expect_failure("the backend failed: the device was reset" ENV LUXGATE_GL_FAULT=c
 foreach(stages direct-light light-paths connections near-field)
   expect_failure("the backend failed: the device was reset" ENV LUXGATE_GL_FAULT=context-lost
     ARGS --gpu-stages ${stages})
+  expect_failure("the backend failed: the device has not answered" ENV LUXGATE_GL_FAULT=fence-lost
+    ARGS --gpu-stages ${stages})
+  expect_failure("the backend failed: the device did not finish its work" ENV LUXGATE_GL_FAULT=results-lost
+    ARGS --gpu-stages ${stages})
 endforeach()
 expect_failure("04-office/project.xml: error[backend-failed]" ENV LUXGATE_GL_FAULT=context-lost
   ARGS ${EXAMPLES}/04-office/project.xml)

@@ -127,6 +127,9 @@ TEST(Backend, FaultsForTestsHaveNames) {
   EXPECT_EQ(check::find_gl_fault("no-egl"), gpu::Fault::no_egl);
   EXPECT_EQ(check::find_gl_fault("out-of-memory"), gpu::Fault::out_of_memory);
   EXPECT_EQ(check::find_gl_fault("context-lost"), gpu::Fault::context_lost);
+  EXPECT_EQ(check::find_gl_fault("fence-lost"), gpu::Fault::fence_lost);
+  EXPECT_EQ(check::find_gl_fault("results-lost"), gpu::Fault::results_lost);
+  EXPECT_EQ(check::find_gl_fault("no-buffer-storage"), gpu::Fault::no_buffer_storage);
   EXPECT_FALSE(check::find_gl_fault("none"));
 }
 
