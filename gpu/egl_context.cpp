@@ -1,5 +1,7 @@
 #include "gpu/egl_context.h"
 
+#include "gpu/missing_device.h"
+
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -8,9 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace gpu {
@@ -254,18 +254,12 @@ DeviceList list_candidates(Fault fault, bool opens_software) {
       open_device(candidate, index, device);
     }
   }
+  if (hardware_device(result) < 0) result.advice = missing_hardware_advice(fault);
   return result;
 }
 
-// Without one of these there is nothing that EGL could find but software.
-bool has_graphics_node() {
-  std::error_code error;
-  for (const std::filesystem::directory_entry& entry :
-       std::filesystem::directory_iterator("/dev", error)) {
-    const std::string name = entry.path().filename().string();
-    if (name == "dri" || name == "dxg" || name.starts_with("nvidia")) return true;
-  }
-  return false;
+std::string joined(const std::string& problem, const std::string& advice) {
+  return advice.empty() ? problem : problem + "; " + advice;
 }
 
 std::string no_such_device(int index, std::size_t count) {
@@ -278,8 +272,16 @@ std::string no_such_device(int index, std::size_t count) {
 DeviceList list_devices(Fault fault) { return list_candidates(fault, true); }
 
 DeviceList list_hardware(Fault fault) {
-  if (!has_graphics_node()) return {{}, "this machine has no graphics device"};
+  const DeviceFacts facts = read_device_facts(this_machine());
+  if (!facts.has_graphics_node) {
+    return {{}, "this machine has no graphics device", missing_device_advice(facts)};
+  }
   return list_candidates(fault, false);
+}
+
+// A fault that a test asks for is not the machine's.
+std::string missing_hardware_advice(Fault fault) {
+  return fault == Fault::none ? missing_device_advice(read_device_facts(this_machine())) : "";
 }
 
 EglContext::EglContext(std::unique_ptr<EglHandles> handles, Device device)
@@ -289,8 +291,11 @@ EglContext::~EglContext() = default;
 
 std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string& problem) {
   const Candidates candidates = find_candidates(fault);
-  problem = candidates.problem;
-  if (!problem.empty()) return nullptr;
+  if (!candidates.problem.empty()) {
+    problem = joined(candidates.problem, missing_hardware_advice(fault));
+    return nullptr;
+  }
+  problem = "";
   if (index < 0) {
     const DeviceList list = list_devices(fault);
     index = preferred_device(list);
@@ -308,6 +313,7 @@ std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string
       open_device(candidates.list[static_cast<std::size_t>(index)], index, device);
   if (!device.is_usable()) {
     problem = fmt::format("OpenGL device {}: {}", index, device.problem);
+    if (!device.is_software) problem = joined(problem, missing_hardware_advice(fault));
     return nullptr;
   }
   return std::unique_ptr<EglContext>(new EglContext(std::move(handles), std::move(device)));

@@ -11,6 +11,7 @@ luxgate_test(gpu_tests
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
+    unit/gpu/missing_device_test.cpp
     unit/gpu/program_cache_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})
 target_include_directories(gpu_tests SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})

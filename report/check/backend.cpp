@@ -23,22 +23,15 @@ constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
     {"near-field", &GpuStages::near_field}};
 
 std::string why_no_hardware(const gpu::DeviceList& hardware) {
-  if (!hardware.problem.empty()) return hardware.problem;
-  std::string text;
+  std::string text = hardware.problem;
+  const auto add = [&](const std::string& part) { text += text.empty() ? part : "; " + part; };
   for (const gpu::Device& device : hardware.devices) {
-    if (!text.empty()) text += "; ";
-    text += fmt::format("OpenGL device {} ", device.index);
-    text += device.is_software ? "is software, slower than the CPU backend"
-                               : "cannot be used: " + device.problem;
+    add(fmt::format("OpenGL device {} {}", device.index,
+                    device.is_software ? "is software, slower than the CPU backend"
+                                       : "cannot be used: " + device.problem));
   }
+  if (!hardware.advice.empty()) add(hardware.advice);
   return text;
-}
-
-std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
-  for (const gpu::Device& device : hardware.devices) {
-    if (device.is_usable() && !device.is_software) return device.index;
-  }
-  return std::nullopt;
 }
 
 std::string describe(const gpu::Device& device, const GpuStages& stages) {
@@ -95,9 +88,9 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
 
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
                                    const std::function<GatherWork()>& work) {
-  const std::optional<int> device = hardware_device(hardware);
-  if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
-  const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
+  const int device = gpu::hardware_device(hardware);
+  if (device < 0) return {Backend::cpu, -1, why_no_hardware(hardware)};
+  const std::string name = hardware.devices[static_cast<std::size_t>(device)].renderer;
   const GatherWork amount = work();
   const BackendCost cost = backend_cost(amount);
   const bool is_worth_it = cost.gpu_s() < cost.cpu_s;
@@ -110,7 +103,7 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
       report::format_count(static_cast<std::uint64_t>(std::llround(amount.connections))),
       cost.cpu_s, kCores, cost.gpu_s(), cost.open_s, cost.send_s, cost.gather_s);
   if (!is_worth_it) return {Backend::cpu, -1, why};
-  return {Backend::gpu, *device, why};
+  return {Backend::gpu, device, why};
 }
 
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
@@ -146,7 +139,12 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
   if (!thread) return std::nullopt;
-  if (thread->device().is_software) warning = thread->device().renderer;
+  if (thread->device().is_software) {
+    warning = thread->device().renderer;
+    const std::string advice =
+        choice.device < 0 ? gpu::missing_hardware_advice(fault) : std::string();
+    if (!advice.empty()) warning += "; " + advice;
+  }
   const GpuStages& stages = choice.stages;
   if (choice.shadow_map_texels > 0) {
     backend.gatherer = gpu::make_shadow_map_gatherer(thread, choice.shadow_map_texels);

@@ -87,8 +87,8 @@ struct OpenBackend {
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
-// software, `warning` names its renderer. program_folder: where compiled shaders are kept, "" =
-// nowhere.
+// software, `warning` names its renderer, and why hardware that is there was not found.
+// program_folder: where compiled shaders are kept, "" = nowhere.
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
                                         const std::string& program_folder, std::string& problem,
                                         std::string& warning);

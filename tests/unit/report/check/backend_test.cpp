@@ -65,6 +65,8 @@ TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
             "OpenGL device 1 is software, slower than the CPU backend\n");
   EXPECT_EQ(choose({{}, "this machine has no graphics device"}, 1e12).why,
             "this machine has no graphics device");
+  EXPECT_EQ(choose({{device(0, "soft", true)}, "", "the driver is not loaded"}, 1e12).why,
+            "OpenGL device 0 is software, slower than the CPU backend; the driver is not loaded");
 }
 
 TEST(Backend, AutoDoesNotCountWorkWithoutADevice) {
@@ -146,6 +148,11 @@ TEST(Devices, AreListedWithWhatKeepsThemFromUse) {
   EXPECT_EQ(json["devices"][1]["problem"], "EGL cannot start it");
   EXPECT_EQ(cli::render_devices_text({{}, "there is no EGL library"}),
             "no OpenGL device: there is no EGL library\n");
+  const gpu::DeviceList advised{{device(0, "soft", true)}, "", "the driver is not loaded"};
+  EXPECT_THAT(cli::render_devices_text(advised),
+              HasSubstr("no hardware: the driver is not loaded\n"));
+  EXPECT_EQ(nlohmann::json::parse(cli::render_devices_json(advised))["advice"],
+            "the driver is not loaded");
 }
 
 }  // namespace
