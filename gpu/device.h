@@ -18,6 +18,8 @@ struct Device {
   bool is_usable() const { return problem.empty(); }
   // "llvmpipe (...), OpenGL 4.5"
   std::string name() const;
+  // What tells drivers apart, for what is kept of them.
+  std::string driver_key() const { return vendor + "\n" + renderer + "\n" + version; }
 };
 
 struct DeviceList {

@@ -8,6 +8,7 @@ luxgate_test(gpu_tests
     differential/gpu_stages_test.cpp
     differential/gpu_weights_test.cpp
     unit/gpu/bvh_test.cpp
+    unit/gpu/calibration_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
