@@ -10,14 +10,19 @@ std::string Device::name() const {
   return fmt::format("{}, OpenGL {}", renderer, version.substr(0, version.find(' ')));
 }
 
-int preferred_device(const DeviceList& list) {
-  int software = -1;
+int hardware_device(const DeviceList& list) {
   for (const Device& device : list.devices) {
-    if (!device.is_usable()) continue;
-    if (!device.is_software) return device.index;
-    if (software < 0) software = device.index;
+    if (device.is_usable() && !device.is_software) return device.index;
   }
-  return software;
+  return -1;
+}
+
+int preferred_device(const DeviceList& list) {
+  if (const int hardware = hardware_device(list); hardware >= 0) return hardware;
+  for (const Device& device : list.devices) {
+    if (device.is_usable()) return device.index;
+  }
+  return -1;
 }
 
 std::string why_none_is_usable(const DeviceList& list) {
@@ -25,6 +30,7 @@ std::string why_none_is_usable(const DeviceList& list) {
   for (const Device& device : list.devices) {
     text += fmt::format("; device {}: {}", device.index, device.problem);
   }
+  if (!list.advice.empty()) text += "; " + list.advice;
   return text;
 }
 

@@ -18,11 +18,15 @@ struct Device {
   bool is_usable() const { return problem.empty(); }
   // "llvmpipe (...), OpenGL 4.5"
   std::string name() const;
+  // What tells drivers apart, for what is kept of them.
+  std::string driver_key() const { return vendor + "\n" + renderer + "\n" + version; }
 };
 
 struct DeviceList {
   std::vector<Device> devices;  // in EGL's order, but what EGL itself calls software last
   std::string problem;          // why there is none, "" if there are any
+  // Why none of them is hardware, though the machine has some, and what to do; else "".
+  std::string advice = {};
 };
 
 // By GL_RENDERER.
@@ -30,6 +34,9 @@ bool is_software_renderer(const std::string& renderer);
 
 // The first usable device of a list: hardware if there is any. -1 = none.
 int preferred_device(const DeviceList& list);
+
+// The first usable device that is not software; -1 = none.
+int hardware_device(const DeviceList& list);
 
 // For messages: why none of them is usable.
 std::string why_none_is_usable(const DeviceList& list);

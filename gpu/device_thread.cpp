@@ -72,13 +72,8 @@ void DeviceThread::live() {
   }
   changed_.notify_all();
   if (!context) return;
-  const Device& device = context->device();
   DeviceState state{
-      *context,
-      request_.fault,
-      {request_.program_folder, device.vendor + "\n" + device.renderer + "\n" + device.version},
-      {},
-      {}};
+      *context, request_.fault, {request_.program_folder, context->device().driver_key()}, {}, {}};
   while (Piece* piece = next()) {
     run_piece(state, *piece);
     {

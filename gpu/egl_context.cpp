@@ -1,5 +1,7 @@
 #include "gpu/egl_context.h"
 
+#include "gpu/missing_device.h"
+
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -8,10 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace gpu {
@@ -266,18 +266,12 @@ DeviceList list_candidates(Fault fault, bool opens_software) {
       open_device(candidate, index, device);
     }
   }
+  if (hardware_device(result) < 0) result.advice = missing_hardware_advice(fault);
   return result;
 }
 
-// Without one of these there is nothing that EGL could find but software.
-bool has_graphics_node() {
-  std::error_code error;
-  for (const std::filesystem::directory_entry& entry :
-       std::filesystem::directory_iterator("/dev", error)) {
-    const std::string name = entry.path().filename().string();
-    if (name == "dri" || name == "dxg" || name.starts_with("nvidia")) return true;
-  }
-  return false;
+std::string joined(const std::string& problem, const std::string& advice) {
+  return advice.empty() ? problem : problem + "; " + advice;
 }
 
 std::string no_such_device(int index, std::size_t count) {
@@ -290,8 +284,16 @@ std::string no_such_device(int index, std::size_t count) {
 DeviceList list_devices(Fault fault) { return list_candidates(fault, true); }
 
 DeviceList list_hardware(Fault fault) {
-  if (!has_graphics_node()) return {{}, "this machine has no graphics device"};
+  const DeviceFacts facts = read_device_facts(this_machine());
+  if (!facts.has_graphics_node) {
+    return {{}, "this machine has no graphics device", missing_device_advice(facts)};
+  }
   return list_candidates(fault, false);
+}
+
+// A fault that a test asks for is not the machine's.
+std::string missing_hardware_advice(Fault fault) {
+  return fault == Fault::none ? missing_device_advice(read_device_facts(this_machine())) : "";
 }
 
 namespace {
@@ -336,8 +338,11 @@ const EglContext& EglContext::current() {
 std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string& problem,
                                              DriverMessages* messages) {
   const Candidates candidates = find_candidates(fault);
-  problem = candidates.problem;
-  if (!problem.empty()) return nullptr;
+  if (!candidates.problem.empty()) {
+    problem = joined(candidates.problem, missing_hardware_advice(fault));
+    return nullptr;
+  }
+  problem = "";
   if (index < 0) {
     const DeviceList list = list_devices(fault);
     index = preferred_device(list);
@@ -355,6 +360,7 @@ std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string
       candidates.list[static_cast<std::size_t>(index)], index, device, messages != nullptr);
   if (!device.is_usable()) {
     problem = fmt::format("OpenGL device {}: {}", index, device.problem);
+    if (!device.is_software) problem = joined(problem, missing_hardware_advice(fault));
     return nullptr;
   }
   return std::unique_ptr<EglContext>(

@@ -27,6 +27,9 @@ DeviceList list_devices(Fault fault = Fault::none);
 // no graphics device, and devices that EGL itself calls software are not opened.
 DeviceList list_hardware(Fault fault = Fault::none);
 
+// For a context that turned out to be software, though hardware was wanted: DeviceList::advice.
+std::string missing_hardware_advice(Fault fault);
+
 struct EglHandles;
 
 // A context of one device, current on the thread that opened it until it is destroyed there.

@@ -9,12 +9,14 @@ luxgate_test(gpu_tests
     differential/gpu_stages_test.cpp
     differential/gpu_weights_test.cpp
     unit/gpu/bvh_test.cpp
+    unit/gpu/calibration_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/dispatch_pacer_test.cpp
     unit/gpu/driver_messages_test.cpp
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
     unit/gpu/gl_buffer_test.cpp
+    unit/gpu/missing_device_test.cpp
     unit/gpu/program_cache_test.cpp
     unit/gpu/traversal_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})

@@ -26,8 +26,6 @@ constexpr double kPrepare_s = 0.0004;                // its device
 
 // Connections that face each other; the others need no ray.
 constexpr double kVisibleShare = 0.9;
-// Shadow rays and further short rays that continue a short ray which meets a surface.
-constexpr double kRaysPerShortRay = 1.7;
 
 constexpr double kBytesPerVertex = 230.0;    // with sorting keys and the tree
 constexpr double kBytesPerTriangle = 600.0;  // with its share of the tree, while it is built
@@ -56,6 +54,7 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
     const double direct_rays = plane.exact_direct_rays + plane.sampled_direct_rays;
     const double traced = plane.is_unobstructed ? 0.0 : 1.0;
     work.direct_rays += traced * direct_rays;
+    work.opening_pairs += plane.known_openings + plane.obstructed_openings;
     result.seconds.direct += ns * (kKnownOpening_ns * plane.known_openings +
                                    kKnownRest_ns * replicates * plane.known_points +
                                    kObstructed_ns * plane.obstructed_openings);

@@ -33,8 +33,12 @@ struct SpaceWorkload {
   double vertices_per_path = 0.0;
 };
 
+// Shadow rays and further short rays that continue a short ray which meets a surface.
+inline constexpr double kRaysPerShortRay = 1.7;
+
 struct Work {
   double light_paths = 0, pool_rays = 0, direct_rays = 0, connection_rays = 0, near_rays = 0;
+  double opening_pairs = 0;  // of points and openings of which something is to be proved
 };
 struct Seconds {
   double prepare = 0, direct = 0, pool = 0, connect = 0, near_field = 0;

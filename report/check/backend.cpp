@@ -1,16 +1,14 @@
 #include "report/check/backend.h"
 
-#include "calc/forecast/cost_model.h"
 #include "calc/rays/triangle_tree.h"
+#include "gpu/calibration.h"
 #include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "gpu/shadow_map_gatherer.h"
-#include "report/text/number_format.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -25,22 +23,15 @@ constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
     {"near-field", &GpuStages::near_field}};
 
 std::string why_no_hardware(const gpu::DeviceList& hardware) {
-  if (!hardware.problem.empty()) return hardware.problem;
-  std::string text;
+  std::string text = hardware.problem;
+  const auto add = [&](const std::string& part) { text += text.empty() ? part : "; " + part; };
   for (const gpu::Device& device : hardware.devices) {
-    if (!text.empty()) text += "; ";
-    text += fmt::format("OpenGL device {} ", device.index);
-    text += device.is_software ? "is software, slower than the CPU backend"
-                               : "cannot be used: " + device.problem;
+    add(fmt::format("OpenGL device {} {}", device.index,
+                    device.is_software ? "is software, slower than the CPU backend"
+                                       : "cannot be used: " + device.problem));
   }
+  if (!hardware.advice.empty()) add(hardware.advice);
   return text;
-}
-
-std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
-  for (const gpu::Device& device : hardware.devices) {
-    if (device.is_usable() && !device.is_software) return device.index;
-  }
-  return std::nullopt;
 }
 
 std::string describe(const gpu::Device& device, const GpuStages& stages) {
@@ -53,14 +44,28 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
                      calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
 }
 
-// None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to
-// share, so that the answer is the same for any number of threads.
-constexpr double kCores = 16.0;
-constexpr double kOpen_s = 0.4;                // a context, programs; 0.15 to 0.5
-constexpr double kDeviceConnection_ns = 1.0;   // assumed
-constexpr double kBesideConnection_ns = 20.0;  // of one core: groups, packing [bench_gpu]
-constexpr double kVertex_ns = 15.0;            // some 90 bytes, by one thread
-constexpr double kTriangle_ns = 300.0;         // the tree
+// Measuring takes a second: less than that cannot be won by it.
+constexpr double kWorthMeasuring_s = gpu::kCalibrationLimit_s;
+
+std::string stage_times(const calc::Seconds& s) {
+  return fmt::format(
+      "direct light {:.2g}, light paths {:.2g}, connections {:.2g}, near field {:.2g}", s.direct,
+      s.pool, s.connect, s.near_field);
+}
+
+std::string rates_words(const std::optional<calc::DeviceRates>& rates) {
+  const calc::DeviceRates used = calc::with_assumptions(rates.value_or(calc::DeviceRates{}));
+  const std::string numbers = fmt::format(
+      "{:.2g} any-hit rays/s, {:.2g} closest-hit rays/s, {:.2g} rays of light paths/s, {:.2g} B/s "
+      "up, "
+      "{:.2g} B/s down, {:.2g} s a round trip",
+      used.any_hit_per_s, used.closest_hit_per_s, used.path_rays_per_s, used.up_bytes_per_s,
+      used.down_bytes_per_s, used.round_trip_s);
+  if (!rates) return "rates are assumed, none was measured on it: " + numbers;
+  return (used == *rates ? "rates were measured on it: "
+                         : "some rates were measured on it, the rest is assumed: ") +
+         numbers;
+}
 
 }  // namespace
 
@@ -79,13 +84,22 @@ bool GpuStages::*find_gpu_stage(std::string_view name) {
   return nullptr;
 }
 
-BackendCost backend_cost(const GatherWork& work) {
-  BackendCost cost;
-  cost.cpu_s = 1e-9 * calc::kConnection_ns / kCores * work.connections;
-  cost.open_s = kOpen_s;
-  cost.send_s = 1e-9 * (kVertex_ns * work.vertices + kTriangle_ns * work.triangles);
-  cost.gather_s = 1e-9 * (kDeviceConnection_ns + kBesideConnection_ns / kCores) * work.connections;
-  return cost;
+calc::DeviceStages device_stages(const GpuStages& stages) {
+  calc::DeviceStages result;
+  result.direct = stages.direct_light;
+  result.light_paths = stages.light_paths;
+  result.connections = stages.connections;
+  result.near_field = stages.near_field;
+  return result;
+}
+
+RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder) {
+  return
+      [fault, program_folder](const gpu::Device& device, bool may_measure, std::string& problem) {
+        if (!may_measure) return gpu::kept_rates(device, program_folder);
+        return gpu::measured_rates({device.index, fault, program_folder}, gpu::kCalibrationLimit_s,
+                                   problem);
+      };
 }
 
 std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
@@ -100,27 +114,46 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
 }
 
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
-                                   const std::function<GatherWork()>& work) {
-  const std::optional<int> device = hardware_device(hardware);
-  if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
-  const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
-  const GatherWork amount = work();
-  const BackendCost cost = backend_cost(amount);
-  const bool is_worth_it = cost.gpu_s() < cost.cpu_s;
+                                   const std::function<calc::DeviceWork()>& work,
+                                   const RatesOf& rates_of) {
+  const int device = gpu::hardware_device(hardware);
+  if (device < 0) return {Backend::cpu, -1, why_no_hardware(hardware)};
+  const gpu::Device& found = hardware.devices[static_cast<std::size_t>(device)];
+  const calc::DeviceWork amount = work();
+  const calc::DeviceStages possible = device_stages({});
+  const calc::DeviceCost ideal = calc::weigh_ideal_device(amount, possible);
+  const std::string on_cpu =
+      fmt::format("first looks take some {:.2g} s on {} thread{} ({})", ideal.cpu_s(),
+                  amount.threads, amount.threads == 1 ? "" : "s", stage_times(ideal.cpu));
+  if (!calc::is_device_worth_it(ideal)) {
+    return {Backend::cpu, -1,
+            fmt::format("too little work for {}: {}, {:.2g} s or more with the fastest of devices",
+                        found.renderer, on_cpu, ideal.device_s())};
+  }
+  std::string problem;
+  const std::optional<calc::DeviceRates> rates =
+      rates_of(found, ideal.cpu_s() - ideal.device_s() > kWorthMeasuring_s, problem);
+  if (!problem.empty()) {
+    return {
+        Backend::cpu, -1,
+        fmt::format("OpenGL device {} failed when its speed was measured: {}", device, problem)};
+  }
+  const calc::DeviceCost cost = calc::weigh_device(
+      amount, calc::with_assumptions(rates.value_or(calc::DeviceRates{})), possible);
+  const bool is_worth_it = calc::is_device_worth_it(cost);
   const std::string why = fmt::format(
-      "{} work for {}: {} connections in the first look take some {:.2g} s on {} processor cores, "
-      "{:.2g} s with it: {:.2g} s to open it, {:.2g} s to send scene and light vertices, {:.2g} s "
-      "to "
-      "gather",
-      is_worth_it ? "enough" : "too little", name,
-      report::format_count(static_cast<std::uint64_t>(std::llround(amount.connections))),
-      cost.cpu_s, kCores, cost.gpu_s(), cost.open_s, cost.send_s, cost.gather_s);
+      "{} work for {}: {}, {:.2g} s with it ({:.2g} to open it, {:.2g} to send the scene, {}); {}",
+      is_worth_it ? "enough" : "too little", found.renderer, on_cpu, cost.device_s(), cost.open_s,
+      cost.send_s, stage_times(cost.with_device), rates_words(rates));
   if (!is_worth_it) return {Backend::cpu, -1, why};
-  return {Backend::gpu, *device, why};
+  return {Backend::gpu, device, why,
+          GpuStages{cost.stages.light_paths, cost.stages.connections, cost.stages.near_field,
+                    cost.stages.direct}};
 }
 
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
-                             gpu::Fault fault, const std::function<GatherWork()>& work) {
+                             gpu::Fault fault, const std::string& program_folder,
+                             const std::function<calc::DeviceWork()>& work) {
   if (shadow_map_texels > 0) {
     // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
     const GpuStages wanted = request.stages.value_or(GpuStages{false, true, false, false});
@@ -131,7 +164,8 @@ BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow
     return {request.backend, request.gl_device, "asked for with --backend",
             request.stages.value_or(GpuStages())};
   }
-  return choose_automatically(gpu::list_hardware(fault), work);
+  return choose_automatically(gpu::list_hardware(fault), work,
+                              rates_on_this_machine(fault, program_folder));
 }
 
 std::string backend_line(const BackendChoice& choice) {
@@ -152,7 +186,12 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
   if (!thread) return std::nullopt;
-  if (thread->device().is_software) warning = thread->device().renderer;
+  if (thread->device().is_software) {
+    warning = thread->device().renderer;
+    const std::string advice =
+        choice.device < 0 ? gpu::missing_hardware_advice(fault) : std::string();
+    if (!advice.empty()) warning += "; " + advice;
+  }
   const GpuStages& stages = choice.stages;
   if (choice.shadow_map_texels > 0) {
     backend.gatherer = gpu::make_shadow_map_gatherer(thread, choice.shadow_map_texels);

@@ -1,6 +1,7 @@
 #pragma once
 // Which backend computes what, and why.
 
+#include "calc/forecast/device_cost.h"
 #include "calc/radiosity/stages.h"
 #include "gpu/gl_gatherer.h"
 
@@ -45,30 +46,29 @@ struct BackendChoice {
   std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
 
-// Work that a GPU could take over, and what has to be sent for it.
-struct GatherWork {
-  double connections = 0, vertices = 0, triangles = 0;
-};
+// What a device does if --gpu-stages says nothing: all it can.
+calc::DeviceStages device_stages(const GpuStages& stages);
 
-// Seconds on a machine of 16 cores, without and with a GPU of 1e9 rays a second.
-struct BackendCost {
-  double cpu_s = 0;  // connections on the CPU
-  double open_s = 0, send_s = 0,
-         gather_s = 0;  // context and programs; scene and vertices; the rest
-
-  double gpu_s() const { return open_s + send_s + gather_s; }
-};
-BackendCost backend_cost(const GatherWork& work);
+// Rates of a device. may_measure: whether the work is worth the second that measuring may take;
+// else only what was kept is asked for. Empty: nothing is known, or `problem` says how the device
+// failed.
+using RatesOf = std::function<std::optional<calc::DeviceRates>(
+    const gpu::Device& device, bool may_measure, std::string& problem)>;
+// Measured by gpu::measured_rates(), kept in the folder of compiled shaders.
+RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder);
 
 // The answer to --backend auto: a GPU if there is one that is not software, and it gains more than
-// it costs to open and to feed. work: of the first look at all projects; only asked for if there is
-// such a device. Does not depend on --jobs.
+// it costs to open and to feed; of its stages those that it does faster. By the cost model for
+// first looks at all projects, on as many threads as there are. work and rates are only asked for
+// if there is such a device.
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
-                                   const std::function<GatherWork()>& work);
+                                   const std::function<calc::DeviceWork()>& work,
+                                   const RatesOf& rates_of);
 // What --backend means on this machine, whose devices are only looked for if that matters.
-// shadow_map_texels: as in calc::RadiositySettings.
+// shadow_map_texels: as in calc::RadiositySettings. program_folder: as for open_backend().
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
-                             gpu::Fault fault, const std::function<GatherWork()>& work);
+                             gpu::Fault fault, const std::string& program_folder,
+                             const std::function<calc::DeviceWork()>& work);
 
 // "backend: cpu: this machine has no graphics device\n"; of a gpu also what runs on it.
 std::string backend_line(const BackendChoice& choice);
@@ -90,8 +90,8 @@ struct OpenBackend {
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
-// software, `warning` names its renderer. program_folder: where compiled shaders are kept, "" =
-// nowhere.
+// software, `warning` names its renderer, and why hardware that is there was not found.
+// program_folder: where compiled shaders are kept, "" = nowhere.
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
                                         const std::string& program_folder, std::string& problem,
                                         std::string& warning);

@@ -90,13 +90,13 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
   return plans;
 }
 
-GatherWork first_look_work(const std::vector<ProjectPlan>& projects) {
-  GatherWork sum;
+calc::DeviceWork first_look_work(const std::vector<ProjectPlan>& projects,
+                                 const calc::RadiositySettings& settings) {
+  calc::DeviceWork sum;
+  sum.threads = calc::thread_count(settings);
   for (const ProjectPlan& project : projects) {
     for (const SpacePlan& space : project.spaces) {
-      sum.connections += space.plan.first_look.work.connection_rays;
-      sum.vertices += space.plan.first_look.work.pool_rays;  // one at the end of each, at most
-      sum.triangles += static_cast<double>(space.triangles);
+      sum.add(space.plan.first_look, space.plan.workload, settings, space.plan.threads);
     }
   }
   return sum;

@@ -4,8 +4,8 @@
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
+#include "calc/forecast/device_cost.h"
 #include "calc/forecast/scene_plan.h"
-#include "report/check/backend.h"
 #include "report/check/selection.h"
 #include "rules/pack/rule_pack.h"
 
@@ -47,7 +47,8 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        std::string_view day, const calc::Budget& budget = {},
                                        const Selection& selection = {});
 
-// What the first look at these projects gathers, as far as they are planned.
-GatherWork first_look_work(const std::vector<ProjectPlan>& projects);
+// First looks at all of these projects, as far as they are planned.
+calc::DeviceWork first_look_work(const std::vector<ProjectPlan>& projects,
+                                 const calc::RadiositySettings& settings);
 
 }  // namespace check

@@ -4,12 +4,14 @@
 // runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and with the GPU; where the two
 // break even, measured and by the cost model of `--backend auto`. Every run ends at the limit, and
 // what is left out for it is named.
+#include "calc/forecast/device_cost.h"
+#include "calc/forecast/scene_plan.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/solve.h"
+#include "gpu/calibration.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
-#include "report/check/backend.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"
 
@@ -47,7 +49,6 @@ struct Outcome {
   double seconds = 0.0, error = 0.0, average_lx = 0.0;
   bool is_late = false;
   double light_rays = 0.0, connections = 0.0, near_rays = 0.0;
-  double first_connections = 0.0, first_light_rays = 0.0;  // of the first look
   calc::SolveTimes times;
 };
 
@@ -87,11 +88,8 @@ Outcome run(const BenchScene& scene, const Worker& worker, double target, std::u
   // Stages are measured with all their rays, also where a proof could spare them.
   if (!(target > 0.0)) settings.skips.forbid_all();
   Outcome outcome;
-  const auto look_test = [&](std::size_t, const calc::PlaneField& field, calc::Look look) {
+  const auto look_test = [&](std::size_t, const calc::PlaneField& field, calc::Look) {
     calc::LookAnswer answer;
-    if (look.index == 0) {
-      outcome.first_connections = static_cast<double>(field.counters.connection_rays);
-    }
     add_errors(field, outcome);
     if (target > 0.0 && outcome.error <= target) answer.finished = calc::StopReason::accurate;
     return answer;
@@ -114,9 +112,6 @@ Outcome run(const BenchScene& scene, const Worker& worker, double target, std::u
   outcome.light_rays = static_cast<double>(solution.pool_rays);
   outcome.connections = static_cast<double>(field.counters.connection_rays);
   outcome.near_rays = static_cast<double>(field.counters.near_rays);
-  outcome.first_light_rays = outcome.light_rays * static_cast<double>(settings.first_paths) *
-                             static_cast<double>(settings.replicates) /
-                             std::max(1.0, static_cast<double>(field.counters.paths));
   outcome.times = solution.times;
   return outcome;
 }
@@ -163,7 +158,7 @@ void print_stages(const Settings& settings, const std::vector<Worker>& workers) 
 
 struct Cell {
   std::string name;
-  double triangles = 0.0;
+  calc::DeviceWork first_look;      // as `--backend auto` predicts it
   std::optional<Outcome> cpu, gpu;  // none: skipped
 };
 
@@ -172,6 +167,16 @@ std::string seconds_of(const std::optional<Outcome>& o) {
   if (!o->is_late) return fmt::format("{:.3g}", o->seconds);
   if (!(o->error > 0.0)) return fmt::format("> {:.3g} (no result)", o->seconds);
   return fmt::format("> {:.3g} (to {} %)", o->seconds, percent(o->error));
+}
+
+calc::DeviceWork first_look(const BenchScene& scene) {
+  calc::RadiositySettings settings;
+  const calc::ScenePlan plan =
+      calc::make_scene_plan(scene.scene, {{"plane", &scene.grid}}, settings);
+  calc::DeviceWork work;
+  work.threads = plan.threads;
+  work.add(plan.first_look, plan.workload, settings, plan.threads);
+  return work;
 }
 
 std::vector<Cell> whole_runs(const Settings& settings, const std::vector<Worker>& workers) {
@@ -190,7 +195,7 @@ std::vector<Cell> whole_runs(const Settings& settings, const std::vector<Worker>
       const BenchScene scene = make_scene(office(size.columns, size.rows));
       Cell& cell = cells.emplace_back();
       cell.name = fmt::format("{} points to {} %", scene.points(), 100.0 * target);
-      cell.triangles = static_cast<double>(scene.scene.triangle.size());
+      cell.first_look = first_look(scene);
       for (std::size_t w = 0; w < workers.size(); ++w) {
         if (is_hopeless[w]) {
           fmt::print("skipped: {} by {}, as fewer points took more than {:.3g} s\n", cell.name,
@@ -207,11 +212,7 @@ std::vector<Cell> whole_runs(const Settings& settings, const std::vector<Worker>
   return cells;
 }
 
-check::BackendCost predicted(const Cell& cell, const Outcome& outcome) {
-  return check::backend_cost({outcome.first_connections, outcome.first_light_rays, cell.triangles});
-}
-
-void print_runs(const std::vector<Cell>& cells, double open_s) {
+void print_runs(const std::vector<Cell>& cells, const calc::DeviceRates& rates, double open_s) {
   Table table("Whole runs in the office, s; GPU: without opening it",
               {"run", "connections", "CPU", "GPU", "CPU / GPU", "averages differ by %",
                "auto takes", "best", "auto loses %"});
@@ -219,8 +220,7 @@ void print_runs(const std::vector<Cell>& cells, double open_s) {
     const Outcome* known = cell.cpu ? &*cell.cpu : cell.gpu ? &*cell.gpu : nullptr;
     if (known == nullptr) continue;
     const bool is_whole = cell.cpu && cell.gpu && !cell.cpu->is_late && !cell.gpu->is_late;
-    const check::BackendCost cost = predicted(cell, *known);
-    const bool takes_gpu = cost.gpu_s() < cost.cpu_s;
+    const bool takes_gpu = calc::is_device_worth_it(calc::weigh_device(cell.first_look, rates, {}));
     std::vector<std::string> row{cell.name, count(known->connections), seconds_of(cell.cpu),
                                  seconds_of(cell.gpu)};
     if (is_whole) {
@@ -239,17 +239,29 @@ void print_runs(const std::vector<Cell>& cells, double open_s) {
   table.print();
 }
 
-// Connections above which the model takes the GPU, for this room; none: never.
-std::optional<double> model_break_even(double light_rays, double triangles) {
-  for (double connections = 1e4; connections < 1e13; connections *= 1.02) {
-    const check::BackendCost cost = check::backend_cost({connections, light_rays, triangles});
-    if (cost.gpu_s() < cost.cpu_s) return connections;
+// Connections of the first look above which the model takes the GPU, for work like this; none:
+// never.
+std::optional<double> model_break_even(const calc::DeviceWork& like,
+                                       const calc::DeviceRates& rates) {
+  for (double size = 1e-4; size < 1e6; size *= 1.02) {
+    calc::DeviceWork work = like;
+    for (double* amount :
+         {&work.work.light_paths, &work.work.pool_rays, &work.work.direct_rays,
+          &work.work.opening_pairs, &work.work.connection_rays, &work.work.near_rays,
+          &work.one_thread.direct, &work.one_thread.pool, &work.one_thread.connect,
+          &work.one_thread.near_field, &work.receivers}) {
+      *amount *= size;
+    }
+    if (calc::is_device_worth_it(calc::weigh_device(work, rates, {}))) {
+      return work.work.connection_rays;
+    }
   }
   return std::nullopt;
 }
 
 // Time is taken for a line over connections, through the smallest and the largest whole run.
-void print_break_even(const std::vector<Cell>& cells, double open_s) {
+void print_break_even(const std::vector<Cell>& cells, const calc::DeviceRates& rates,
+                      double open_s) {
   const Cell *small = nullptr, *large = nullptr;
   for (const Cell& cell : cells) {
     if (!cell.cpu || !cell.gpu || cell.cpu->is_late || cell.gpu->is_late) continue;
@@ -257,9 +269,9 @@ void print_break_even(const std::vector<Cell>& cells, double open_s) {
     if (!large || cell.cpu->connections > large->cpu->connections) large = &cell;
   }
   if (cells.empty() || !cells.front().cpu) return;
-  const std::optional<double> model =
-      model_break_even(cells.front().cpu->first_light_rays, cells.front().triangles);
-  fmt::print("Break-even by the cost model (16 cores, 1e9 rays/s assumed): {}\n",
+  const calc::DeviceWork& like = cells.front().first_look;
+  const std::optional<double> model = model_break_even(like, rates);
+  fmt::print("Break-even by the cost model ({} threads): {}\n", like.threads,
              model ? fmt::format("{:.2g} connections in the first look", *model) : "never");
   if (small == large) {
     fmt::print("Break-even, measured: needs two runs that both finished\n");
@@ -293,6 +305,18 @@ void print_messages(const gpu::DriverMessages& messages) {
     }
   }
   for (const std::string& buffer : messages.buffers()) fmt::print("  {}\n", buffer);
+}
+
+// As `--backend auto` measures them, and how long that takes.
+calc::DeviceRates print_rates(const Settings& settings) {
+  std::string problem;
+  const double begin_s = calc::now_s();
+  const auto rates = gpu::measured_rates({settings.device, gpu::Fault::none, ""},
+                                         gpu::kCalibrationLimit_s, problem);
+  if (!rates) throw std::runtime_error("rates of the device: " + problem);
+  fmt::print("Rates for --backend auto, measured in {:.2f} s (0 = no time for it)\n{}\n",
+             calc::now_s() - begin_s, gpu::rates_text(*rates));
+  return calc::with_assumptions(*rates);
 }
 
 Settings parse(int argc, char** argv) {
@@ -350,11 +374,13 @@ int measure(const Settings& settings) {
   const double open_s = context_s + std::max(0.0, first_s - second_s);
   fmt::print("opening it: context {:.3g} s, programs {:.3g} s\n\n", context_s, open_s - context_s);
   std::fflush(stdout);
+  const calc::DeviceRates rates = print_rates(settings);
+  std::fflush(stdout);
   print_stages(settings, workers);
   std::fflush(stdout);
   const std::vector<Cell> cells = whole_runs(settings, workers);
-  print_runs(cells, open_s);
-  print_break_even(cells, open_s);
+  print_runs(cells, rates, open_s);
+  print_break_even(cells, rates, open_s);
   if (settings.wants_messages) print_messages(messages);
   fmt::print("{}took {:.0f} s\n", settings.is_quick ? "--quick: small rooms, 2 % alone; " : "",
              calc::now_s() - begin_s);

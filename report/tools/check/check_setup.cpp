@@ -78,11 +78,14 @@ std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const Run
   auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return std::nullopt;
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
-  check::BackendChoice backend =
-      check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(check::plan_projects(
-            options.input.projects, files, *packs, radiosity, options.settings.today,
-            options.settings.budget, options.settings.selection));
+  check::BackendChoice backend = check::choose_backend(
+      options.backend, radiosity.shadow_map_texels, context.gl_fault,
+      context.environment.program_folder, [&] {
+        return first_look_work(
+            check::plan_projects(options.input.projects, files, *packs, radiosity,
+                                 options.settings.today, options.settings.budget,
+                                 options.settings.selection),
+            radiosity);
       });
   std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);

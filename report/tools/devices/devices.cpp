@@ -31,6 +31,7 @@ std::string render_devices_text(const gpu::DeviceList& list) {
   std::string text;
   for (const gpu::Device& device : list.devices) text += device_lines(device);
   if (list.devices.empty()) text += fmt::format("no OpenGL device: {}\n", list.problem);
+  if (!list.advice.empty()) text += fmt::format("no hardware: {}\n", list.advice);
   return text;
 }
 
@@ -49,8 +50,8 @@ nlohmann::ordered_json devices_json(const gpu::DeviceList& list) {
 }
 
 std::string render_devices_json(const gpu::DeviceList& list) {
-  return report::json_layout(
-      nlohmann::ordered_json{{"devices", devices_json(list)}, {"problem", list.problem}});
+  return report::json_layout(nlohmann::ordered_json{
+      {"devices", devices_json(list)}, {"problem", list.problem}, {"advice", list.advice}});
 }
 
 Command devices_command() {

@@ -46,7 +46,8 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   }
   const check::BackendChoice backend =
       check::choose_backend(options.backend, options.radiosity.shadow_map_texels, context.gl_fault,
-                            [&] { return first_look_work(plans); });
+                            context.environment.program_folder,
+                            [&] { return first_look_work(plans, options.radiosity); });
   if (!open_or_complain(backend, context.gl_fault, "", options.quiet)) {
     outcome = graver(outcome, Outcome::not_judged);
   }

@@ -277,10 +277,12 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.closing_jobs = options.closing_jobs;
   if (job.closing_jobs == 0 && job.engine == Engine::slurm) job.closing_jobs = job.jobs;
   job.at_once = options.at_once;
-  job.needs_gpu =
-      check::choose_backend(check.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(plans);
-      }).backend == check::Backend::gpu;
+  calc::RadiositySettings of_shard = radiosity;
+  of_shard.jobs = std::max(1, options.jobs);  // on a machine that may not be this one
+  job.needs_gpu = check::choose_backend(check.backend, radiosity.shadow_map_texels,
+                                        context.gl_fault, context.environment.program_folder,
+                                        [&] { return first_look_work(plans, of_shard); })
+                      .backend == check::Backend::gpu;
   const std::string units_text = render_units_json(units);
   const std::string projects = render_project_list(check.input.projects);
   job.job_folder += "/" + batch_id(job, units_text, projects);

@@ -24,6 +24,11 @@ TEST(PreferredDevice, IsHardwareIfAnyCanBeUsed) {
             2);
 }
 
+TEST(HardwareDevice, IsNeverSoftware) {
+  EXPECT_EQ(gpu::hardware_device({{device(0, false, "too old"), device(1, true, "")}, ""}), -1);
+  EXPECT_EQ(gpu::hardware_device({{device(0, true, ""), device(1, false, "")}, ""}), 1);
+}
+
 TEST(SoftwareRenderers, AreKnownByTheirNames) {
   for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer",
                            "Mesa swrast", "Google SwiftShader"}) {
@@ -42,6 +47,8 @@ TEST(Device, NamesItselfAndWhyItCannotBeUsed) {
   EXPECT_EQ(card.name(), "Card, OpenGL 4.6.0");
   EXPECT_EQ(gpu::why_none_is_usable({{device(0, false, "too old"), device(1, true, "broken")}, ""}),
             "no OpenGL device can be used; device 0: too old; device 1: broken");
+  EXPECT_EQ(gpu::why_none_is_usable({{device(0, false, "too old")}, "", "get a new one"}),
+            "no OpenGL device can be used; device 0: too old; get a new one");
 }
 
 }  // namespace

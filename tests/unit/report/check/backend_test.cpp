@@ -22,36 +22,100 @@ gpu::Device device(int index, const std::string& renderer, bool is_software,
   return result;
 }
 
-check::BackendChoice choose(const gpu::DeviceList& list, double connections) {
-  // Five connections share a vertex.
-  return check::choose_automatically(list, [&] {
-    return check::GatherWork{connections, connections / 5.0, 1000.0};
-  });
+// Of one look, times `size`: some 40 s of one thread each, shared by 16.
+calc::DeviceWork work(double size) {
+  calc::DeviceWork w;
+  w.threads = 16;
+  w.work.light_paths = 1e6 * size;
+  w.work.pool_rays = 5e6 * size;
+  w.work.connection_rays = 4e8 * size;
+  w.work.near_rays = 5e6 * size;
+  w.receivers = 1e6 * size;
+  w.triangles = 1000.0;
+  w.one_thread = {0.0, 0.0, 2.4 * size, 38.0 * size, 1.5 * size};
+  return w;
 }
+
+std::optional<calc::DeviceRates> nothing_known(const gpu::Device&, bool, std::string&) {
+  return std::nullopt;
+}
+
+check::BackendChoice choose(const gpu::DeviceList& list, double size,
+                            const check::RatesOf& rates_of = nothing_known) {
+  return check::choose_automatically(
+      list, [&] { return work(size); }, rates_of);
+}
+
+const gpu::DeviceList kTwoCards{{device(0, "Card A", false), device(1, "Card B", false)}, ""};
 
 TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
-  const gpu::DeviceList list{{device(0, "Card A", false), device(1, "Card B", false)}, ""};
-  const check::BackendChoice much = choose(list, 1.2e9);
+  const check::BackendChoice much = choose(kTwoCards, 10.0);
   EXPECT_EQ(much.backend, check::Backend::gpu);
   EXPECT_EQ(much.device, 0);
-  EXPECT_THAT(check::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 1"));
-  EXPECT_THAT(much.why,
-              HasSubstr("take some 7.1 s on 16 processor cores, 6.7 s with it: 0.4 s to "
-                        "open it, 3.6 s to send scene and light vertices, 2.7 s to gather"));
-  const check::BackendChoice little = choose(list, 6e7);
+  EXPECT_THAT(check::backend_line(much),
+              HasSubstr("backend: gpu: enough work for Card A: first looks take some 26 s on 16 "
+                        "threads (direct light 0, light paths 1.5, connections 24, near field "
+                        "0.94), 1"));
+  EXPECT_THAT(much.why, HasSubstr(" s with it (0.4 to open it, "));
+  const check::BackendChoice little = choose(kTwoCards, 0.2);
   EXPECT_EQ(little.backend, check::Backend::cpu);
-  EXPECT_THAT(little.why, HasSubstr("too little work for Card A"));
+  EXPECT_THAT(little.why, HasSubstr("too little work for Card A: first looks take some 0.52 s on"));
 }
 
-// What a context, the scene and the vertices cost must be won back.
-TEST(Backend, AutoCountsWhatHasToBeSent) {
-  const gpu::DeviceList list{{device(0, "Card A", false)}, ""};
-  const auto with = [&](const check::GatherWork& work) {
-    return check::choose_automatically(list, [&] { return work; }).backend;
+TEST(Backend, AutoSaysWhatItsRatesAre) {
+  EXPECT_THAT(choose(kTwoCards, 10.0).why,
+              HasSubstr("; rates are assumed, none was measured on it: 1e+09 any-hit rays/s, "));
+  calc::DeviceRates rates = calc::kAssumedRates;
+  rates.any_hit_per_s = 2e9;
+  const auto known = [&](const gpu::Device&, bool, std::string&) { return std::optional(rates); };
+  EXPECT_THAT(choose(kTwoCards, 10.0, known).why,
+              HasSubstr("; rates were measured on it: 2e+09 any-hit rays/s, "));
+  rates.path_rays_per_s = 0.0;
+  EXPECT_THAT(choose(kTwoCards, 10.0, known).why,
+              HasSubstr("; some rates were measured on it, the rest is assumed: 2e+09 "));
+}
+
+TEST(Backend, AutoTakesTheStagesThatAreFaster) {
+  calc::DeviceRates rates = calc::kAssumedRates;
+  rates.path_rays_per_s = 1e5;
+  const check::BackendChoice choice =
+      choose(kTwoCards, 10.0,
+             [&](const gpu::Device&, bool, std::string&) { return std::optional(rates); });
+  EXPECT_EQ(choice.backend, check::Backend::gpu);
+  EXPECT_FALSE(choice.stages.light_paths);
+  EXPECT_TRUE(choice.stages.connections);
+  EXPECT_THAT(check::backend_line(choice), HasSubstr("gpu stages: connections"));
+}
+
+// A second of measuring must be worth it; where no device could be, not even kept rates are read.
+TEST(Backend, AutoMeasuresForMuchWorkOnly) {
+  int asked = 0;
+  bool may_measure = false;
+  const auto watch = [&](const gpu::Device& card, bool may, std::string&) {
+    EXPECT_EQ(card.renderer, "Card A");
+    ++asked;
+    may_measure = may;
+    return std::optional<calc::DeviceRates>();
   };
-  EXPECT_EQ(with({2e8, 0.0, 0.0}), check::Backend::gpu);
-  EXPECT_EQ(with({2e8, 1e8, 0.0}), check::Backend::cpu);
-  EXPECT_EQ(with({2e8, 0.0, 5e6}), check::Backend::cpu);
+  EXPECT_THAT(choose(kTwoCards, 0.05, watch).why,
+              HasSubstr("s or more with the fastest of devices"));
+  EXPECT_EQ(asked, 0);
+  choose(kTwoCards, 0.4, watch);
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(may_measure);
+  choose(kTwoCards, 10.0, watch);
+  EXPECT_EQ(asked, 2);
+  EXPECT_TRUE(may_measure);
+}
+
+TEST(Backend, AutoLeavesADeviceThatFailsWhenItIsMeasured) {
+  const check::BackendChoice choice =
+      choose(kTwoCards, 10.0, [](const gpu::Device&, bool, std::string& problem) {
+        problem = "the device was reset";
+        return std::optional<calc::DeviceRates>();
+      });
+  EXPECT_EQ(choice.backend, check::Backend::cpu);
+  EXPECT_EQ(choice.why, "OpenGL device 0 failed when its speed was measured: the device was reset");
 }
 
 TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
@@ -65,13 +129,18 @@ TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
             "OpenGL device 1 is software, slower than the CPU backend\n");
   EXPECT_EQ(choose({{}, "this machine has no graphics device"}, 1e12).why,
             "this machine has no graphics device");
+  EXPECT_EQ(choose({{device(0, "soft", true)}, "", "the driver is not loaded"}, 1e12).why,
+            "OpenGL device 0 is software, slower than the CPU backend; the driver is not loaded");
 }
 
 TEST(Backend, AutoDoesNotCountWorkWithoutADevice) {
-  const check::BackendChoice choice = check::choose_automatically({{}, "none"}, [] {
-    ADD_FAILURE() << "planned for nothing";
-    return check::GatherWork{};
-  });
+  const check::BackendChoice choice = check::choose_automatically(
+      {{}, "none"},
+      [] {
+        ADD_FAILURE() << "planned for nothing";
+        return calc::DeviceWork{};
+      },
+      nothing_known);
   EXPECT_EQ(choice.backend, check::Backend::cpu);
 }
 
@@ -79,8 +148,8 @@ TEST(Backend, WhatIsAskedForIsTaken) {
   for (const check::Backend backend : {check::Backend::cpu, check::Backend::gpu}) {
     check::BackendRequest request;
     request.backend = backend;
-    const check::BackendChoice choice =
-        check::choose_backend(request, 0, gpu::Fault::no_egl, [] { return check::GatherWork{}; });
+    const check::BackendChoice choice = check::choose_backend(request, 0, gpu::Fault::no_egl, "",
+                                                              [] { return calc::DeviceWork{}; });
     EXPECT_EQ(choice.backend, backend);
     EXPECT_EQ(choice.why, "asked for with --backend");
   }
@@ -97,15 +166,15 @@ TEST(Backend, StagesAreNamed) {
   check::BackendRequest request;
   request.backend = check::Backend::gpu;
   request.stages = check::GpuStages{true, false, true, false};
-  const auto choose = [&] {
-    return check::choose_backend(request, 0, gpu::Fault::no_egl,
-                                 [] { return check::GatherWork(); });
+  const auto chosen = [&] {
+    return check::choose_backend(request, 0, gpu::Fault::no_egl, "",
+                                 [] { return calc::DeviceWork(); });
   };
-  EXPECT_EQ(check::backend_line(choose()),
+  EXPECT_EQ(check::backend_line(chosen()),
             "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
   request.stages.reset();
-  EXPECT_EQ(choose().stages, check::GpuStages());
-  EXPECT_THAT(check::backend_line(choose()),
+  EXPECT_EQ(chosen().stages, check::GpuStages());
+  EXPECT_THAT(check::backend_line(chosen()),
               HasSubstr("gpu stages: direct-light, light-paths, connections, near-field\n"));
 }
 
@@ -114,8 +183,8 @@ TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
   check::BackendRequest request;
   request.backend = check::Backend::gpu;
   const auto line = [&] {
-    return check::backend_line(
-        check::choose_backend(request, 64, gpu::Fault::no_egl, [] { return check::GatherWork(); }));
+    return check::backend_line(check::choose_backend(request, 64, gpu::Fault::no_egl, "",
+                                                     [] { return calc::DeviceWork(); }));
   };
   EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
   request.stages = check::GpuStages{true, false, true, false};
@@ -149,6 +218,11 @@ TEST(Devices, AreListedWithWhatKeepsThemFromUse) {
   EXPECT_EQ(json["devices"][1]["problem"], "EGL cannot start it");
   EXPECT_EQ(cli::render_devices_text({{}, "there is no EGL library"}),
             "no OpenGL device: there is no EGL library\n");
+  const gpu::DeviceList advised{{device(0, "soft", true)}, "", "the driver is not loaded"};
+  EXPECT_THAT(cli::render_devices_text(advised),
+              HasSubstr("no hardware: the driver is not loaded\n"));
+  EXPECT_EQ(nlohmann::json::parse(cli::render_devices_json(advised))["advice"],
+            "the driver is not loaded");
 }
 
 }  // namespace

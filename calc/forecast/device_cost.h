@@ -1,0 +1,72 @@
+#pragma once
+// Whether a graphics device is worth its way: both times by stages, from counts, rates and threads.
+
+#include "calc/forecast/cost_model.h"
+
+namespace calc {
+
+// Of a device and the way to it; 0 = not measured.
+struct DeviceRates {
+  double any_hit_per_s = 0;      // connections with their shadow ray, one by one
+  double closest_hit_per_s = 0;  // short rays
+  double path_rays_per_s = 0;    // of light paths, mostly in double
+  double up_bytes_per_s = 0, down_bytes_per_s = 0;
+  double round_trip_s = 0;  // a little up, a dispatch of next to nothing, a little down
+  double open_s = 0;        // context and programs
+
+  friend bool operator==(const DeviceRates&, const DeviceRates&) = default;
+};
+
+// For what was not measured. Assumed, from what is published of good tracers without ray units on
+// such devices, the slower end of it; opening one takes 0.15 to 0.5 s.
+inline constexpr DeviceRates kAssumedRates{1e9, 5e8, 1e8, 1e10, 5e9, 1e-4, 0.4};
+
+// The same with what is not measured, or is no sane number, assumed.
+DeviceRates with_assumptions(const DeviceRates& measured);
+
+// What a device does; the rest is the CPU's.
+struct DeviceStages {
+  bool direct = true, light_paths = true, connections = true, near_field = true;
+
+  bool any() const { return direct || light_paths || connections || near_field; }
+  friend bool operator==(const DeviceStages&, const DeviceStages&) = default;
+};
+
+// What is to be done, of any number of spaces.
+struct DeviceWork {
+  Work work;
+  Seconds one_thread;    // on the CPU; `prepare` is so for any number of threads
+  double receivers = 0;  // that gather, in all replicates
+  double triangles = 0;
+  int threads = 1;
+
+  // predicted_threads: those that the prediction is for; `threads` stays as it is.
+  void add(const Prediction& prediction, const SpaceWorkload& space,
+           const RadiositySettings& settings, int predicted_threads);
+};
+
+struct DeviceCost {
+  Seconds cpu;          // all of it on the CPU, on the clock
+  Seconds with_device;  // of the stages, what stays on the CPU beside it too
+  double open_s = 0;
+  double send_s = 0;    // the scene; vertices are part of `connect`
+  DeviceStages stages;  // those of the device's that it does faster
+
+  double cpu_s() const { return cpu.total(); }
+  double device_s() const { return open_s + send_s + with_device.total(); }
+};
+
+// rates: all of them known. Device and CPU are taken to wait for each other, which they do not
+// always.
+DeviceCost weigh_device(const DeviceWork& work, const DeviceRates& rates,
+                        const DeviceStages& possible);
+
+// The CPU gives the same bits everywhere, a device its own: what it gains must be worth that. So
+// the choice may be slower than the better one by this factor, and no more.
+inline constexpr double kWorthwhileGain = 1.2;
+bool is_device_worth_it(const DeviceCost& cost);
+
+// The least that any device could take: rates without limit.
+DeviceCost weigh_ideal_device(const DeviceWork& work, const DeviceStages& possible);
+
+}  // namespace calc
