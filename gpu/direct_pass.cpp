@@ -28,7 +28,12 @@ enum Binding : unsigned {
   kTotals
 };
 
-constexpr std::uint32_t kFilledNumber = 0xffff'ffff;  // twice: a double that is no number
+constexpr std::uint32_t kNoNumber = 0xffff'ffff;  // twice: a double that is none
+constexpr const char* kDoing = "adding up direct light";
+const DispatchSize kPairsPerDispatch{std::size_t{1} << 8, std::size_t{1} << 20,
+                                     std::size_t{1} << 12};
+const DispatchSize kChunksPerDispatch{std::size_t{1} << 6, std::size_t{1} << 20,
+                                      std::size_t{1} << 10};
 
 // As shaders/lamps.glsl reads it: four uvec4.
 struct GpuPoint {
@@ -110,24 +115,32 @@ DirectPass::DirectPass(const ProgramCache& programs)
       seen_("light of openings that are seen", direct_shader(DirectStage::seen), programs),
       sums_("sums of direct light", direct_shader(DirectStage::sums), programs),
       samples_("samples of openings", direct_shader(DirectStage::samples), programs),
-      totals_program_("sums of samples of openings", direct_shader(DirectStage::totals), programs),
+      add_up_("sums of samples of openings", direct_shader(DirectStage::totals), programs),
       points_("calculation points"),
-      tables_("luminaires"),
+      tables_("luminaires", BufferUse::fixed),
       words_("random numbers"),
-      sketches_("photometry"),
-      pairs_("points and luminaires"),
-      light_("direct light"),
+      sketches_("photometry", BufferUse::fixed),
+      pairs_("points and luminaires", BufferUse::by_device),
+      light_("direct light", BufferUse::by_device),
       list_("samples of openings"),
-      chunk_sums_("sums of samples"),
-      known_("sums of direct light"),
-      totals_("direct light of replicates") {}
+      chunk_sums_("sums of samples", BufferUse::by_device),
+      known_("sums of direct light", BufferUse::by_device),
+      totals_("direct light of replicates", BufferUse::by_device),
+      pairs_back_("points and luminaires"),
+      known_back_("sums of direct light"),
+      totals_back_("direct light of replicates"),
+      classify_pacer_(kPairsPerDispatch),
+      seen_pacer_(kPairsPerDispatch),
+      samples_pacer_(kChunksPerDispatch) {}
 
 void DirectPass::run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece) {
   send(device, piece);
-  find_pairs(device, piece);
-  sum_seen(device, piece);
-  if (!piece.keys.empty()) sample(device, limits, piece);
-  device.check("direct light");
+  find_pairs(piece);
+  sum_seen(piece);
+  take_pairs(piece);
+  if (!piece.keys.empty()) sample(limits, piece);
+  take_known(piece);
+  device.check(kDoing);
 }
 
 void DirectPass::send_tables(const calc::Tracer& tracer) {
@@ -144,6 +157,7 @@ void DirectPass::send(DeviceState& device, const DirectPiece& piece) {
   points_.assign(gpu_points(piece));
   words_.assign(words_of(piece));
   const DeviceScene& scene = device.scenes.of(*piece.tracer);
+  nodes_ = scene.nodes;
   scene.bind();
   scene.order.bind(kList);
   points_.bind(kPoints);
@@ -154,6 +168,7 @@ void DirectPass::send(DeviceState& device, const DirectPiece& piece) {
 
 void DirectPass::start(const GlProgram& program, const DirectPiece& piece) const {
   program.use();
+  program.set("node_count", nodes_);
   program.set("offset_m", static_cast<float>(piece.tracer->offset_m()));
   program.set("point_count", count(piece.points.size()));
   program.set("luminaire_count", count(piece.is_asked.size()));
@@ -165,50 +180,73 @@ void DirectPass::start(const GlProgram& program, const DirectPiece& piece) const
   program.set("cell_places", 9u);
   program.set("corner_count", 4u);
   program.set("error_factor", static_cast<float>(piece.rounds.error_factor));
-  program.set("first_pair", 0u);
-  program.set("last_pair", count(piece.points.size() * piece.is_asked.size()));
 }
 
-void DirectPass::find_pairs(DeviceState& device, DirectPiece& piece) {
-  piece.pairs.assign(piece.points.size() * piece.is_asked.size(), kNotDone);
-  pairs_.assign(piece.pairs.size() * sizeof(std::uint32_t), kNotDone);
-  start(classify_, piece);
-  classify_.set("node_count", device.scenes.of(*piece.tracer).nodes);
-  pairs_.bind(kPairs);
-  dispatch(piece.pairs.size());
+// first, last: uniforms that say which of the items a dispatch is for.
+void DirectPass::run_in_parts(const GlProgram& program, DispatchPacer& pacer, std::size_t items,
+                              const char* first, const char* last) {
+  for (std::size_t begin = 0; begin < items;) {
+    const std::size_t end = std::min(items, begin + pacer.items());
+    pacer.run(end - begin, kDoing, [&] {
+      program.set(first, count(begin));
+      program.set(last, count(end));
+      dispatch(end - begin);
+    });
+    begin = end;
+  }
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  pairs_.read(0, std::as_writable_bytes(std::span(piece.pairs)));
-  device.check("finding what points see of luminaires");
+}
+
+void DirectPass::find_pairs(const DirectPiece& piece) {
+  const std::size_t pairs = piece.points.size() * piece.is_asked.size();
+  const std::size_t bytes = pairs * sizeof(std::uint32_t);
+  pairs_.assign(bytes, kNotDone);
+  pairs_.bind(kPairs);
+  start(classify_, piece);
+  run_in_parts(classify_, classify_pacer_, pairs, "first_pair", "last_pair");
+  pairs_back_.start({{pairs_, 0, bytes}}, kNotDone);
+}
+
+void DirectPass::sum_seen(const DirectPiece& piece) {
+  const std::size_t pairs = piece.points.size() * piece.is_asked.size();
+  const std::size_t sums = channels_of(piece) * piece.points.size();
+  light_.assign(pairs * 2 * sizeof(double), kNoNumber);
+  known_.assign(2 * sums * sizeof(double), kNoNumber);
+  light_.bind(kLight);
+  known_.bind(kKnown);
+  start(seen_, piece);
+  run_in_parts(seen_, seen_pacer_, pairs, "first_pair", "last_pair");
+  start(sums_, piece);
+  dispatch(sums);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  known_back_.start({{known_, 0, sums * sizeof(double)}}, kNoNumber);
+}
+
+void DirectPass::take_pairs(DirectPiece& piece) {
   const std::size_t points = piece.points.size();
+  piece.pairs.resize(points * piece.is_asked.size());
   piece.is_left.assign(points, 0);
+  pairs_back_.wait(kDoing);
+  pairs_back_.copy(0, std::as_writable_bytes(std::span(piece.pairs)));
   for (std::size_t i = 0; i < piece.pairs.size(); ++i) {
     if (piece.pairs[i] == kNotDone) throw_not_done();
     if (piece.pairs[i] == kPairLeft) piece.is_left[i % points] = 1;
   }
 }
 
-void DirectPass::sum_seen(DeviceState& device, DirectPiece& piece) {
-  const std::size_t sums = channels_of(piece) * piece.points.size();
-  light_.assign(piece.pairs.size() * 2 * sizeof(double), kFilledNumber);
-  known_.assign(2 * sums * sizeof(double), kFilledNumber);
-  light_.bind(kLight);
-  known_.bind(kKnown);
-  start(seen_, piece);
-  dispatch(piece.pairs.size());
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  start(sums_, piece);
-  dispatch(sums);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  piece.known_lx.assign(sums, std::bit_cast<double>(~std::uint64_t{0}));
-  known_.read(0, std::as_writable_bytes(std::span(piece.known_lx)));
-  device.check("adding direct light");
+void DirectPass::take_known(DirectPiece& piece) {
+  piece.known_lx.resize(channels_of(piece) * piece.points.size());
+  known_back_.wait(kDoing);
+  known_back_.copy(0, std::as_writable_bytes(std::span(piece.known_lx)));
   if (!std::all_of(piece.known_lx.begin(), piece.known_lx.end(), is_done)) throw_not_done();
 }
 
-void DirectPass::sample(DeviceState& device, const DirectLimits& limits, DirectPiece& piece) {
+void DirectPass::sample(const DirectLimits& limits, DirectPiece& piece) {
   const std::size_t points = piece.points.size(), replicates = piece.rounds.replicates;
-  const std::size_t totals = replicates * (channels_of(piece) + 1) * points;
-  totals_.assign(totals * sizeof(double), kFilledNumber);
+  piece.totals.resize(replicates * (channels_of(piece) + 1) * points);
+  const std::size_t bytes = piece.totals.size() * sizeof(double);
+  totals_.assign(bytes, kNoNumber);
+  totals_.bind(kTotals);
   const Chunks chunks = chunks_of(piece, limits.chunk);
   for (std::size_t first = 0; first < points;) {
     std::size_t last = first + 1;
@@ -223,19 +261,16 @@ void DirectPass::sample(DeviceState& device, const DirectLimits& limits, DirectP
     for (std::size_t k = chunks.first[first]; k < chunks.first[last]; ++k) {
       list.insert(list.end(), chunks.chunk[k].begin(), chunks.chunk[k].end());
     }
-    sample_points(device, limits, piece, first, last, list,
-                  chunks.first[last] - chunks.first[first]);
+    sample_points(piece, first, last, list, chunks.first[last] - chunks.first[first]);
     first = last;
   }
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  piece.totals.assign(totals, std::bit_cast<double>(~std::uint64_t{0}));
-  totals_.read(0, std::as_writable_bytes(std::span(piece.totals)));
-  device.check("adding samples of openings");
+  totals_back_.start({{totals_, 0, bytes}}, kNoNumber);
+  totals_back_.wait(kDoing);
+  totals_back_.copy(0, std::as_writable_bytes(std::span(piece.totals)));
   if (!std::all_of(piece.totals.begin(), piece.totals.end(), is_done)) throw_not_done();
 }
 
-void DirectPass::sample_points(DeviceState& device, const DirectLimits& limits,
-                               const DirectPiece& piece, std::size_t first, std::size_t last,
+void DirectPass::sample_points(const DirectPiece& piece, std::size_t first, std::size_t last,
                                std::span<const std::uint32_t> list, std::size_t chunks) {
   const std::size_t jobs = chunks * piece.rounds.replicates;
   list_.assign(list);
@@ -243,24 +278,16 @@ void DirectPass::sample_points(DeviceState& device, const DirectLimits& limits,
   chunk_sums_.assign(std::max<std::size_t>(jobs, 1) * 4 * sizeof(std::uint32_t), kNotDone);
   list_.bind(kList);
   chunk_sums_.bind(kChunkSums);
-  totals_.bind(kTotals);
   if (jobs > 0) {
     start(samples_, piece);
-    samples_.set("node_count", device.scenes.of(*piece.tracer).nodes);
     samples_.set("listed_points", count(last - first));
-    for (std::size_t begin = 0; begin < jobs; begin += limits.chunks_per_dispatch) {
-      const std::size_t end = std::min(jobs, begin + limits.chunks_per_dispatch);
-      samples_.set("first_job", count(begin));
-      samples_.set("last_job", count(end));
-      dispatch(end - begin);
-    }
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    run_in_parts(samples_, samples_pacer_, jobs, "first_job", "last_job");
   }
-  start(totals_program_, piece);
-  totals_program_.set("listed_points", count(last - first));
-  totals_program_.set("first_point", count(first));
+  start(add_up_, piece);
+  add_up_.set("listed_points", count(last - first));
+  add_up_.set("first_point", count(first));
   dispatch(piece.rounds.replicates * channels_of(piece) * (last - first));
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace gpu

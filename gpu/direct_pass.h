@@ -3,9 +3,11 @@
 
 #include "calc/radiosity/direct_tracer.h"
 #include "gpu/device_thread.h"
+#include "gpu/dispatch_pacer.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_program.h"
+#include "gpu/gl_read_back.h"
 
 #include <array>
 #include <cstddef>
@@ -47,16 +49,22 @@ class DirectPass {
  private:
   void send(DeviceState& device, const DirectPiece& piece);
   void send_tables(const calc::Tracer& tracer);
-  void find_pairs(DeviceState& device, DirectPiece& piece);
-  void sum_seen(DeviceState& device, DirectPiece& piece);
-  void sample(DeviceState& device, const DirectLimits& limits, DirectPiece& piece);
-  void sample_points(DeviceState& device, const DirectLimits& limits, const DirectPiece& piece,
-                     std::size_t first, std::size_t last, std::span<const std::uint32_t> list,
-                     std::size_t chunks);
+  void find_pairs(const DirectPiece& piece);
+  void sum_seen(const DirectPiece& piece);
+  void take_pairs(DirectPiece& piece);
+  void take_known(DirectPiece& piece);
+  void sample(const DirectLimits& limits, DirectPiece& piece);
+  void sample_points(const DirectPiece& piece, std::size_t first, std::size_t last,
+                     std::span<const std::uint32_t> list, std::size_t chunks);
   void start(const GlProgram& program, const DirectPiece& piece) const;
+  void run_in_parts(const GlProgram& program, DispatchPacer& pacer, std::size_t items,
+                    const char* first, const char* last);
 
-  GlProgram classify_, seen_, sums_, samples_, totals_program_;
+  GlProgram classify_, seen_, sums_, samples_, add_up_;
   GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
+  GlReadBack pairs_back_, known_back_, totals_back_;
+  DispatchPacer classify_pacer_, seen_pacer_, samples_pacer_;
+  std::uint32_t nodes_ = 0;      // of the scene at hand
   std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none
 };
 

@@ -172,9 +172,7 @@ class GlDirectTracer : public calc::DirectTracer {
 
 DirectLimits direct_limits(const Device& device) {
   DirectLimits limits;
-  if (!device.is_software) return limits;
-  limits.pairs = std::size_t{1} << 13;
-  limits.chunks_per_dispatch = std::size_t{1} << 13;
+  if (device.is_software) limits.pairs = std::size_t{1} << 13;
   return limits;
 }
 

@@ -10,12 +10,12 @@
 
 namespace gpu {
 
-// How much is sent and done at a time; results do not depend on it.
+// How much is sent and done at a time; results do not depend on it, but for the last.
 struct DirectLimits {
-  std::size_t pairs = std::size_t{1} << 18;       // of points and luminaires, in one piece
-  std::uint32_t chunk = 32;                       // samples of an opening that one invocation takes
-  std::size_t chunk_sums = std::size_t{1} << 21;  // of chunks and replicates, in one go
-  std::size_t chunks_per_dispatch = std::size_t{1} << 18;
+  std::size_t pairs = std::size_t{1} << 20;       // of points and luminaires, in one piece
+  std::size_t chunk_sums = std::size_t{1} << 21;  // of chunks of samples and replicates, in one go
+  std::uint32_t chunk = 32;  // samples of an opening that one invocation takes; these do matter:
+                             // sums of chunks are added, which is a rounding
 };
 // Of a device: software is slow, and is asked for less between two looks at the clock.
 DirectLimits direct_limits(const Device& device);

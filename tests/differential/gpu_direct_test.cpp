@@ -269,9 +269,7 @@ TEST(GlDirect, HowWorkIsCutChangesNoBit) {
   const auto thread = gl_device();
   const auto whole = gpu::make_gl_direct_tracer(thread);
   const Sums expected = by_gl(*whole, batch, keys, rounds);
-  // Sums of chunks are added in their order: another size of chunk is another rounding.
-  for (const gpu::DirectLimits& limits :
-       {gpu::DirectLimits{37, 32, 100, 7}, gpu::DirectLimits{1000, 32, 1, 1000}}) {
+  for (const gpu::DirectLimits& limits : {gpu::DirectLimits{37, 100}, gpu::DirectLimits{1000, 1}}) {
     const auto cut = gpu::make_gl_direct_tracer(thread, limits);
     const Sums sums = by_gl(*cut, batch, keys, rounds);
     EXPECT_EQ(sums.known_lx, expected.known_lx);
@@ -295,7 +293,8 @@ TEST(GlDirect, FailuresAreNoResults) {
   const std::vector<calc::Receiver> points = points_in({0, 0, 0}, {6, 4, 2.8}, 10);
   const std::vector<RandomKey> keys = keys_of(points.size());
   const calc::DirectBatch batch{tracer, points, {}, 0.0};
-  for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost}) {
+  for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost,
+                                 gpu::Fault::fence_lost, gpu::Fault::results_lost}) {
     const auto gl = gl_direct(fault);
     std::vector<double> lx(3 * points.size());
     EXPECT_THROW(gl->add_point_sources(batch, lx), calc::BackendFailure);

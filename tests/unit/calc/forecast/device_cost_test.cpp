@@ -95,13 +95,14 @@ TEST(DeviceCost, StagesThatAreSlowerStayOnTheCpu) {
 TEST(DeviceCost, OnlyStagesThatAreThereAreTaken) {
   calc::DeviceWork w = work(1.0, 2);
   w.one_thread.direct = 1000.0;
-  const calc::DeviceCost today = calc::weigh_device(w, calc::kAssumedRates, {});
-  EXPECT_FALSE(today.stages.direct);
-  EXPECT_EQ(today.with_device.direct, 500.0);
-  const calc::DeviceCost soon =
-      calc::weigh_device(w, calc::kAssumedRates, {true, true, true, true});
-  EXPECT_TRUE(soon.stages.direct);
-  EXPECT_LT(soon.with_device.direct, 10.0);
+  calc::DeviceStages possible;
+  possible.direct = false;
+  const calc::DeviceCost without = calc::weigh_device(w, calc::kAssumedRates, possible);
+  EXPECT_FALSE(without.stages.direct);
+  EXPECT_EQ(without.with_device.direct, 500.0);
+  const calc::DeviceCost all = calc::weigh_device(w, calc::kAssumedRates, {});
+  EXPECT_TRUE(all.stages.direct);
+  EXPECT_LT(all.with_device.direct, 10.0);
   const calc::DeviceCost none =
       calc::weigh_device(w, calc::kAssumedRates, {false, false, false, false});
   EXPECT_EQ(none.device_s(), none.cpu_s());
