@@ -87,10 +87,80 @@ BvhTriangle triangle_of(const calc::PreparedScene& scene, std::uint32_t triangle
   return {{glm::vec4(a, normal.x), glm::vec4(b, normal.y), glm::vec4(c, normal.z)}};
 }
 
+// Which nodes of a binary tree become children of one wide node, at the least cost of the whole:
+// areas of boxes, times what it takes to search a node or to test a triangle. [Ylitie17, 3.1]
+class Choice {
+ public:
+  explicit Choice(const BoxTree& tree) : tree_(tree), cost_(tree.nodes.size()) {
+    for (std::size_t at = tree_.nodes.size(); at-- > 0;) find_costs(at);  // children come first
+  }
+
+  std::vector<const BoxTree::Node*> children_of(std::size_t at) const {
+    std::vector<const BoxTree::Node*> children;
+    split(at, kBvhWidth, children);
+    return children;
+  }
+
+ private:
+  // About as on llvmpipe, and as bytes that are fetched.
+  static constexpr float kNodeCost = 1.0f, kTriangleCost = 0.5f;
+  // Of a subtree as 1 to kBvhWidth trees at most, at [1] to [kBvhWidth].
+  using Costs = std::array<float, kBvhWidth + 1>;
+
+  void find_costs(std::size_t at) {
+    const BoxTree::Node& node = tree_.nodes[at];
+    if (node.count == 0) return;  // not in use
+    Costs& cost = cost_[at];
+    if (node.is_leaf()) {
+      cost.fill(kTriangleCost * node.box.area() * static_cast<float>(node.count));
+      return;
+    }
+    for (std::size_t trees = 2; trees <= kBvhWidth; ++trees) {
+      cost[trees] = cost_of_split(at, trees, first_share(at, trees));
+    }
+    cost[1] = cost[kBvhWidth] + kNodeCost * node.box.area();
+    for (std::size_t trees = 2; trees <= kBvhWidth; ++trees) {
+      cost[trees] = std::min(cost[trees], cost[trees - 1]);
+    }
+  }
+
+  float cost_of_split(std::size_t at, std::size_t trees, std::size_t first) const {
+    return cost_[at + 1][first] + cost_[tree_.nodes[at].second_child][trees - first];
+  }
+
+  // Of so many trees, those that the first child becomes.
+  std::size_t first_share(std::size_t at, std::size_t trees) const {
+    std::size_t best = 1;
+    for (std::size_t first = 2; first < trees; ++first) {
+      if (cost_of_split(at, trees, first) < cost_of_split(at, trees, best)) best = first;
+    }
+    return best;
+  }
+
+  void split(std::size_t at, std::size_t trees, std::vector<const BoxTree::Node*>& children) const {
+    const std::size_t first = first_share(at, trees);
+    add(at + 1, first, children);
+    add(tree_.nodes[at].second_child, trees - first, children);
+  }
+
+  void add(std::size_t at, std::size_t trees, std::vector<const BoxTree::Node*>& children) const {
+    const Costs& cost = cost_[at];
+    while (trees > 1 && cost[trees] == cost[trees - 1]) --trees;
+    if (trees == 1) {
+      children.push_back(&tree_.nodes[at]);
+    } else {
+      split(at, trees, children);
+    }
+  }
+
+  const BoxTree& tree_;
+  std::vector<Costs> cost_;
+};
+
 class Widener {
  public:
   Widener(const BoxTree& tree, float least_step_m, Bvh& bvh)
-      : tree_(tree), least_step_m_(least_step_m), bvh_(bvh) {}
+      : tree_(tree), choice_(tree), least_step_m_(least_step_m), bvh_(bvh) {}
 
   // Fills the node `to` from a subtree that is at most 3 * (kBvhLevels - level) high.
   void fill(std::size_t to, const BoxTree::Node& from, int level) {
@@ -123,34 +193,35 @@ class Widener {
   }
 
  private:
-  // Those below in the binary tree, opened the largest first, to eight or to nothing but leaves.
-  // What is too high for the levels that are left is opened before all others: it has at most eight
-  // nodes three levels down.
+  // Those below in the binary tree. What is too high for the levels that are left goes before
+  // costs: it has at most eight nodes three levels down.
   std::vector<const BoxTree::Node*> children_of(const BoxTree::Node& from, int level) const {
+    if (from.is_leaf()) return {&from};  // all of the scene
     const int most_height = 3 * (kBvhLevels - level - 1);
-    std::vector<const BoxTree::Node*> children{
-        &from};  // which stays if it is the scene's only leaf
+    const auto at = static_cast<std::size_t>(&from - tree_.nodes.data());
+    std::vector<const BoxTree::Node*> children = choice_.children_of(at);
+    const bool is_low =
+        std::all_of(children.begin(), children.end(),
+                    [&](const BoxTree::Node* child) { return child->height <= most_height; });
+    return is_low ? children : highest_opened(from);
+  }
+
+  std::vector<const BoxTree::Node*> highest_opened(const BoxTree::Node& from) const {
+    std::vector<const BoxTree::Node*> children{&from};
     while (children.size() < kBvhWidth) {
-      std::size_t best = children.size();
-      for (std::size_t c = 0; c < children.size(); ++c) {
-        if (children[c]->is_leaf()) continue;
-        if (best == children.size() || is_opened_before(*children[c], *children[best], most_height))
-          best = c;
-      }
-      if (best == children.size()) break;
-      const BoxTree::Node* opened = children[best];
-      children[best] = opened + 1;
+      const auto highest = std::max_element(
+          children.begin(), children.end(),
+          [](const BoxTree::Node* a, const BoxTree::Node* b) { return a->height < b->height; });
+      const BoxTree::Node* opened = *highest;
+      if (opened->is_leaf()) break;
+      *highest = opened + 1;
       children.push_back(&tree_.nodes[opened->second_child]);
     }
     return children;
   }
 
-  static bool is_opened_before(const BoxTree::Node& a, const BoxTree::Node& b, int most_height) {
-    const bool a_must = a.height > most_height, b_must = b.height > most_height;
-    return a_must != b_must ? a_must : a.box.area() > b.box.area();
-  }
-
   const BoxTree& tree_;
+  Choice choice_;
   float least_step_m_;
   Bvh& bvh_;
 };

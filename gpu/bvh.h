@@ -41,7 +41,7 @@ struct BvhTriangle {
 static_assert(sizeof(BvhTriangle) == 48);
 
 struct Bvh {
-  std::vector<BvhNode> nodes;          // the root first; at most 9 / 16 of the triangles, and 1
+  std::vector<BvhNode> nodes;          // the root first
   std::vector<BvhTriangle> triangles;  // in the order of leaves
   std::vector<std::uint32_t> order;    // which of the scene's triangles they are
 };

@@ -44,6 +44,8 @@ add_executable(bench_gpu_traversal
   bench/bench_gpu_traversal.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
 target_include_directories(bench_gpu_traversal SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 target_link_libraries(bench_gpu_traversal PRIVATE gpu calc_radiosity fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
+add_test(NAME bench_gpu_traversal_runs COMMAND bench_gpu_traversal 512 1 office)
+set_tests_properties(bench_gpu_traversal_runs PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "no OpenGL:")
 
 # What only a machine with a GPU can tell, in one call; ctest sees that it runs.
 add_executable(gpu_figures

@@ -93,7 +93,7 @@ void expect_sound(const calc::PreparedScene& scene) {
   EXPECT_EQ(sound.outside, 0u);
   EXPECT_TRUE(sound.has_each_once());
   EXPECT_LE(sound.levels, gpu::kBvhLevels);
-  EXPECT_LE(16 * (bvh.nodes.size() - 1), 9 * bvh.triangles.size());
+  EXPECT_LE(2 * (bvh.nodes.size() - 1), bvh.triangles.size());
   for (std::size_t k = 0; k < bvh.order.size(); ++k) {
     const glm::vec3 corner(bvh.triangles[k].corner_m[0]);
     ASSERT_EQ(corner, scene.vertex_m[scene.triangle[bvh.order[k]].x]);
