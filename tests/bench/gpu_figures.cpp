@@ -1,14 +1,15 @@
 // All figures of the GPU backend that need a machine with a GPU, in one call:
 //   gpu_figures [--quick] [--device N] [--limit SECONDS]
-// Renderer and driver; rays a second of each stage in the office, the corridor and the hall; whole
-// runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and with the GPU; where the two
-// break even, measured and by the cost model of `--backend auto`. Every run ends at the limit, and
-// what is left out for it is named.
+// Renderer and driver; rays a second of each stage in the office, the corridor and the hall; direct
+// light of 204 panels; whole runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and
+// with the GPU; where the two break even, measured and by the cost model of `--backend auto`. Every
+// run ends at the limit, and what is left out for it is named.
 #include "calc/forecast/device_cost.h"
 #include "calc/forecast/scene_plan.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/solve.h"
 #include "gpu/calibration.h"
+#include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
@@ -22,6 +23,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -131,6 +133,50 @@ std::string rate(double rays, double seconds) {
   return fmt::format("{:.3g}", 1e-6 * rays / seconds);
 }
 
+// Hangs `copies` panels of 1.2 x 0.3 m near each place of a luminaire, in place of it.
+void give_panels(BenchScene& scene, int copies) {
+  const calc::PhotometricWeb& web = *scene.scene.luminaires.front().web;
+  std::vector<double> cd;
+  for (std::size_t plane = 0; plane < web.c_rad().size(); ++plane) {
+    for (std::size_t gamma = 0; gamma < web.gamma_rad().size(); ++gamma) {
+      cd.push_back(web.table_cd(plane, gamma));
+    }
+  }
+  scene.webs.push_back(std::make_unique<calc::PhotometricWeb>(
+      calc::PhotometricWeb::make(web.c_rad(), web.gamma_rad(), cd,
+                                 {calc::OpeningShape::rectangle, 1.2, 0.3, 0.0}, {}, web.axis())));
+  const calc::PhotometricWeb& panel = *scene.webs.back();
+  const std::vector<calc::PlacedLuminaire> places = scene.scene.luminaires;
+  scene.scene.luminaires.clear();
+  for (calc::PlacedLuminaire lamp : places) {
+    lamp.web = &panel;
+    lamp.opening = panel.opening();
+    lamp.flux_scale /= copies;
+    const double first_m = lamp.position_m.y;
+    for (int k = 0; k < copies; ++k) {
+      lamp.position_m.y = first_m + 0.1 * (k - 0.5 * (copies - 1));
+      scene.scene.luminaires.push_back(lamp);
+    }
+  }
+}
+
+struct DirectRun {
+  double seconds = 0.0, rays = 0.0;
+  bool is_late = false;
+};
+
+DirectRun run_direct(const BenchScene& scene, const Worker& worker, double limit_s) {
+  calc::RadiositySettings settings;
+  settings.first_paths = settings.max_paths = 16;
+  settings.time_limit_s = limit_s;
+  const calc::SpaceSolution solution = calc::solve_illuminance(
+      scene.scene, {{"plane", &scene.grid}}, settings, 0.95, worker.stages,
+      [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; }, {});
+  const calc::PlaneField& field = solution.fields.front();
+  return {solution.times.direct_s, static_cast<double>(field.counters.direct_rays),
+          !field.problem.empty()};
+}
+
 void print_stages(const Settings& settings, const std::vector<Worker>& workers) {
   Table table(
       "Rays a second of each stage, millions, all threads and all they do beside",
@@ -151,6 +197,29 @@ void print_stages(const Settings& settings, const std::vector<Worker>& workers) 
                  rate(o.connections, o.times.connect_s), rate(o.near_rays, o.times.near_s),
                  o.is_late ? fmt::format("> {:.3g}, cut off", settings.limit_s)
                            : fmt::format("{:.3g}", o.seconds)});
+    }
+  }
+  table.print();
+}
+
+// Direct light alone, once: many points, many panels, furniture.
+void print_direct(const Settings& settings, const std::vector<Worker>& workers) {
+  Table table(
+      "Direct light of panels in the office, once, 16 replicates; pairs of points and panels",
+      {"points", "panels", "by", "s", "million pairs/s", "million rays/s"});
+  const std::vector<int> rows =
+      settings.is_quick ? std::vector<int>{8} : std::vector<int>{25, 80, 250};
+  for (const int row : rows) {
+    BenchScene scene = make_scene(office(row * 8 / 5, row));
+    give_panels(scene, settings.is_quick ? 1 : 17);
+    for (const Worker& worker : workers) {
+      const DirectRun o = run_direct(scene, worker, settings.limit_s);
+      const auto pairs = static_cast<double>(scene.points() * scene.scene.luminaires.size());
+      table.add({fmt::format("{}", scene.points()),
+                 fmt::format("{}", scene.scene.luminaires.size()), worker.name,
+                 o.is_late ? fmt::format("> {:.3g}", o.seconds) : fmt::format("{:.3g}", o.seconds),
+                 o.is_late ? "-" : rate(pairs, o.seconds),
+                 o.is_late ? "-" : rate(o.rays, o.seconds)});
     }
   }
   table.print();
@@ -357,7 +426,8 @@ int measure(const Settings& settings) {
   const auto path_tracer = gpu::make_gl_path_tracer(device);
   const auto short_rays = gpu::make_gl_short_rays(device);
   const calc::Stages cpu{*cpu_gatherer, nullptr, nullptr};
-  const calc::Stages gpu{*gatherer, path_tracer.get(), short_rays.get()};
+  const auto direct_tracer = gpu::make_gl_direct_tracer(device);
+  const calc::Stages gpu{*gatherer, path_tracer.get(), short_rays.get(), direct_tracer.get()};
   const std::vector<Worker> workers{{"CPU", cpu}, {"GPU", gpu}};
   const gpu::Device& d = device->device();
   fmt::print("renderer: {}\nvendor: {}\ndriver: {}\n{}processor: {}, {} threads, {}\n", d.renderer,
@@ -377,6 +447,7 @@ int measure(const Settings& settings) {
   const calc::DeviceRates rates = print_rates(settings);
   std::fflush(stdout);
   print_stages(settings, workers);
+  print_direct(settings, workers);
   std::fflush(stdout);
   const std::vector<Cell> cells = whole_runs(settings, workers);
   print_runs(cells, rates, open_s);

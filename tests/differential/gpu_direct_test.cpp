@@ -295,7 +295,7 @@ TEST(GlDirect, FailuresAreNoResults) {
   const calc::DirectBatch batch{tracer, points, {}, 0.0};
   for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost,
                                  gpu::Fault::fence_lost, gpu::Fault::results_lost}) {
-    const auto gl = gl_direct(fault);
+    const auto gl = gpu::make_gl_direct_tracer(gl_device(fault), {37, 100});  // in pieces
     std::vector<double> lx(3 * points.size());
     EXPECT_THROW(gl->add_point_sources(batch, lx), calc::BackendFailure);
     EXPECT_THROW(by_gl(*gl, batch, keys, {0, 1, 2, 1.0}), calc::BackendFailure);

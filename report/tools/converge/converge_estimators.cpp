@@ -3,6 +3,7 @@
 #include "calc/radiosity/path_tracing.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/threads.h"
+#include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
@@ -23,10 +24,13 @@ constexpr std::uint64_t kFirstPaths = 1024;  // as `check` begins
 // Who computes what; opened for the first run of a method and kept for the others.
 struct Workers {
   std::unique_ptr<calc::Gatherer> gatherer;
-  std::unique_ptr<calc::PathTracer> path_tracer;     // null: the CPU
-  std::unique_ptr<calc::ShortRayCaster> short_rays;  // null: the CPU
+  std::unique_ptr<calc::PathTracer> path_tracer;      // null: the CPU
+  std::unique_ptr<calc::ShortRayCaster> short_rays;   // null: the CPU
+  std::unique_ptr<calc::DirectTracer> direct_tracer;  // null: the CPU
 
-  calc::Stages stages() const { return {*gatherer, path_tracer.get(), short_rays.get()}; }
+  calc::Stages stages() const {
+    return {*gatherer, path_tracer.get(), short_rays.get(), direct_tracer.get()};
+  }
 };
 
 EstimatorRun run_solver(const EstimatorContext& context, const Workers& workers,
@@ -52,17 +56,17 @@ EstimatorRun run_solver(const EstimatorContext& context, const Workers& workers,
 }
 
 Workers on_cpu(const EstimatorContext&, std::uint32_t) {
-  return {calc::make_cpu_gatherer(), {}, {}};
+  return {calc::make_cpu_gatherer(), {}, {}, {}};
 }
 
 Workers on_gpu(const EstimatorContext& context, std::uint32_t) {
   return {gpu::make_gl_gatherer(context.device), gpu::make_gl_path_tracer(context.device),
-          gpu::make_gl_short_rays(context.device)};
+          gpu::make_gl_short_rays(context.device), gpu::make_gl_direct_tracer(context.device)};
 }
 
 // Light paths on the CPU, as `check --visibility shadow-map` does.
 Workers with_maps(const EstimatorContext& context, std::uint32_t texels) {
-  return {gpu::make_shadow_map_gatherer(context.device, texels), {}, {}};
+  return {gpu::make_shadow_map_gatherer(context.device, texels), {}, {}, {}};
 }
 
 calc::RadiositySettings core_settings(const EstimatorContext&, std::uint32_t) { return {}; }

@@ -46,6 +46,7 @@ TEST(DeviceCost, MoreCoresMoveWorkToTheCpu) {
   double before = 0.0;
   for (int threads = 1; threads <= 256; threads *= 2) {
     const calc::DeviceCost cost = calc::weigh_device(work(1.0, threads), slow, {});
+    if (!cost.stages.any()) break;  // nor with more
     const double ratio = cost.device_s() / cost.cpu_s();
     EXPECT_GE(ratio, before) << threads;
     before = ratio;
