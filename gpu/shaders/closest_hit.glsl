@@ -1,6 +1,6 @@
 // The first surface that a ray meets: the tree and triangles of visibility.glsl. Children are
-// visited about in the order of the ray; what is found shortens the rest of the way. Of equally near
-// triangles the one that comes first in the scene counts, whatever the order of visits.
+// visited about in the order of the ray; what is found shortens the rest of the way. Of equally
+// near triangles the one that comes first in the scene counts, whatever the order of visits.
 // calc::Tracer::closest_hits() is what it must answer like.
 
 layout(std430, binding = 8) readonly buffer Order { uint triangle_of[]; };

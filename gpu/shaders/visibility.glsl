@@ -55,10 +55,14 @@ vec4 bytes_of(uint word) { return vec4((uvec4(word) >> uvec4(0u, 8u, 16u, 24u)) 
 // Of four boxes, given the planes where rays enter and leave them.
 uint four_boxes_met(uvec3 entry, uvec3 exit, vec3 cell, vec3 early, vec3 late, float t_near,
                     float t_far) {
-  const vec4 enter = max(max(bytes_of(entry.x) * cell.x + early.x, bytes_of(entry.y) * cell.y + early.y),
-                         max(bytes_of(entry.z) * cell.z + early.z, vec4(t_near)));
-  const vec4 leave = min(min(bytes_of(exit.x) * cell.x + late.x, bytes_of(exit.y) * cell.y + late.y),
-                         min(bytes_of(exit.z) * cell.z + late.z, vec4(t_far)));
+  const vec4 enter_x = bytes_of(entry.x) * cell.x + early.x;
+  const vec4 enter_y = bytes_of(entry.y) * cell.y + early.y;
+  const vec4 enter_z = bytes_of(entry.z) * cell.z + early.z;
+  const vec4 leave_x = bytes_of(exit.x) * cell.x + late.x;
+  const vec4 leave_y = bytes_of(exit.y) * cell.y + late.y;
+  const vec4 leave_z = bytes_of(exit.z) * cell.z + late.z;
+  const vec4 enter = max(max(enter_x, enter_y), max(enter_z, vec4(t_near)));
+  const vec4 leave = min(min(leave_x, leave_y), min(leave_z, vec4(t_far)));
   const uvec4 met = uvec4(not(greaterThan(enter, leave)));
   return met.x | (met.y << 1u) | (met.z << 2u) | (met.w << 3u);
 }
@@ -77,12 +81,14 @@ uint boxes_met(uvec4 grid, uvec4 a, uvec4 b, uvec4 c, vec3 from, vec3 per_along,
   const uvec2 entry_x = is_down.x ? b.zw : a.xy, exit_x = is_down.x ? a.xy : b.zw;
   const uvec2 entry_y = is_down.y ? c.xy : a.zw, exit_y = is_down.y ? a.zw : c.xy;
   const uvec2 entry_z = is_down.z ? c.zw : b.xy, exit_z = is_down.z ? b.xy : c.zw;
-  return four_boxes_met(uvec3(entry_x.x, entry_y.x, entry_z.x), uvec3(exit_x.x, exit_y.x, exit_z.x),
-                        cell, begin - slack, begin + slack, t_near, t_far) |
-         (four_boxes_met(uvec3(entry_x.y, entry_y.y, entry_z.y),
-                         uvec3(exit_x.y, exit_y.y, exit_z.y), cell, begin - slack, begin + slack,
-                         t_near, t_far)
-          << 4u);
+  const vec3 early = begin - slack, late = begin + slack;
+  const uint lower = four_boxes_met(uvec3(entry_x.x, entry_y.x, entry_z.x),
+                                    uvec3(exit_x.x, exit_y.x, exit_z.x), cell, early, late, t_near,
+                                    t_far);
+  const uint upper = four_boxes_met(uvec3(entry_x.y, entry_y.y, entry_z.y),
+                                    uvec3(exit_x.y, exit_y.y, exit_z.y), cell, early, late, t_near,
+                                    t_far);
+  return lower | (upper << 4u);
 }
 
 // Each of the lowest eight bits four times.

@@ -22,8 +22,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 

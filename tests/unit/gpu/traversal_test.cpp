@@ -18,7 +18,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace {
