@@ -3,43 +3,67 @@
 #include "calc/radiosity/phase_timer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gpu {
 
 // Dispatches that were sent before the last change count as well: twice as many, or half, is then
 // what there is already.
-void DispatchSize::learn(std::size_t items, double seconds) {
-  if (seconds < kShort_s) {
+void DispatchSize::learn(std::size_t items, double least_s, double most_s) {
+  if (most_s < kShort_s) {
     items_ = std::max(items_, 2 * items);
-  } else if (seconds > kLong_s) {
+  } else if (least_s > kLong_s) {
     // At once where it took far too long: a watchdog may not wait for halves.
-    const double share = std::clamp(kShort_s / seconds, 0.125, 0.5);
+    const double share = std::clamp(kShort_s / least_s, 0.125, 0.5);
     items_ = std::min(items_, static_cast<std::size_t>(share * static_cast<double>(items)));
   }
   items_ = std::clamp(items_, fewest_, most_);
 }
 
+DispatchPacer::Mark DispatchPacer::Mark::set() {
+  Mark mark{GlFence::set(), calc::now_s()};
+  mark.look();
+  return mark;
+}
+
+bool DispatchPacer::Mark::look() {
+  if (most_s > 0.0) return true;
+  const bool is_reached = fence.is_reached();
+  (is_reached ? most_s : least_s) = calc::now_s();
+  return is_reached;
+}
+
+void DispatchPacer::Mark::wait(const std::string& doing) {
+  if (look()) return;
+  fence.wait(doing);
+  least_s = most_s = calc::now_s();
+}
+
 void DispatchPacer::begin(const std::string& doing) {
-  while (!under_way_.empty() &&
-         (under_way_.size() >= kMostUnderWay || under_way_.front().fence.is_reached())) {
-    under_way_.front().fence.wait(doing);
+  while (look_at_oldest()) take_oldest();
+  if (under_way_.size() >= kMostUnderWay) {
+    under_way_.front().before.wait(doing);
+    under_way_.front().after.wait(doing);
     take_oldest();
   }
-  begun_s_ = calc::now_s();
+  next_ = Mark::set();
 }
 
 void DispatchPacer::end(std::size_t items) {
-  under_way_.push_back({GlFence::set(), begun_s_, items});
-  // Software may have done it by now, and its time must not include the next one's.
-  while (!under_way_.empty() && under_way_.front().fence.is_reached()) take_oldest();
+  under_way_.push_back({std::move(next_), Mark::set(), items});
+  while (look_at_oldest()) take_oldest();
 }
 
-// It began when it was sent, or when the one before was done.
+bool DispatchPacer::look_at_oldest() {
+  if (under_way_.empty()) return false;
+  UnderWay& oldest = under_way_.front();
+  return oldest.before.look() && oldest.after.look();
+}
+
 void DispatchPacer::take_oldest() {
   const UnderWay& oldest = under_way_.front();
-  const double now_s = calc::now_s();
-  size_.learn(oldest.items, now_s - std::max(oldest.begun_s, reached_s_));
-  reached_s_ = now_s;
+  size_.learn(oldest.items, oldest.after.least_s - oldest.before.most_s,
+              oldest.after.most_s - oldest.before.least_s);
   under_way_.pop_front();
 }
 

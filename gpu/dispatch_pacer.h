@@ -17,8 +17,8 @@ class DispatchSize {
       : fewest_(fewest), most_(most), items_(first) {}
 
   std::size_t items() const { return items_; }
-  // That so many took so long.
-  void learn(std::size_t items, double seconds);
+  // That so many took no less than `least_s` and no more than `most_s`.
+  void learn(std::size_t items, double least_s, double most_s);
 
   static constexpr double kShort_s = 0.025, kLong_s = 0.05;
 
@@ -26,9 +26,9 @@ class DispatchSize {
   std::size_t fewest_, most_, items_;
 };
 
-// Keeps a few dispatches under way, so that the device has the next before it ends one, and looks
-// by fences how long each took. All calls need the context current in which it was made, the
-// destructor too.
+// Keeps a few dispatches under way, so that the device has the next before it ends one, and finds
+// by fences how long each took: from when it had its turn, as others' work may be on the device.
+// All calls need the context current in which it was made, the destructor too.
 class DispatchPacer {
  public:
   explicit DispatchPacer(const DispatchSize& size) : size_(size) {}
@@ -46,19 +46,28 @@ class DispatchPacer {
   static constexpr std::size_t kMostUnderWay = 2;
 
  private:
-  struct UnderWay {
+  // When the device got somewhere. Nobody may have looked just then.
+  struct Mark {
     GlFence fence;
-    double begun_s;
+    double least_s = 0.0, most_s = 0.0;  // 0: not yet
+
+    static Mark set();
+    bool look();
+    void wait(const std::string& doing);
+  };
+  struct UnderWay {
+    Mark before, after;
     std::size_t items;
   };
 
   void begin(const std::string& doing);
   void end(std::size_t items);
+  bool look_at_oldest();
   void take_oldest();
 
   DispatchSize size_;
   std::deque<UnderWay> under_way_;
-  double begun_s_ = 0.0, reached_s_ = 0.0;  // the newest, the last that was done
+  Mark next_;  // before the next
 };
 
 }  // namespace gpu

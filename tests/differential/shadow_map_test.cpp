@@ -214,6 +214,19 @@ TEST(ShadowMaps, EndWithTheReasonWhenTheDeviceFails) {
   }
 }
 
+TEST(ShadowMaps, TakeNoEarlierResults) {
+  LUXGATE_NEEDS_OPENGL();
+  const Furnished room;
+  const auto gatherer = gpu::make_shadow_map_gatherer(gl_device(gpu::Fault::results_lost), 16);
+  try {
+    gather_all(room, *gatherer);
+    gather_all(room, *gatherer);
+    ADD_FAILURE();
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+  }
+}
+
 TEST(ShadowMaps, AWholeRunAgreesWithRaysForAnyNumberOfThreads) {
   LUXGATE_NEEDS_OPENGL();
   const calc::PhotometricWeb web =

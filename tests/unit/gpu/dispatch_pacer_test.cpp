@@ -18,22 +18,24 @@ using ::testing::HasSubstr;
 
 TEST(DispatchSize, FollowsWhatDispatchesTook) {
   gpu::DispatchSize size(100, 10'000, 1000);
-  size.learn(1000, 0.03);
+  size.learn(1000, 0.03, 0.03);
   EXPECT_EQ(size.items(), 1000u);
-  size.learn(1000, 0.001);
+  size.learn(1000, 0.001, 0.001);
   EXPECT_EQ(size.items(), 2000u);
-  size.learn(1000, 0.001);  // had been sent before
+  size.learn(1000, 0.001, 0.001);  // had been sent before
   EXPECT_EQ(size.items(), 2000u);
-  size.learn(10, 0.001);  // the rest of a piece says nothing
+  size.learn(10, 0.001, 0.001);  // the rest of a piece says nothing
   EXPECT_EQ(size.items(), 2000u);
-  size.learn(2000, 0.06);
+  size.learn(2000, 0.06, 0.06);
   EXPECT_LT(size.items(), 1000u);
   EXPECT_GT(size.items(), 800u);
-  size.learn(2000, 0.06);  // had been sent before
+  size.learn(2000, 0.06, 0.06);  // had been sent before
   EXPECT_GT(size.items(), 800u);
-  size.learn(800, 60.0);
+  size.learn(800, 0.0, 60.0);  // nobody looked when it ended
+  EXPECT_GT(size.items(), 800u);
+  size.learn(800, 60.0, 60.0);
   EXPECT_EQ(size.items(), 100u);
-  for (int k = 0; k < 10; ++k) size.learn(size.items(), 0.001);
+  for (int k = 0; k < 10; ++k) size.learn(size.items(), 0.001, 0.001);
   EXPECT_EQ(size.items(), 10'000u);
 }
 
