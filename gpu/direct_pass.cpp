@@ -1,6 +1,7 @@
 #include "gpu/direct_pass.h"
 
 #include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/phase_timer.h"
 #include "gpu/gl_error.h"
 #include "gpu/lamp_tables.h"
 #include "gpu/path_shader_text.h"
@@ -136,10 +137,10 @@ DirectPass::DirectPass(const ProgramCache& programs)
 void DirectPass::run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece) {
   send(device, piece);
   find_pairs(piece);
-  sum_seen(piece);
-  take_pairs(piece);
-  if (!piece.keys.empty()) sample(limits, piece);
-  take_known(piece);
+  if (!piece.is_cut_short) sum_seen(piece);
+  if (!piece.is_cut_short) take_pairs(piece);
+  if (!piece.is_cut_short && !piece.keys.empty()) sample(limits, piece);
+  if (!piece.is_cut_short) take_known(piece);
   device.check(kDoing);
 }
 
@@ -183,9 +184,13 @@ void DirectPass::start(const GlProgram& program, const DirectPiece& piece) const
 }
 
 // first, last: uniforms that say which of the items a dispatch is for.
-void DirectPass::run_in_parts(const GlProgram& program, DispatchPacer& pacer, std::size_t items,
-                              const char* first, const char* last) {
+void DirectPass::run_in_parts(DirectPiece& piece, const GlProgram& program, DispatchPacer& pacer,
+                              std::size_t items, const char* first, const char* last) {
   for (std::size_t begin = 0; begin < items;) {
+    if (calc::is_past(piece.deadline_s)) {
+      piece.is_cut_short = true;
+      return;
+    }
     const std::size_t end = std::min(items, begin + pacer.items());
     pacer.run(end - begin, kDoing, [&] {
       program.set(first, count(begin));
@@ -197,17 +202,17 @@ void DirectPass::run_in_parts(const GlProgram& program, DispatchPacer& pacer, st
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void DirectPass::find_pairs(const DirectPiece& piece) {
+void DirectPass::find_pairs(DirectPiece& piece) {
   const std::size_t pairs = piece.points.size() * piece.is_asked.size();
   const std::size_t bytes = pairs * sizeof(std::uint32_t);
   pairs_.assign(bytes, kNotDone);
   pairs_.bind(kPairs);
   start(classify_, piece);
-  run_in_parts(classify_, classify_pacer_, pairs, "first_pair", "last_pair");
+  run_in_parts(piece, classify_, classify_pacer_, pairs, "first_pair", "last_pair");
   pairs_back_.start({{pairs_, 0, bytes}}, kNotDone);
 }
 
-void DirectPass::sum_seen(const DirectPiece& piece) {
+void DirectPass::sum_seen(DirectPiece& piece) {
   const std::size_t pairs = piece.points.size() * piece.is_asked.size();
   const std::size_t sums = channels_of(piece) * piece.points.size();
   light_.assign(pairs * 2 * sizeof(double), kNoNumber);
@@ -215,7 +220,7 @@ void DirectPass::sum_seen(const DirectPiece& piece) {
   light_.bind(kLight);
   known_.bind(kKnown);
   start(seen_, piece);
-  run_in_parts(seen_, seen_pacer_, pairs, "first_pair", "last_pair");
+  run_in_parts(piece, seen_, seen_pacer_, pairs, "first_pair", "last_pair");
   start(sums_, piece);
   dispatch(sums);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
@@ -262,6 +267,7 @@ void DirectPass::sample(const DirectLimits& limits, DirectPiece& piece) {
       list.insert(list.end(), chunks.chunk[k].begin(), chunks.chunk[k].end());
     }
     sample_points(piece, first, last, list, chunks.first[last] - chunks.first[first]);
+    if (piece.is_cut_short) return;
     first = last;
   }
   totals_back_.start({{totals_, 0, bytes}}, kNoNumber);
@@ -270,7 +276,7 @@ void DirectPass::sample(const DirectLimits& limits, DirectPiece& piece) {
   if (!std::all_of(piece.totals.begin(), piece.totals.end(), is_done)) throw_not_done();
 }
 
-void DirectPass::sample_points(const DirectPiece& piece, std::size_t first, std::size_t last,
+void DirectPass::sample_points(DirectPiece& piece, std::size_t first, std::size_t last,
                                std::span<const std::uint32_t> list, std::size_t chunks) {
   const std::size_t jobs = chunks * piece.rounds.replicates;
   list_.assign(list);
@@ -281,7 +287,7 @@ void DirectPass::sample_points(const DirectPiece& piece, std::size_t first, std:
   if (jobs > 0) {
     start(samples_, piece);
     samples_.set("listed_points", count(last - first));
-    run_in_parts(samples_, samples_pacer_, jobs, "first_job", "last_job");
+    run_in_parts(piece, samples_, samples_pacer_, jobs, "first_job", "last_job");
   }
   start(add_up_, piece);
   add_up_.set("listed_points", count(last - first));

@@ -26,7 +26,10 @@ struct DirectPiece {
   std::span<const std::uint8_t> is_asked{};  // [luminaire]
   bool has_shadows = true;
   calc::OpeningRounds rounds{};
+  double deadline_s = 0.0;  // see calc::is_past()
 
+  // The deadline passed: nothing below is whole.
+  bool is_cut_short = false;
   // [luminaire * points + point]: kPairNothing and so on.
   std::vector<std::uint32_t> pairs{};
   // [point]: 1 = so near to an opening that this falls into more parts than a shader visits; all of
@@ -49,16 +52,16 @@ class DirectPass {
  private:
   void send(DeviceState& device, const DirectPiece& piece);
   void send_tables(const calc::Tracer& tracer);
-  void find_pairs(const DirectPiece& piece);
-  void sum_seen(const DirectPiece& piece);
+  void find_pairs(DirectPiece& piece);
+  void sum_seen(DirectPiece& piece);
   void take_pairs(DirectPiece& piece);
   void take_known(DirectPiece& piece);
   void sample(const DirectLimits& limits, DirectPiece& piece);
-  void sample_points(const DirectPiece& piece, std::size_t first, std::size_t last,
+  void sample_points(DirectPiece& piece, std::size_t first, std::size_t last,
                      std::span<const std::uint32_t> list, std::size_t chunks);
   void start(const GlProgram& program, const DirectPiece& piece) const;
-  void run_in_parts(const GlProgram& program, DispatchPacer& pacer, std::size_t items,
-                    const char* first, const char* last);
+  void run_in_parts(DirectPiece& piece, const GlProgram& program, DispatchPacer& pacer,
+                    std::size_t items, const char* first, const char* last);
 
   GlProgram classify_, seen_, sums_, samples_, add_up_;
   GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
