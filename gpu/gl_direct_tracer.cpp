@@ -86,8 +86,9 @@ class GlDirectTracer : public calc::DirectTracer {
                       std::span<const calc::RandomKey> keys, const calc::OpeningRounds& rounds,
                       const Take& take_piece) {
     const std::size_t totals = replicates * (batch.tracer.scene().channels.size() + 1);
+    const std::size_t pairs = is_asked.size() * (rounds.last - rounds.first);
     const std::size_t most =
-        std::max<std::size_t>(1, std::min(limits_.pairs / is_asked.size(), kMostTotals / totals));
+        std::max<std::size_t>(1, std::min(limits_.pairs / pairs, kMostTotals / totals));
     for (std::size_t first = 0; first < batch.receivers.size(); first += most) {
       if (calc::is_past(batch.deadline_s)) return;
       const std::size_t points = std::min(most, batch.receivers.size() - first);
@@ -96,8 +97,10 @@ class GlDirectTracer : public calc::DirectTracer {
                         keys.empty() ? keys : keys.subspan(first, points),
                         is_asked,
                         batch.proofs.has_shadows,
-                        rounds};
+                        rounds,
+                        batch.deadline_s};
       run(piece);
+      if (piece.is_cut_short) return;
       take_piece(first, piece);
     }
   }

@@ -12,7 +12,7 @@ namespace gpu {
 
 // How much is sent and done at a time; results do not depend on it, but for the last.
 struct DirectLimits {
-  std::size_t pairs = std::size_t{1} << 20;       // of points and luminaires, in one piece
+  std::size_t pairs = std::size_t{1} << 20;       // of points and luminaires, times rounds
   std::size_t chunk_sums = std::size_t{1} << 21;  // of chunks of samples and replicates, in one go
   std::uint32_t chunk = 32;  // samples of an opening that one invocation takes; these do matter:
                              // sums of chunks are added, which is a rounding
