@@ -48,7 +48,7 @@ if(LUXGATE_PYTHON)
   add_test(NAME bench_simulate_cluster_is_right COMMAND ${LUXGATE_PYTHON} -B
     ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulate_cluster.py --check)
 else()
-  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right)
+  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right gpu_model_is_kept)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
   endforeach()
