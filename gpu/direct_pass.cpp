@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <utility>
 
 namespace gpu {
@@ -112,11 +113,10 @@ Chunks chunks_of(const DirectPiece& piece, std::uint32_t most_samples) {
 }  // namespace
 
 DirectPass::DirectPass(const ProgramCache& programs)
-    : classify_("what points see of luminaires", direct_shader(DirectStage::classify), programs),
+    : programs_(programs),
+      classify_("what points see of luminaires", direct_shader(DirectStage::classify), programs),
       seen_("light of openings that are seen", direct_shader(DirectStage::seen), programs),
       sums_("sums of direct light", direct_shader(DirectStage::sums), programs),
-      samples_("samples of openings", direct_shader(DirectStage::samples), programs),
-      add_up_("sums of samples of openings", direct_shader(DirectStage::totals), programs),
       points_("calculation points"),
       tables_("luminaires", BufferUse::fixed),
       words_("random numbers"),
@@ -247,6 +247,12 @@ void DirectPass::take_known(DirectPiece& piece) {
 }
 
 void DirectPass::sample(const DirectLimits& limits, DirectPiece& piece) {
+  if (!add_up_) {
+    samples_ = std::make_unique<GlProgram>("samples of openings",
+                                           direct_shader(DirectStage::samples), programs_);
+    add_up_ = std::make_unique<GlProgram>("sums of samples of openings",
+                                          direct_shader(DirectStage::totals), programs_);
+  }
   const std::size_t points = piece.points.size(), replicates = piece.rounds.replicates;
   piece.totals.resize(replicates * (channels_of(piece) + 1) * points);
   const std::size_t bytes = piece.totals.size() * sizeof(double);
@@ -285,13 +291,13 @@ void DirectPass::sample_points(DirectPiece& piece, std::size_t first, std::size_
   list_.bind(kList);
   chunk_sums_.bind(kChunkSums);
   if (jobs > 0) {
-    start(samples_, piece);
-    samples_.set("listed_points", count(last - first));
-    run_in_parts(piece, samples_, samples_pacer_, jobs, "first_job", "last_job");
+    start(*samples_, piece);
+    samples_->set("listed_points", count(last - first));
+    run_in_parts(piece, *samples_, samples_pacer_, jobs, "first_job", "last_job");
   }
-  start(add_up_, piece);
-  add_up_.set("listed_points", count(last - first));
-  add_up_.set("first_point", count(first));
+  start(*add_up_, piece);
+  add_up_->set("listed_points", count(last - first));
+  add_up_->set("first_point", count(first));
   dispatch(piece.rounds.replicates * channels_of(piece) * (last - first));
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -45,7 +45,7 @@ struct DirectPiece {
 // calc::BackendFailure.
 class DirectPass {
  public:
-  explicit DirectPass(const ProgramCache& programs);
+  explicit DirectPass(const ProgramCache& programs);  // must outlive it
 
   void run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece);
 
@@ -63,7 +63,9 @@ class DirectPass {
   void run_in_parts(DirectPiece& piece, const GlProgram& program, DispatchPacer& pacer,
                     std::size_t items, const char* first, const char* last);
 
-  GlProgram classify_, seen_, sums_, samples_, add_up_;
+  const ProgramCache& programs_;
+  GlProgram classify_, seen_, sums_;
+  std::unique_ptr<GlProgram> samples_, add_up_;  // once openings of some size are asked for
   GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
   GlReadBack pairs_back_, known_back_, totals_back_;
   DispatchPacer classify_pacer_, seen_pacer_, samples_pacer_;
