@@ -33,6 +33,7 @@ TEST(DispatchSize, FollowsWhatDispatchesTook) {
   EXPECT_GT(size.items(), 800u);
   size.learn(800, 0.0, 60.0);  // nobody looked when it ended
   EXPECT_GT(size.items(), 800u);
+  EXPECT_LT(size.items(), 1000u);
   size.learn(800, 60.0, 60.0);
   EXPECT_EQ(size.items(), 100u);
   for (int k = 0; k < 10; ++k) size.learn(size.items(), 0.001, 0.001);
