@@ -47,10 +47,10 @@ const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
   DeviceScene scene{tracer.identity(),
                     static_cast<std::uint32_t>(bvh.nodes.size()),
                     static_cast<std::uint32_t>(bvh.nodes.size() + bvh.triangles.size()),
-                    GlBuffer("the scene's boxes"),
-                    GlBuffer("the scene's triangles"),
-                    GlBuffer("the scene's surfaces"),
-                    GlBuffer("the scene's triangle numbers")};
+                    GlBuffer("the scene's boxes", BufferUse::fixed),
+                    GlBuffer("the scene's triangles", BufferUse::fixed),
+                    GlBuffer("the scene's surfaces", BufferUse::fixed),
+                    GlBuffer("the scene's triangle numbers", BufferUse::fixed)};
   scene.node.assign(bvh.nodes);
   scene.triangle.assign(bvh.triangles);
   scene.surface.assign(surfaces_of(tracer, bvh));

@@ -1,6 +1,6 @@
 #pragma once
-// The sources of shaders for light paths, direct light and short rays, put together from shaders/ and the
-// formulas of calc/.
+// The sources of shaders for light paths, direct light and short rays, put together from shaders/
+// and the formulas of calc/.
 
 #include <cstdint>
 #include <string>
