@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -86,7 +87,7 @@ void read_pci(const MachineView& machine, DeviceFacts& facts) {
 
 // By name: a sandbox may let devices be opened and yet not let /dev be listed.
 std::vector<std::string> nvidia_numbers(const MachineView& machine) {
-  constexpr int kMostGpus = 32;  // of one machine [MIG User Guide, mig-minors]
+  constexpr int kMostGpus = 32;  // of one machine [MIG, Device Nodes and Capabilities]
   std::vector<std::string> numbers;
   for (int k = 0; k < kMostGpus; ++k) {
     const std::string number = std::to_string(k);
@@ -115,7 +116,7 @@ void read_nodes(const MachineView& machine, DeviceFacts& facts) {
 
 // The GPUs that may be used, by the numbers of their nodes, are all partitioned. "config" and
 // "monitor" are there without partitions too: capabilities 1 and 2.
-// [MIG User Guide, Device Nodes and Capabilities]
+// [MIG, Device Nodes and Capabilities]
 bool is_partitioned(const MachineView& machine) {
   if (machine.environment("NVIDIA_VISIBLE_DEVICES").find("MIG-") != std::string::npos) return true;
   std::set<std::string> partitioned;
@@ -201,6 +202,7 @@ EglVendor read_vendor(const MachineView& machine, const std::string& maker,
   return vendor;
 }
 
+// Not set means utility and compute. [NVIDIA container]
 bool has_graphics(const std::string& capabilities) {
   const std::vector<std::string> names = split(capabilities, ',');
   return std::any_of(names.begin(), names.end(),
@@ -320,6 +322,7 @@ std::string missing_device_advice(const DeviceFacts& facts) {
     case MissingDevice::unknown:
       return "";
     case MissingDevice::partitioned:
+      // [MIG, Supported MIG Profiles]
       return "the GPU is partitioned (MIG), and slices have no OpenGL but those with '+gfx' in "
              "their profile: take a whole GPU";
     case MissingDevice::not_handed_in:

@@ -17,7 +17,7 @@ struct MachineView {
 MachineView this_machine();
 
 // One maker's driver as libglvnd finds it.
-// [libglvnd, src/EGL/icd_enumeration.md]
+// [libglvnd, EGL ICD enumeration]
 struct EglVendor {
   bool has_library = false;  // libEGL_nvidia.so.0 or libEGL_mesa.so.0
   bool has_file = false;     // the JSON file that names it, where EGL looks

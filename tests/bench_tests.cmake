@@ -38,6 +38,8 @@ add_custom_target(bench_ratios
   USES_TERMINAL)
 find_program(LUXGATE_PYTHON python3)
 if(LUXGATE_PYTHON)
+  # What is said of devices is what the model gives.
+  add_test(NAME gpu_model_is_kept COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/bench/gpu_model.py --check)
   add_test(NAME bench_report_cost_runs COMMAND ${LUXGATE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_cost.py
     $<TARGET_FILE:luxgate> ${CMAKE_SOURCE_DIR}/examples/05-failing-corridor/photometry/lambert_panel_600.ies 8)
   add_test(NAME bench_users_projects_run COMMAND ${LUXGATE_PYTHON}
@@ -46,7 +48,7 @@ if(LUXGATE_PYTHON)
   add_test(NAME bench_simulate_cluster_is_right COMMAND ${LUXGATE_PYTHON} -B
     ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulate_cluster.py --check)
 else()
-  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right)
+  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right gpu_model_is_kept)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
   endforeach()

@@ -59,3 +59,8 @@ add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}
   -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/gpu_backend
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_gpu_backend.cmake)
 set_tests_properties(cli.gpu_backend PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "skipped:")
+
+# Counts for gpu_model.py, which says what devices should take and why.
+add_executable(gpu_model_counts
+  bench/gpu_model_counts.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
+target_link_libraries(gpu_model_counts PRIVATE gpu calc_radiosity rules)

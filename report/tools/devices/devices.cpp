@@ -31,7 +31,7 @@ std::string render_devices_text(const gpu::DeviceList& list) {
   std::string text;
   for (const gpu::Device& device : list.devices) text += device_lines(device);
   if (list.devices.empty()) text += fmt::format("no OpenGL device: {}\n", list.problem);
-  if (!list.advice.empty()) text += fmt::format("no hardware: {}\n", list.advice);
+  if (!list.advice.empty()) text += fmt::format("GPU not found: {}\n", list.advice);
   return text;
 }
 

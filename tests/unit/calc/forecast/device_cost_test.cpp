@@ -126,6 +126,14 @@ TEST(DeviceCost, WhatHasToBeSentCounts) {
                 5.0 / 8.0);
 }
 
+// Groups and packing, 20 ns of a thread for each of 4e8 connections.
+TEST(DeviceCost, ThreadsShareWhatTheCpuDoesBeside) {
+  const auto connect_s = [](int threads) {
+    return calc::weigh_ideal_device(work(1.0, threads), {}).with_device.connect;
+  };
+  EXPECT_NEAR(connect_s(1) - connect_s(4), 8.0 - 2.0, 1e-6);
+}
+
 TEST(DeviceCost, NoDeviceIsFasterThanTheIdealOne) {
   for (const double size : {1e-3, 1.0, 100.0}) {
     const calc::DeviceCost ideal = calc::weigh_ideal_device(work(size, 4), {});
@@ -140,6 +148,7 @@ TEST(DeviceCost, WhatIsNotMeasuredIsAssumed) {
   some.any_hit_per_s = 3e9;
   some.open_s = std::numeric_limits<double>::quiet_NaN();
   some.up_bytes_per_s = -1.0;
+  some.down_bytes_per_s = std::numeric_limits<double>::infinity();
   calc::DeviceRates expected = calc::kAssumedRates;
   expected.any_hit_per_s = 3e9;
   EXPECT_EQ(calc::with_assumptions(some), expected);

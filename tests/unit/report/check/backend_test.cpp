@@ -220,7 +220,7 @@ TEST(Devices, AreListedWithWhatKeepsThemFromUse) {
             "no OpenGL device: there is no EGL library\n");
   const gpu::DeviceList advised{{device(0, "soft", true)}, "", "the driver is not loaded"};
   EXPECT_THAT(cli::render_devices_text(advised),
-              HasSubstr("no hardware: the driver is not loaded\n"));
+              HasSubstr("GPU not found: the driver is not loaded\n"));
   EXPECT_EQ(nlohmann::json::parse(cli::render_devices_json(advised))["advice"],
             "the driver is not loaded");
 }
