@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """What the GPU backend should take on devices, phase by phase, and what limits each phase.
 
-    gpu_model.py [--counts FILE] [--visits KIND=NODES,TRIANGLES]... [--threads N]
-                 [--markdown|--check]
+    gpu_model.py [--counts FILE] [--tree eight|binary] [--visits KIND=NODES,TRIANGLES]...
+                 [--threads N] [--markdown|--check]
 
 Counted work (gpu_model_counts.json, by gpu_model_counts) times instructions counted by hand from the
-shaders, over published rates. Node visits are an input: --visits connections=25,6 takes the place of
-what was counted, of connections, light_paths or near_field. Nothing here was measured on a GPU.
+shaders, over published rates. Node visits are an input (gpu_model_visits.json): --visits
+connections=4,1 takes the place of what is there of connections, light_paths or near_field. Nothing
+here was measured on a GPU.
 """
 
 import argparse
@@ -52,10 +53,14 @@ A = {name: value for name, (value, _) in ASSUMED.items()}
 # (fp32 and integer, fp64, bytes). d: a division or root, counted by the assumption above.
 D, F = A["double_divide"], A["float_divide"]
 COUNTED = {
-    # visibility.glsl misses_box: 6 subtractions, 6 products, 6 min/max per pair, 6 to join them, 2
+    # visibility.glsl, a node of eight: grid 9, cell 3, begin 6, slack 15, signs and choice 15; twice
+    # four boxes: 6 words taken apart and converted at 12, 24 products with sums, 24 min/max, 10 to
+    # join them; links 15, stack and loop 30. Shared memory is left out
+    "node visit, eight": (9 + 3 + 6 + 15 + 15 + 2 * (72 + 24 + 24 + 10) + 45, 0, 80),
+    # the binary tree before it: 6 subtractions, 6 products, 6 min/max per pair, 6 to join them, 2
     # products, 1 comparison = 27; the loop: 2 comparisons, 3 to take the leaf apart, 4 of addresses,
     # 1 step = 10
-    "node visit": (37, 0, 32),
+    "node visit, binary": (37, 0, 32),
     # is_crossed: 9 differences; 3 volumes of 6 + 9 + 5 (precise: nothing is fused) = 60; rounding 4;
     # inside 8; one in three goes on to slope, distance and division: (5 + 5 + F) / 3
     "triangle test": (81 + (10 + F) / 3, 0, 48),
@@ -168,7 +173,7 @@ class Device:
 
 
 def ray_items(rays, visits):
-    return [(rays, "ray"), (rays * visits["nodes"], "node visit"),
+    return [(rays, "ray"), (rays * visits["nodes"], f"node visit, {visits['tree']}"),
             (rays * visits["triangles"], "triangle test")]
 
 
@@ -323,18 +328,19 @@ def stretch_check(counts):
                   "near rays"], rows)
 
 
-def software_check(counts, visits):
+def software_check(counts, trees):
     """llvmpipe: the same instructions on vectors, but every word of a buffer is read lane by lane, also
     for lanes that only wait for others."""
     soft = counts.get("llvmpipe")
     if not soft:
         return ["Not measured."]
     draws = soft["draws"]
+    visits = trees[soft["tree"]]  # as it was when it was measured
     nodes = cut_nodes(draws) / draws
     vectors = words = 0.0
     for count, kind in [*ray_items(1.0, visits["connections"]), (1.0, "draw"), (1.0, "sum"),
                         (nodes, "weight"), (nodes, "share")]:
-        is_ray = kind in ("ray", "node visit", "triangle test")
+        is_ray = kind in ("ray", "triangle test") or kind.startswith("node visit")
         lanes = A["rays_lanes"] if is_ray else A["code_lanes"]
         n32, n64, size = COUNTED[kind]
         vectors += count * (n32 + 2 * n64) / lanes / SOFTWARE["lanes"]
@@ -351,7 +357,7 @@ def software_check(counts, visits):
             "beyond its order of magnitude."]
 
 
-def all_tables(counts, visits, threads):
+def all_tables(counts, trees, visits, threads):
     yield from ["## Predicted", ""]
     yield from predictions(counts, visits, threads)
     yield from ["", "## The device alone", ""]
@@ -361,7 +367,7 @@ def all_tables(counts, visits, threads):
     yield from ["", "## Stretching counts to an error", ""]
     yield from stretch_check(counts)
     yield from ["", "## Against llvmpipe", ""]
-    yield from software_check(counts, visits)
+    yield from software_check(counts, trees)
     yield from ["", "## Inputs", "", "Node visits and triangle tests of a ray:", ""]
     yield from table(["kind", "nodes", "triangles", "share that hits"],
                      [[kind, f"{v['nodes']:.1f}", f"{v['triangles']:.1f}", f"{v['hits']:.2f}"]
@@ -383,6 +389,7 @@ def main():
     here = pathlib.Path(__file__).parent
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--counts", type=pathlib.Path, default=here / "gpu_model_counts.json")
+    parser.add_argument("--tree", choices=("eight", "binary"), default="eight")
     parser.add_argument("--visits", action="append", default=[], metavar="KIND=NODES,TRIANGLES")
     parser.add_argument("--threads", type=int, default=16, help="of the processor beside the device")
     parser.add_argument("--markdown", action="store_true", help="write gpu_model.md")
@@ -390,13 +397,17 @@ def main():
                         help="end with 1 if gpu_model.md holds something else")
     options = parser.parse_args()
     counts = json.loads(options.counts.read_text(encoding="utf-8"))
-    visits = {k: dict(v) for k, v in counts["visits"].items() if isinstance(v, dict)}
+    trees = json.loads((here / "gpu_model_visits.json").read_text(encoding="utf-8"))
+    for name, kinds in trees.items():
+        for kind in kinds.values():
+            kind["tree"] = name
+    visits = trees[options.tree]
     for given in options.visits:
         kind, _, values = given.partition("=")
         if kind not in visits:
             parser.error(f"--visits: '{kind}' is none of {', '.join(visits)}")
         visits[kind]["nodes"], visits[kind]["triangles"] = map(float, values.split(","))
-    text = "\n".join(all_tables(counts, visits, options.threads)) + "\n"
+    text = "\n".join(all_tables(counts, trees, visits, options.threads)) + "\n"
     if not options.markdown and not options.check:
         print(text, end="")
         return 0

@@ -1,16 +1,10 @@
 // What the model of devices (gpu_model.py) is fed with, counted on the CPU; JSON to stdout:
-//   gpu_model_counts [SCENE [PATHS COLUMNS ROWS]...]
-// Node visits and triangle tests of a ray in the device's tree (shaders/visibility.glsl and
-// closest_hit.glsl said again), for connections, light paths and short rays; the counters, the
-// error and the seconds of one look at the office with PATHS light paths per replicate and so many
-// points; and what a connection takes llvmpipe, where that is the OpenGL there is.
-#include "calc/radiosity/grid_receivers.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/path_terms.h"
+//   gpu_model_counts [PATHS COLUMNS ROWS]...
+// The counters, the error and the seconds of one look at the office with PATHS light paths per
+// replicate and so many points; and what a connection takes llvmpipe, where that is the OpenGL
+// there is. Node visits of rays are counted by bench_gpu_traversal.
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/solve.h"
-#include "calc/radiosity/threads.h"
-#include "gpu/bvh.h"
 #include "gpu/gl_gatherer.h"
 #include "tests/bench/scenes.h"
 
@@ -23,112 +17,9 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace {
-
-struct Visits {
-  double rays = 0, nodes = 0, triangles = 0, hits = 0;
-};
-
-bool misses_box(const gpu::BvhNode& node, const glm::vec3& from, const glm::vec3& per_along,
-                float t_near, float t_far) {
-  const glm::vec3 low(node.low_m[0], node.low_m[1], node.low_m[2]);
-  const glm::vec3 high(node.high_m[0], node.high_m[1], node.high_m[2]);
-  const glm::vec3 t0 = (low - from) * per_along, t1 = (high - from) * per_along;
-  const glm::vec3 first = glm::min(t0, t1), last = glm::max(t0, t1);
-  const float enter = std::max(std::max(first.x, first.y), std::max(first.z, t_near));
-  const float leave = std::min(std::min(last.x, last.y), std::min(last.z, t_far));
-  return !(enter * (1.0f - 1e-6f) <= leave * (1.0f + 1e-6f));
-}
-
-bool is_crossed(const gpu::BvhTriangle& triangle, const glm::vec3& from, const glm::vec3& along,
-                float& t) {
-  const auto& c = triangle.corner_m;
-  const glm::vec3 v0 = glm::vec3(c[0]) - from, v1 = glm::vec3(c[1]) - from,
-                  v2 = glm::vec3(c[2]) - from;
-  const float a = glm::dot(glm::cross(v2 - v0, v2 + v0), along);
-  const float b = glm::dot(glm::cross(v0 - v1, v0 + v1), along);
-  const float d = glm::dot(glm::cross(v1 - v2, v1 + v2), along);
-  if (!(std::min(a, std::min(b, d)) >= 0.0f || std::max(a, std::max(b, d)) <= 0.0f)) return false;
-  const glm::vec3 normal(c[0].w, c[1].w, c[2].w);
-  const float slope = glm::dot(normal, along);
-  if (slope == 0.0f) return false;
-  t = glm::dot(normal, v0) / slope;
-  return true;
-}
-
-void trace(const gpu::Bvh& bvh, const glm::vec3& from, const glm::vec3& along, float t_near,
-           float t_far, bool any_hit, Visits& visits) {
-  const auto reciprocal = [](float x) { return 1.0f / (std::abs(x) > 1e-30f ? x : 1e-30f); };
-  const glm::vec3 per_along(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
-  bool is_found = false;
-  ++visits.rays;
-  for (std::uint32_t at = 0; at < bvh.nodes.size();) {
-    const gpu::BvhNode& node = bvh.nodes[at];
-    ++visits.nodes;
-    if (misses_box(node, from, per_along, t_near, t_far)) {
-      at = node.next;
-      continue;
-    }
-    const std::uint32_t begin = node.leaf / gpu::kLeafStep;
-    const std::uint32_t end = begin + node.leaf % gpu::kLeafStep;
-    for (std::uint32_t k = begin; k < end; ++k) {
-      float t = 0.0f;
-      ++visits.triangles;
-      if (!is_crossed(bvh.triangles[k], from, along, t) || t < t_near || t > t_far) continue;
-      is_found = true;
-      if (any_hit) break;
-      t_far = t;
-    }
-    if (is_found && any_hit) break;
-    ++at;
-  }
-  if (is_found) ++visits.hits;
-}
-
-std::string json(std::string_view name, const Visits& v) {
-  return fmt::format("\"{}\": {{\"nodes\": {:.1f}, \"triangles\": {:.2f}, \"hits\": {:.3f}}}", name,
-                     v.nodes / v.rays, v.triangles / v.rays, v.hits / v.rays);
-}
-
-// Connections by flux, which draws follow near enough for counting; light paths from their
-// vertices; short rays from the points.
-std::string visits_json(const bench::BenchScene& scene) {
-  constexpr std::uint32_t kRays = 40000;
-  const gpu::Bvh bvh = gpu::build_bvh(scene.scene);
-  const calc::Tracer tracer(scene.scene);
-  const calc::Emitter emitter(scene.scene);
-  const calc::LightVertices vertices =
-      calc::trace_light_paths(tracer, emitter, {1, 0, 0, 4096}).vertices;
-  const calc::VertexTree tree(vertices, scene.scene.channels.size());
-  const std::vector<calc::Receiver> receivers = calc::receivers_of(tracer, scene.grid);
-  const auto reach_m = static_cast<float>(calc::GeometryBound(tracer, emitter, 1024).reach_m());
-  Visits connections, paths, short_rays;
-  for (std::uint32_t k = 0; k < kRays; ++k) {
-    const calc::RandomKey key = calc::RandomKey(5).with(k);
-    const calc::Receiver& receiver = receivers[k % receivers.size()];
-    const glm::vec3 from(tracer.lift(receiver));
-    const std::uint32_t v = tree.vertex_at(0, static_cast<std::uint32_t>(tree.vertices().size()),
-                                           key.with(0).uniform());
-    const calc::LightVertex& vertex = tree.vertices()[v];
-    const glm::vec3 along = vertex.position_m - from;
-    if (glm::dot(glm::vec3(receiver.axis), along) > 0.0f && glm::dot(vertex.normal, along) < 0.0f) {
-      const float t_near = static_cast<float>(tracer.offset_m()) / glm::length(along);
-      trace(bvh, from, along, t_near, 1.0f, true, connections);
-    }
-    const double u0 = key.with(1).uniform(), u1 = key.with(2).uniform();
-    trace(bvh, vertex.position_m,
-          glm::vec3(calc::cosine_direction(glm::dvec3(vertex.normal), u0, u1)), 0.0f, 1e30f, false,
-          paths);
-    trace(bvh, from, glm::vec3(calc::cosine_direction(receiver.axis, u0, u1)), 1e-4f, reach_m,
-          false, short_rays);
-  }
-  return fmt::format("{{{}, {}, {}, \"tree_nodes\": {}, \"reach_m\": {:.3f}}}",
-                     json("connections", connections), json("light_paths", paths),
-                     json("near_field", short_rays), bvh.nodes.size(), reach_m);
-}
 
 // Relative standard error of the indirect part's and direct part's sum, RMS over points.
 double error_of(const calc::PlaneField& field) {
@@ -197,7 +88,8 @@ std::string software_json(const bench::BenchScene& scene, std::uint64_t paths) {
   const auto connections =
       static_cast<double>(by_gl.solution.fields.front().counters.connection_rays);
   return fmt::format(
-      "{{\"renderer\": \"{}\", \"points\": {}, \"draws\": {}, \"ns_per_connection\": {:.0f}}}",
+      "{{\"tree\": \"eight\", \"renderer\": \"{}\", \"points\": {}, \"draws\": {}, "
+      "\"ns_per_connection\": {:.0f}}}",
       device->device().renderer, scene.points(), calc::draws_per_point(paths, scene.points()),
       1e9 * connect_s / connections);
 }
@@ -223,21 +115,17 @@ std::string look_json(const bench::BenchScene& scene, std::uint64_t paths) {
 
 int main(int argc, char** argv) {
   try {
-    const std::string name = argc > 1 ? argv[1] : "office";
-    const bench::BenchScene scene = make_scene(bench::find_room(name));
     std::string looks;
-    for (int k = 2; k + 2 < argc; k += 3) {
-      if (name != "office") throw std::runtime_error("looks are those of the office");
+    for (int k = 1; k + 2 < argc; k += 3) {
       const bench::BenchScene sized =
           make_scene(bench::office(std::atoi(argv[k + 1]), std::atoi(argv[k + 2])));
       looks += fmt::format("{}\n    {}", looks.empty() ? "" : ",",
                            look_json(sized, std::strtoull(argv[k], nullptr, 10)));
     }
-    fmt::print("{{\n  \"scene\": \"{}\",\n  \"triangles\": {},\n  \"visits\": {},\n", name,
-               scene.scene.triangle.size(), visits_json(scene));
-    fmt::print("  \"llvmpipe\": {},\n  \"looks\": [{}]\n}}\n",
-               name == "office" ? software_json(make_scene(bench::office(40, 25)), 256) : "null",
-               looks);
+    const bench::BenchScene scene = make_scene(bench::office(40, 25));
+    fmt::print("{{\n  \"scene\": \"office\",\n  \"triangles\": {},\n  \"llvmpipe\": {},\n",
+               scene.scene.triangle.size(), software_json(scene, 256));
+    fmt::print("  \"looks\": [{}]\n}}\n", looks);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
