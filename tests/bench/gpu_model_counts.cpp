@@ -19,7 +19,9 @@
 #include <ctime>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -32,15 +34,26 @@ struct Visits {
   double rays = 0, nodes = 0, triangles = 0, hits = 0;
 };
 
-bool misses_box(const gpu::BvhNode& node, const glm::vec3& from, const glm::vec3& per_along,
-                float t_near, float t_far) {
-  const glm::vec3 low(node.low_m[0], node.low_m[1], node.low_m[2]);
-  const glm::vec3 high(node.high_m[0], node.high_m[1], node.high_m[2]);
-  const glm::vec3 t0 = (low - from) * per_along, t1 = (high - from) * per_along;
-  const glm::vec3 first = glm::min(t0, t1), last = glm::max(t0, t1);
-  const float enter = std::max(std::max(first.x, first.y), std::max(first.z, t_near));
-  const float leave = std::min(std::min(last.x, last.y), std::min(last.z, t_far));
-  return !(enter * (1.0f - 1e-6f) <= leave * (1.0f + 1e-6f));
+// Slots whose boxes the ray meets; those without a child among them.
+std::uint32_t boxes_met(const gpu::BvhNode& node, const glm::vec3& from, const glm::vec3& per_along,
+                        float t_near, float t_far) {
+  std::uint32_t met = 0;
+  for (std::size_t slot = 0; slot < gpu::kBvhWidth; ++slot) {
+    float enter = t_near, leave = t_far;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const float step = std::bit_cast<float>(static_cast<std::uint32_t>(node.step[k]) << 23U);
+      const float begin = (node.low_m[k] - from[axis]) * per_along[axis];
+      const float cell = step * per_along[axis];
+      const float slack = 1e-6f * (std::abs(begin) + 255.0f * std::abs(cell));
+      const float t0 = begin + cell * static_cast<float>(node.low[k][slot]);
+      const float t1 = begin + cell * static_cast<float>(node.high[k][slot]);
+      enter = std::max(enter, std::min(t0, t1) - slack);
+      leave = std::min(leave, std::max(t0, t1) + slack);
+    }
+    if (!(enter > leave)) met |= 1U << slot;
+  }
+  return met;
 }
 
 bool is_crossed(const gpu::BvhTriangle& triangle, const glm::vec3& from, const glm::vec3& along,
@@ -59,31 +72,51 @@ bool is_crossed(const gpu::BvhTriangle& triangle, const glm::vec3& from, const g
   return true;
 }
 
+// Where something stands among its like.
+std::uint32_t place_among(std::uint32_t mask, std::uint32_t bit) {
+  return static_cast<std::uint32_t>(std::popcount(mask & ((1U << bit) - 1U)));
+}
+
+// Children that wait: of those from `first` on, by slot ^ signs.
+struct Waiting {
+  std::uint32_t first, inner, open;
+};
+
 void trace(const gpu::Bvh& bvh, const glm::vec3& from, const glm::vec3& along, float t_near,
            float t_far, bool any_hit, Visits& visits) {
-  const auto reciprocal = [](float x) { return 1.0f / (std::abs(x) > 1e-30f ? x : 1e-30f); };
+  const auto reciprocal = [](float x) { return 1.0f / (std::abs(x) > 1e-28f ? x : 1e-28f); };
   const glm::vec3 per_along(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
+  std::uint32_t signs = 0;  // any hit takes children as they stand
+  for (int axis = 0; axis < 3 && !any_hit; ++axis) {
+    if (per_along[axis] < 0.0f) signs |= 1U << static_cast<unsigned>(axis);
+  }
   bool is_found = false;
   ++visits.rays;
-  for (std::uint32_t at = 0; at < bvh.nodes.size();) {
-    const gpu::BvhNode& node = bvh.nodes[at];
+  std::vector<Waiting> waiting;
+  if (!bvh.nodes.empty()) waiting.push_back({0, 1, 1U << signs});  // the root as an only child
+  while (!waiting.empty() && !(is_found && any_hit)) {
+    Waiting& group = waiting.back();
+    const std::uint32_t slot = static_cast<std::uint32_t>(std::countr_zero(group.open)) ^ signs;
+    const gpu::BvhNode& node = bvh.nodes[group.first + place_among(group.inner, slot)];
+    group.open &= group.open - 1;
+    if (group.open == 0) waiting.pop_back();
     ++visits.nodes;
-    if (misses_box(node, from, per_along, t_near, t_far)) {
-      at = node.next;
-      continue;
-    }
-    const std::uint32_t begin = node.leaf / gpu::kLeafStep;
-    const std::uint32_t end = begin + node.leaf % gpu::kLeafStep;
-    for (std::uint32_t k = begin; k < end; ++k) {
+    const std::uint32_t met = boxes_met(node, from, per_along, t_near, t_far);
+    for (std::uint32_t bit = 0; bit < 4 * gpu::kBvhWidth; ++bit) {
+      if (((node.triangles >> bit) & (met >> (bit / 4)) & 1U) == 0) continue;
       float t = 0.0f;
       ++visits.triangles;
+      const std::uint32_t k = node.first_triangle + place_among(node.triangles, bit);
       if (!is_crossed(bvh.triangles[k], from, along, t) || t < t_near || t > t_far) continue;
       is_found = true;
       if (any_hit) break;
       t_far = t;
     }
-    if (is_found && any_hit) break;
-    ++at;
+    std::uint32_t open = 0;
+    for (std::uint32_t child = 0; child < gpu::kBvhWidth; ++child) {
+      if (((met & node.inner) >> child & 1U) != 0) open |= 1U << (child ^ signs);
+    }
+    if (open != 0) waiting.push_back({node.first_child, node.inner, open});
   }
   if (is_found) ++visits.hits;
 }
