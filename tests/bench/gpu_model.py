@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """What the GPU backend should take on devices, phase by phase, and what limits each phase.
 
-    gpu_model.py [--counts FILE] [--tree eight|binary] [--visits KIND=NODES,TRIANGLES]...
-                 [--threads N] [--markdown|--check]
+    gpu_model.py [--counts FILE] [--visits KIND=NODES,TRIANGLES]... [--threads N]
+                 [--markdown|--check]
 
 Counted work (gpu_model_counts.json, by gpu_model_counts) times instructions counted by hand from the
-shaders, over published rates. Node visits are an input (gpu_model_visits.json): --visits
-connections=4,1 takes the place of what is there of connections, light_paths or near_field. Nothing
-here was measured on a GPU.
+shaders, over published rates. Node visits are an input: --visits connections=25,6 takes the place of
+what is in the file, of connections, light_paths or near_field; proofs and shadow rays of direct light
+follow connections. Nothing here was measured on a GPU.
 """
 
 import argparse
@@ -40,30 +40,42 @@ ASSUMED = {
     "double_divide": (10.0, "fp64 instructions of a division or root"),
     "float_divide": (8.0, "fp32 instructions of a division or root"),
     "l1_bytes_per_clock": (128.0, "bytes an SM reads from L1 in a clock"),
-    "l1_miss": (0.15, "share of node and triangle reads that L1 does not hold (100 kB of tree)"),
+    "l1_miss": (0.15, "share of node and triangle reads that L1 does not hold (50 kB of tree and triangles)"),
     "occupancy": (0.5, "share of the threads of an SM that registers leave room for"),
-    "in_flight": (3.0, "pieces on the device at a time (gpu/draw_queue), if reads do not block"),
+    "in_flight": (3.0, "pieces on the device at a time (gpu/draw_queue), if reads do not block; of direct light 1"),
     "launch_s": (5e-6, "of a dispatch or an upload, processor and driver"),
     "read_s": (3e-5, "of a blocking read, beside its bytes"),
     "pcie_share": (0.5, "share of the published PCIe rate that plain buffers reach"),
+    "proof_over_ray": (2.0, "node visits and triangles of a proof of free sight, over those of a shadow ray"),
+    "children": (5.5, "children of a node (8.5 bytes of tree per triangle, leaves of 2.2 triangles)"),
+    "in_box": (0.5, "share of them whose box meets that of the proof's pyramid, and is held against its planes"),
+    "axes": (0.25, "share of a proof's triangles that no face of the pyramid separates: 9 to 10 more axes are tried"),
+    "rest_lanes": (0.1, "lanes busy in samples of the rest: in a warp each takes a luminaire of its own"),
 }
 A = {name: value for name, (value, _) in ASSUMED.items()}
 
 # --- instructions, by hand from the shaders -------------------------------------------------------
 # (fp32 and integer, fp64, bytes). d: a division or root, counted by the assumption above.
 D, F = A["double_divide"], A["float_divide"]
+def half_spaces(n):
+    """sight.glsl half_space: two sides 6, cross 9, three lengths 15 + 3 d, their product and a comparison 3, unit
+    normal 3 + d, side of a place 8, turning it 4, height 5."""
+    return n * (53 + 4 * D)
+
+
 COUNTED = {
-    # visibility.glsl, a node of eight: grid 9, cell 3, begin 6, slack 15, signs and choice 15; twice
-    # four boxes: 6 words taken apart and converted at 12, 24 products with sums, 24 min/max, 10 to
-    # join them; links 15, stack and loop 30. Shared memory is left out
-    "node visit, eight": (9 + 3 + 6 + 15 + 15 + 2 * (72 + 24 + 24 + 10) + 45, 0, 80),
-    # the binary tree before it: 6 subtractions, 6 products, 6 min/max per pair, 6 to join them, 2
-    # products, 1 comparison = 27; the loop: 2 comparisons, 3 to take the leaf apart, 4 of addresses,
-    # 1 step = 10
-    "node visit, binary": (37, 0, 32),
+    # visibility.glsl, eight boxes at a time (a product and a sum in one). boxes_met: exponents 6, cell 3, begin 6,
+    # slack 6, signs 3, choice of planes 12, early and late 6, joining 2 = 44. four_boxes_met: 6 words of 4 bytes taken
+    # apart by shift, mask and conversion 72, planes 24, min/max 24, 4 comparisons, 4 and 6 to join them = 134, twice.
+    # The loop: what waits 6 + 3 / 2, slot 4, push in one of two 3, address 5 + 5, four_times and mask 11, 4 others = 38.
+    # Compilers may take bytes apart by the conversion alone: then 96 less.
+    "node visit": (44 + 2 * 134 + 38, 0, 80),
+    # closest_hit.glsl: in_order_of_ray and the slot's turn
+    "node visit in order": (44 + 2 * 134 + 38 + 19, 0, 80),
     # is_crossed: 9 differences; 3 volumes of 6 + 9 + 5 (precise: nothing is fused) = 60; rounding 4;
-    # inside 8; one in three goes on to slope, distance and division: (5 + 5 + F) / 3
-    "triangle test": (81 + (10 + F) / 3, 0, 48),
+    # inside 8; one in three goes on to slope, distance and division: (5 + 5 + F) / 3; the loop 15:
+    # lowest bit 4, place among its like 5, addresses 3, limits 3
+    "triangle test": (96 + (10 + F) / 3, 0, 48),
     # along, length, three reciprocals
     "ray": (16 + 4 * F, 0, 0),
     # find_draw.glsl: place 3; two binary searches of 8 and 4 steps; 3 divisions; 8 others.
@@ -84,18 +96,61 @@ COUNTED = {
     "path start": (5 * 32 * 5 + 80, 7 * 95 + 60 + 20 + 10 * D, 800),
     # short_rays.glsl beside its ray: request search 12 steps; two samples; direction; place_on
     "short ray": (12 * 6 + 2 * 32 * 5 + 30, 85 + 107 + 8 + 5 * D, 64 + 12),
+
+    # --- direct light. key_with: twice mix_bits of 4 + 3 * 6 + 2 * 6, and 2 = 70 (mix: 34)
+    # lamps.glsl point_illuminance_lx and intensity_cd. Way 3, response 6, length 5 + d, direction 3 + d, in_table 15,
+    # quotient 4 + d; across 3 + d; angle_of twice: radius 3 + d, two quotients, conversions 3, turns 1 + d,
+    # sine and cosine 28, rest 9 + d = 44 + 5 d, its float arc tangent 28 + F; searches of 7 and 6 steps (5, 1, 8 bytes
+    # each); shares of intervals 2 (4 + d); bilinear 15, comparisons 6; 20 of addresses; reads 10 doubles more
+    "photometry": (2 * (28 + F) + 13 * 5 + 20, 36 + 3 * D + 3 + D + 2 * (44 + 5 * D) + 13 + 2 * (4 + D) + 21,
+                   13 * 8 + 80),
+    # classified() of a point opening beside its photometry and ray: lamp and point 33 and 3, reach 6, lifts 20; one word
+    "point pair": (60, 30, 64 + 5 + 4),
+    # One pair with a proof, beside its rays and nodes: lamp, point and corners 95, four distances 9 + d, pyramid 5 half
+    # spaces, edges 18, bounds and margins 40, conversions 12; patch_of 41 + 3 d. Lamps are read once by a warp.
+    "proof": (120, 95 + 4 * (9 + D) + half_spaces(5) + 70 + 41 + 3 * D, 64 + 5 + 4),
+    # boxes_met_by: of each child 6 planes of 6 and 3; 6 comparisons, and where they hold 5 half spaces of 7 (choice of the
+    # corner) and 8. The loop as of a ray, and slots_of 12
+    "proof node visit": (50 + A["children"] * (41 + A["in_box"] * 35), A["children"] * (24 + A["in_box"] * 40), 80),
+    # meets_triangle: conversions 9; three planes of 19 where one separates, else all five and half of 19 axes of
+    # cross 9, 8 dots of 5, 12 min/max, 6 to decide
+    "proof triangle": (40, 9 + (1 - A["axes"]) * 3 * 19 + A["axes"] * (5 * 19 + 9.5 * 67), 48),
+    # is_covered by two triangles: 2 + 1 + 8 half spaces and some 25 places held against them, 6 each
+    "hidden": (100, half_spaces(11) + 150, 4 * 48),
+    # direct_seen.glsl beside places: lamp and point; patch_of 41 + 3 d; six curves of 6; unseen light 17 + d; mean 8, rest 6
+    "patch": (40, 3 + 41 + 3 * D + 36 + 17 + D + 14, 64 + 5 + 16 + 4),
+    # place_lx and sketched_lx, float but for the way: way 9, response 6, in_table 18, factor 2, conversions 7, others 4;
+    # two arc tangents of 20 + F, two roots and a quotient, 43 of the table
+    "place": (12 + 2 * (20 + F) + 3 * F + 43, 46, 16),
+    # direct_sums.glsl, one pair and channel: two words of light read, one written
+    "pair summed": (12, 3, 4 + 16 + 8),
+    # direct_samples.glsl, one pair and replicate: 5 keys, view 30 + 3 d, samples 15 + d, sums
+    "chunk": (5 * 70 + 60, 45 + 4 * D, 64 + 5 + 16 + 16),
+    # one of its samples beside photometry and ray: two Sobol' samples of four steps 80 and 2, place 15, lift 14, others 12
+    "opening sample": (2 * 80 + 20, 4 + 15 + 14 + 12, 0),
+    # direct_totals.glsl, one luminaire passed in a replicate: the number that chooses is made anew at each:
+    # two keys, fraction 4, quotient 5 + d, 3 comparisons
+    "luminaire passed": (2 * 70 + 15, 12 + D, 4 + 8),
+    # a sample of the rest beside its patch, places and photometry: three keys, polynomial 13, numbers 12, quotients
+    "rest sample": (3 * 70 + 20, 25 + 2 * D, 8),
 }
 
 # --- the processor beside it: one thread, measured ------------------------------------------------
-CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0}  # calc/forecast/cost_model.cpp
-BESIDE_NS = {"connection": 20.0, "path": 400.0, "vertex": 45.0 + 15.0, "short_ray": 5.0}
+CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
+          "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
+BESIDE_NS = {"connection": 20.0, "path": 400.0, "vertex": 45.0 + 15.0, "short_ray": 5.0, "pair": 5.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
 VERTEX_UP, VERTEX_DOWN = 90, 48
 # llvmpipe: floats of a vector of 256 bits, vectors a clock and clocks for a word of a buffer (both
 # assumed), clocks a second (measured)
 SOFTWARE = dict(lanes=8, per_clock=2.0, word_clocks=5.0, clock=2.46e9)
-RECEIVERS_PER_PIECE = 2048
+# gpu/gl_direct_tracer: pairs of a piece; dispatches begin with 4096 pairs and double, in three stages
+PAIRS_PER_PIECE, POINTS_PER_BATCH, FIRST_DISPATCHES = 1 << 20, 1 << 14, 3 * 8
+
+# A plane below many panels, first round. Shares of pairs: measured, 74 to 95 % free, of the rest half hidden, 2.6 to
+# 4.8 % of all penumbra. rest: samples of a point, channel and replicate, 2 to 16 (assumed: 4).
+PANELS = dict(count=204, seen=0.90, hidden=0.06, sampled=0.04, samples=14, places=9, rest=4, replicates=16, channels=1)
 
 
 def draws_per_point(paths, points):
@@ -107,6 +162,12 @@ def draws_per_point(paths, points):
 def cut_nodes(draws):
     """calc/radiosity/plane_connect.cpp"""
     return min(max(16 * draws, 128), max(1024, draws))
+
+
+def receivers_per_piece(draws, work, threads):
+    """gpu/draw_piece: as many as its lists hold and as a thread has, in 64 to 1024 tiles of 32."""
+    wanted = min((1 << 21) // (draws + 1), (1 << 23) // cut_nodes(draws), work.receivers // threads)
+    return min(max(wanted, 64 * 32), 1024 * 32)
 
 
 class Work:
@@ -132,14 +193,13 @@ class Work:
         self.light_paths = self.paths * self.replicates
         self.pool_rays = look["pool_rays"] * self.paths / look["paths"]
         drawn = [draws_per_point(paths, self.points) for paths in batches]
-        self.draws = drawn[-1]
+        self.draws, self.drawn = drawn[-1], drawn
         shares = [draws / draws_per_point(look["paths"], self.points) for draws in drawn]
         self.connections = look["connections"] * sum(shares)
         # They follow variance, not draws: measured, see "Stretching".
         self.near_rays = look["near_rays"] * sum(math.sqrt(share) for share in shares)
         self.receivers = self.points * self.replicates  # of one look
-        # Exact, or as good as that, however many looks.
-        self.direct_cpu_s = look["seconds"]["direct"]
+        self.direct_rays = look["direct_rays"]  # point luminaires: exact, however many looks
 
 
 class Device:
@@ -151,9 +211,9 @@ class Device:
         self.l1 = self.sms * A["l1_bytes_per_clock"] * self.clock
         self.resident = self.sms * self.threads
 
-    def limits(self, items, lanes, l1_share, pool_bytes=0.0, threads=math.inf):
+    def limits(self, items, lanes, l1_share, pool_bytes=0.0, threads=math.inf, pieces=A["in_flight"]):
         """items: (count, kind). Seconds by limit: the largest is the time of the device's part."""
-        fill = min(1.0, A["in_flight"] * threads / (A["occupancy"] * self.resident))
+        fill = min(1.0, pieces * threads / (A["occupancy"] * self.resident))
         n32 = sum(count * COUNTED[kind][0] for count, kind in items)
         n64 = sum(count * COUNTED[kind][1] for count, kind in items)
         size = sum(count * COUNTED[kind][2] for count, kind in items)
@@ -172,9 +232,14 @@ class Device:
         return size / (A["pcie_share"] * self.pcie)
 
 
-def ray_items(rays, visits):
-    return [(rays, "ray"), (rays * visits["nodes"], f"node visit, {visits['tree']}"),
+def ray_items(rays, visits, node="node visit"):
+    return [(rays, "ray"), (rays * visits["nodes"], node),
             (rays * visits["triangles"], "triangle test")]
+
+
+def ordered(rays, visits):
+    """Closest hits."""
+    return ray_items(rays, visits, "node visit in order")
 
 
 def added(*parts):
@@ -188,15 +253,93 @@ def phase(limits, others):
     return sum(whole.values()), max(whole, key=whole.get), limits
 
 
+def direct_phase(device, limits, pairs, points, pieces, bytes_down, launches, reads, list_bytes=0.0):
+    return phase(limits, {
+        "CPU beside": 1e-9 * BESIDE_NS["pair"] * pairs,
+        "PCIe": device.pcie_s(64 * points + list_bytes + 4 * pairs + bytes_down),
+        "launches": pieces * (launches * A["launch_s"] + reads * A["read_s"]) +
+                    FIRST_DISPATCHES * A["read_s"]})
+
+
+def direct_of_points(device, pairs, points, visits):
+    """Point luminaires, one channel. Light is read once to know whether a ray is worth it, and once more to add it."""
+    still, pieces = 1.0 - A["l1_miss"], math.ceil(pairs / PAIRS_PER_PIECE)
+    threads = pairs / pieces
+    limits = added(
+        device.limits([(2 * pairs, "photometry"), (pairs, "point pair")], A["code_lanes"], still,
+                      threads=threads, pieces=1),
+        device.limits(ray_items(pairs, visits["connections"]), A["rays_lanes"], still,
+                      threads=threads, pieces=1),
+        device.limits([(pairs, "pair summed")], A["code_lanes"], 0.0, 16 * threads,
+                      threads=points / pieces, pieces=1))
+    return direct_phase(device, limits, pairs, points, pieces, 8 * points, 14, 2)
+
+
+def panel_stages(device, points, visits):
+    """Seconds by limit of each of the device's stages below PANELS."""
+    p, still = PANELS, 1.0 - A["l1_miss"]
+    pairs = points * p["count"]
+    in_batches = [POINTS_PER_BATCH] * (points // POINTS_PER_BATCH) + [points % POINTS_PER_BATCH]
+    pieces = sum(math.ceil(n / (PAIRS_PER_PIECE // p["count"])) for n in in_batches)
+    in_piece = dict(pieces=1, threads=pairs / pieces)
+    light = dict(pool_bytes=20 * pairs / pieces)
+    seen, jobs = p["seen"] * pairs, p["sampled"] * pairs * p["replicates"]
+    totals = points * p["channels"] * p["replicates"]
+    samples, rest, ray = jobs * p["samples"], totals * p["rest"], visits["connections"]
+    more = A["proof_over_ray"]
+    return pieces, {
+        "proofs": added(
+            device.limits([(pairs, "proof"), (p["hidden"] * pairs, "hidden")], A["code_lanes"], still,
+                          **in_piece),
+            device.limits([*ordered(4 * pairs, ray), (more * ray["nodes"] * seen, "proof node visit"),
+                           (more * ray["triangles"] * seen, "proof triangle")], A["rays_lanes"], still,
+                          **in_piece)),
+        "seen": added(
+            device.limits([(seen, "patch"), (p["places"] * seen, "place")], A["code_lanes"] * p["seen"], still,
+                          **in_piece),
+            device.limits([(pairs * p["channels"], "pair summed")], A["code_lanes"], 0.0,
+                          pieces=1, threads=points / pieces, **light)),
+        "samples": added(
+            device.limits([(jobs, "chunk"), (samples, "opening sample"), (samples, "photometry")],
+                          A["code_lanes"], still, pieces=1, threads=jobs / pieces),
+            device.limits(ray_items(samples, ray), A["rays_lanes"], still,
+                          pieces=1, threads=jobs / pieces)),
+        "rest": added(
+            device.limits([(totals * p["count"], "luminaire passed")], A["code_lanes"], 0.0,
+                          pieces=1, threads=totals / pieces, **light),
+            device.limits([(rest, "rest sample"), (rest, "patch"), (rest * p["places"], "place"),
+                           (rest, "photometry")], A["rest_lanes"], still,
+                          pieces=1, threads=totals / pieces))}
+
+
+def direct_of_panels(device, points, visits):
+    p = PANELS
+    pieces, stages = panel_stages(device, points, visits)
+    down = 8 * points * (p["replicates"] * (p["channels"] + 1) + p["channels"])
+    return direct_phase(device, added(*stages.values()), points * p["count"], points, pieces, down, 20, 3,
+                        16 * p["sampled"] * points * p["count"])
+
+
+def panels_cpu_s(points, threads):
+    """predict() of cost_model.cpp"""
+    p = PANELS
+    pairs = points * p["count"]
+    return 1e-9 / threads * (
+        CPU_NS["known_opening"] * p["seen"] * pairs +
+        CPU_NS["known_rest"] * p["replicates"] * p["channels"] * points +
+        CPU_NS["obstructed"] * (p["hidden"] + p["sampled"]) * pairs +
+        CPU_NS["direct_ray"] * p["sampled"] * pairs * p["samples"] * p["replicates"])
+
+
 def predict(device, work, visits, threads):
     ns = 1e-9 / threads
-    phases = {"direct": (work.direct_cpu_s / threads, "CPU", {})}
+    phases = {"direct": direct_of_points(device, work.direct_rays, work.points, visits)}
 
     still = 1.0 - A["l1_miss"]
     limits = added(
         device.limits([(work.light_paths, "path start")], A["code_lanes"], still),
         device.limits([(work.pool_rays, "reflection"),
-                       *ray_items(work.pool_rays, visits["light_paths"])], A["rays_lanes"], still,
+                       *ordered(work.pool_rays, visits["light_paths"])], A["rays_lanes"], still,
                       threads=65536))
     trips = math.ceil(work.light_paths / 16384)
     phases["light paths"] = phase(limits, {
@@ -207,24 +350,24 @@ def predict(device, work, visits, threads):
 
     draws = work.connections / 0.9
     nodes = draws * cut_nodes(work.draws) / work.draws
-    pieces = work.looks * math.ceil(work.receivers / RECEIVERS_PER_PIECE)
+    per_piece = receivers_per_piece(work.draws, work, threads)
+    pieces = sum(math.ceil(work.receivers / receivers_per_piece(n, work, threads)) for n in work.drawn)
     vertices = work.pool_rays / work.replicates / 2  # of the largest batch
     limits = added(
         device.limits([(nodes, "weight"), (nodes, "share")], A["code_lanes"], 0.0,
-                      RECEIVERS_PER_PIECE * cut_nodes(work.draws) * 12),
+                      per_piece * cut_nodes(work.draws) * 12),
         device.limits(ray_items(work.connections, visits["connections"]), A["rays_lanes"], still,
-                      threads=RECEIVERS_PER_PIECE * work.draws),
+                      threads=per_piece * work.draws),
         device.limits([(draws, "draw"), (draws, "sum")], A["code_lanes"], 0.0, 64 * vertices,
-                      threads=RECEIVERS_PER_PIECE * work.draws))
-    up = VERTEX_UP * work.pool_rays + work.looks * work.receivers * (
-        64 + 4 * cut_nodes(work.draws) / 32)
+                      threads=per_piece * work.draws))
+    up = VERTEX_UP * work.pool_rays + work.receivers * sum(64 + 4 * cut_nodes(n) / 32 for n in work.drawn)
     phases["connections"] = phase(limits, {
         "CPU beside": ns * BESIDE_NS["connection"] * work.connections,
         "PCIe": device.pcie_s(up + 32 * work.looks * work.receivers),
         "launches": pieces * (12 * A["launch_s"] + A["read_s"])})
 
     first = work.near_rays / RAYS_PER_SHORT_RAY
-    limits = device.limits([(first, "short ray"), *ray_items(first, visits["near_field"])],
+    limits = device.limits([(first, "short ray"), *ordered(first, visits["near_field"])],
                            A["rays_lanes"], still, threads=1 << 18)
     rest_ns = CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first
     phases["near field"] = phase(limits, {
@@ -236,7 +379,7 @@ def predict(device, work, visits, threads):
 
 def cpu_phases(work, threads):
     ns = 1e-9 / threads
-    return {"direct": work.direct_cpu_s / threads,
+    return {"direct": ns * CPU_NS["direct_ray"] * work.direct_rays,
             "light paths": ns * CPU_NS["pool_ray"] * work.pool_rays,
             "connections": ns * CPU_NS["connection"] * work.connections,
             "near field": ns * CPU_NS["near_ray"] * work.near_rays}
@@ -274,6 +417,55 @@ def predictions(counts, visits, threads):
                              number(whole), number(cpu_s / whole), number(cpu_s / best)])
     return table(["points, error", "by", "direct, s", "light paths, s", "connections, s",
                   "near field, s", "all, s", "CPU / all", "CPU / best stages"], rows)
+
+
+def panel_table(visits, threads):
+    rows = []
+    for points in (1000, 10000, 100000):
+        cpu_s = panels_cpu_s(points, threads)
+        rows.append([str(points), f"{threads} threads", number(cpu_s), "", "", "", "", "", ""])
+        for name in DEVICES:
+            device = Device(name)
+            whole, why, limits = direct_of_panels(device, points, visits)
+            _, stages = panel_stages(device, points, visits)
+            most = max(limits, key=limits.get)
+            rows.append(["", name, f"{number(whole)} ({why})", *(number(s[most]) for s in stages.values()),
+                         number(1e-9 * BESIDE_NS["pair"] * points * PANELS["count"]), number(cpu_s / whole)])
+    return table(["points", "by", "direct, s", *(f"{s}, s" for s in ("proofs", "seen", "samples", "rest")),
+                  "CPU beside, s", "gain"], rows)
+
+
+def next_steps(counts, visits, threads):
+    """The largest run, by best stages: what becomes of it as work moves from the CPU to the device."""
+    points = max(look["points"] for look in counts["looks"])
+    work = Work(best_look(counts["looks"], points), 0.001)
+    on_cpu, rows = cpu_phases(work, threads), []
+    ns, still = 1e-9 / threads, 1.0 - A["l1_miss"]
+    first = work.near_rays / RAYS_PER_SHORT_RAY
+    for name in DEVICES:
+        device = Device(name)
+        phases = predict(device, work, visits, threads)
+        best = {what: min(phases[what][0], on_cpu[what]) for what in phases}
+        # The CPU keeps a tenth of what it does beside; the device weighs two groups more for each of a tile's cut.
+        groups = ns * BESIDE_NS["connection"] * work.connections
+        weighed = 2 / 32 * work.connections / 0.9 * cut_nodes(work.draws) / work.draws
+        kept = dict(best, connections=best["connections"] - 0.9 * groups + max(device.limits(
+            [(weighed, "weight")], A["code_lanes"], still).values()))
+        # Shadow rays with photometry, and rays that go on.
+        lit_s = max(device.limits([(work.near_rays - first, "photometry"),
+                                   *ray_items(work.near_rays - first, visits["connections"])],
+                                  A["rays_lanes"], still).values())
+        rest_s = ns * (CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first)
+        lit = min(best["near field"], phases["near field"][0] - rest_s + lit_s)
+        cpu_s = sum(on_cpu.values())
+        gains = [cpu_s / sum(b.values()) for b in
+                 (best, kept, {**best, "near field": lit}, {**kept, "near field": lit})]
+        device_s = [max(phases[what][2].values()) for what in ("connections", "near field")]
+        rows.append([name, number(groups), number(rest_s), *(number(s) for s in device_s), number(lit_s),
+                     *(number(g) for g in gains)])
+    return table(["device", "groups on the CPU, s", "light at hits on the CPU, s", "device: connections, s",
+                  "short rays, s", "light at hits, s", "gain now", "groups moved", "light at hits moved",
+                  "both moved"], rows)
 
 
 def kernel_rates(counts, visits):
@@ -328,19 +520,18 @@ def stretch_check(counts):
                   "near rays"], rows)
 
 
-def software_check(counts, trees):
+def software_check(counts, visits):
     """llvmpipe: the same instructions on vectors, but every word of a buffer is read lane by lane, also
     for lanes that only wait for others."""
     soft = counts.get("llvmpipe")
     if not soft:
         return ["Not measured."]
     draws = soft["draws"]
-    visits = trees[soft["tree"]]  # as it was when it was measured
     nodes = cut_nodes(draws) / draws
     vectors = words = 0.0
     for count, kind in [*ray_items(1.0, visits["connections"]), (1.0, "draw"), (1.0, "sum"),
                         (nodes, "weight"), (nodes, "share")]:
-        is_ray = kind in ("ray", "triangle test") or kind.startswith("node visit")
+        is_ray = kind in ("ray", "node visit", "triangle test")
         lanes = A["rays_lanes"] if is_ray else A["code_lanes"]
         n32, n64, size = COUNTED[kind]
         vectors += count * (n32 + 2 * n64) / lanes / SOFTWARE["lanes"]
@@ -350,16 +541,24 @@ def software_check(counts, trees):
     measured = soft["ns_per_connection"]
     reads = words * SOFTWARE["word_clocks"] / clocks
     return [f"Predicted {predicted:.0f} ns of processor time for a connection, measured {measured:.0f} "
-            f"ns: {measured / predicted:.1f} times as much.",
+            f"ns{soft.get('made', '')}: {measured / predicted:.1f} times as much.",
             "Left out: barriers, which llvmpipe makes of switches between coroutines, and groups of 64 "
             f"for 17 draws. {100 * reads:.0f} % of the",
             "prediction are reads lane by lane, which no GPU does: llvmpipe does not check this model "
             "beyond its order of magnitude."]
 
 
-def all_tables(counts, trees, visits, threads):
+def all_tables(counts, visits, threads):
     yield from ["## Predicted", ""]
     yield from predictions(counts, visits, threads)
+    yield from ["", "## Direct light of 204 panels", "",
+                f"First round, {PANELS['replicates']} replicates, {PANELS['channels']} channel; stages by the limit "
+                "that is largest in all.", ""]
+    yield from panel_table(visits, threads)
+    yield from ["", "## What would have to move", "",
+                f"{max(l['points'] for l in counts['looks'])} points to 0.1 %, each stage where it is faster, "
+                f"against {threads} threads.", ""]
+    yield from next_steps(counts, visits, threads)
     yield from ["", "## The device alone", ""]
     yield from kernel_rates(counts, visits)
     yield from ["", "## Against the processor, predicted / measured on one thread", ""]
@@ -367,8 +566,8 @@ def all_tables(counts, trees, visits, threads):
     yield from ["", "## Stretching counts to an error", ""]
     yield from stretch_check(counts)
     yield from ["", "## Against llvmpipe", ""]
-    yield from software_check(counts, trees)
-    yield from ["", "## Inputs", "", "Node visits and triangle tests of a ray:", ""]
+    yield from software_check(counts, visits)
+    yield from ["", "## Inputs", "", "Node visits and triangle tests of a ray: " + counts["visits"].get("made", "counted."), ""]
     yield from table(["kind", "nodes", "triangles", "share that hits"],
                      [[kind, f"{v['nodes']:.1f}", f"{v['triangles']:.1f}", f"{v['hits']:.2f}"]
                       for kind, v in visits.items()])
@@ -389,7 +588,6 @@ def main():
     here = pathlib.Path(__file__).parent
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--counts", type=pathlib.Path, default=here / "gpu_model_counts.json")
-    parser.add_argument("--tree", choices=("eight", "binary"), default="eight")
     parser.add_argument("--visits", action="append", default=[], metavar="KIND=NODES,TRIANGLES")
     parser.add_argument("--threads", type=int, default=16, help="of the processor beside the device")
     parser.add_argument("--markdown", action="store_true", help="write gpu_model.md")
@@ -397,17 +595,13 @@ def main():
                         help="end with 1 if gpu_model.md holds something else")
     options = parser.parse_args()
     counts = json.loads(options.counts.read_text(encoding="utf-8"))
-    trees = json.loads((here / "gpu_model_visits.json").read_text(encoding="utf-8"))
-    for name, kinds in trees.items():
-        for kind in kinds.values():
-            kind["tree"] = name
-    visits = trees[options.tree]
+    visits = {k: dict(v) for k, v in counts["visits"].items() if isinstance(v, dict)}
     for given in options.visits:
         kind, _, values = given.partition("=")
         if kind not in visits:
             parser.error(f"--visits: '{kind}' is none of {', '.join(visits)}")
         visits[kind]["nodes"], visits[kind]["triangles"] = map(float, values.split(","))
-    text = "\n".join(all_tables(counts, trees, visits, options.threads)) + "\n"
+    text = "\n".join(all_tables(counts, visits, options.threads)) + "\n"
     if not options.markdown and not options.check:
         print(text, end="")
         return 0
