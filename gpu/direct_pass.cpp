@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace gpu {
@@ -93,19 +94,25 @@ struct Chunks {
 };
 
 Chunks chunks_of(const DirectPiece& piece, std::uint32_t most_samples) {
-  Chunks result{{0}, {}};
-  const std::size_t points = piece.points.size(), luminaires = piece.is_asked.size();
+  const std::size_t points = piece.points.size();
   const std::uint32_t rounds = piece.rounds.last - piece.rounds.first;
-  for (std::size_t p = 0; p < points; ++p) {
-    for (std::size_t l = 0; l < luminaires && piece.is_left[p] == 0; ++l) {
-      const std::uint32_t pair = piece.pairs[l * points + p];
-      if (pair % kPairStep != kPairSampled) continue;
-      const std::uint32_t samples = pair / kPairStep * rounds;
-      for (std::uint32_t at = 0; at < samples; at += most_samples) {
-        result.chunk.push_back({count(p), count(l), at, std::min(most_samples, samples - at)});
-      }
+  const auto chunks = [&](const DirectPiece::Sampled& pair) {
+    return (pair.samples * rounds + most_samples - 1) / most_samples;
+  };
+  Chunks result{std::vector<std::uint32_t>(points + 1, 0), {}};
+  for (const DirectPiece::Sampled& pair : piece.sampled) {
+    if (piece.is_left[pair.point] == 0) result.first[pair.point + 1] += chunks(pair);
+  }
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+  result.chunk.resize(result.first.back());
+  std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
+  for (const DirectPiece::Sampled& pair : piece.sampled) {
+    if (piece.is_left[pair.point] != 0) continue;
+    const std::uint32_t samples = pair.samples * rounds;
+    for (std::uint32_t at = 0; at < samples; at += most_samples) {
+      result.chunk[next[pair.point]++] = {pair.point, pair.luminaire, at,
+                                          std::min(most_samples, samples - at)};
     }
-    result.first.push_back(count(result.chunk.size()));
   }
   return result;
 }
@@ -229,13 +236,23 @@ void DirectPass::sum_seen(DirectPiece& piece) {
 
 void DirectPass::take_pairs(DirectPiece& piece) {
   const std::size_t points = piece.points.size();
-  piece.pairs.resize(points * piece.is_asked.size());
-  piece.is_left.assign(points, 0);
+  words_of_pairs_.resize(points * piece.is_asked.size());
   pairs_back_.wait(kDoing);
-  pairs_back_.copy(0, std::as_writable_bytes(std::span(piece.pairs)));
-  for (std::size_t i = 0; i < piece.pairs.size(); ++i) {
-    if (piece.pairs[i] == kNotDone) throw_not_done();
-    if (piece.pairs[i] == kPairLeft) piece.is_left[i % points] = 1;
+  pairs_back_.copy(0, std::as_writable_bytes(std::span(words_of_pairs_)));
+  piece.is_left.assign(points, 0);
+  // One look at each: this is all that the CPU does for a pair that is proved.
+  for (std::size_t i = 0; i < words_of_pairs_.size(); ++i) {
+    const std::uint32_t word = words_of_pairs_[i];
+    piece.asked_pairs += word != kPairNothing ? 1 : 0;
+    static_assert(kPairNothing < kPairSampled && kPairHidden < kPairSampled &&
+                  kPairSeen < kPairSampled && kPairSampled < kPairLeft);
+    if (word < kPairSampled) continue;
+    if (word == kNotDone) throw_not_done();
+    if (word == kPairLeft) {
+      piece.is_left[i % points] = 1;
+    } else {
+      piece.sampled.push_back({count(i % points), count(i / points), word / kPairStep});
+    }
   }
 }
 

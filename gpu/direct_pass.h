@@ -30,8 +30,13 @@ struct DirectPiece {
 
   // The deadline passed: nothing below is whole.
   bool is_cut_short = false;
-  // [luminaire * points + point]: kPairNothing and so on.
-  std::vector<std::uint32_t> pairs{};
+  // Pairs that are not kPairNothing: of point openings, that is the shadow rays.
+  std::uint64_t asked_pairs = 0;
+  // Pairs of which nothing is proved, luminaire by luminaire.
+  struct Sampled {
+    std::uint32_t point, luminaire, samples;  // samples of one round
+  };
+  std::vector<Sampled> sampled{};
   // [point]: 1 = so near to an opening that this falls into more parts than a shader visits; all of
   // the point is left to the CPU, so that its light is that of the CPU.
   std::vector<std::uint8_t> is_left{};
@@ -69,8 +74,9 @@ class DirectPass {
   GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
   GlReadBack pairs_back_, known_back_, totals_back_;
   DispatchPacer classify_pacer_, seen_pacer_, samples_pacer_;
-  std::uint32_t nodes_ = 0;      // of the scene at hand
-  std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none
+  std::vector<std::uint32_t> words_of_pairs_;  // as they came back
+  std::uint32_t nodes_ = 0;                    // of the scene at hand
+  std::uint64_t tables_of_ = 0;                // identity of a tracer; 0 = none
 };
 
 }  // namespace gpu

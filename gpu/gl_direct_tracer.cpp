@@ -60,10 +60,7 @@ class GlDirectTracer : public calc::DirectTracer {
       for (std::size_t i = 0; i < piece.known_lx.size(); ++i) {
         lx[i / points * n + first + i % points] += piece.known_lx[i];
       }
-      if (!batch.proofs.has_shadows) return;
-      rays += static_cast<std::uint64_t>(
-          std::count_if(piece.pairs.begin(), piece.pairs.end(),
-                        [](std::uint32_t pair) { return pair != kPairNothing; }));
+      if (batch.proofs.has_shadows) rays += piece.asked_pairs;
     });
     return rays;
   }

@@ -9,7 +9,7 @@ namespace {
 // --- what the CPU does beside the device, nanoseconds of one thread ------------------------------
 // [measured on one core of a shared AMD Zen 5 by bench_gpu and bench_gpu_stages]
 constexpr double kBesideConnection_ns = 20.0;  // groups, packing
-constexpr double kBesideOpening_ns = 5.0;      // reading what is proved of it, listing samples
+constexpr double kBesideOpening_ns = 2.0;      // reading what is proved of it, listing samples
 constexpr double kBesidePath_ns = 400.0;       // all by the thread that owns the device
 constexpr double kBesideShortRay_ns = 5.0;
 constexpr double kSortVertex_ns = 45.0;

@@ -44,19 +44,22 @@ double sample_of_lamp(uint index, Point point, double sum_lx, double wanted_lx, 
 
 // One round. Numbers that choose ascend, so that luminaires are passed once.
 double round_lx(uint p, Point point, uint channel, uvec2 key, uint samples, double rest_lx) {
-  double sum_lx = DBL(0.0), passed_lx = DBL(0.0);
+  double sum_lx = DBL(0.0), passed_lx = DBL(0.0), wanted_lx = DBL(-1.0);
+  uvec2 sample_key = uvec2(0u);
   uint lamp = 0u, k = 0u;
   for (; lamp < luminaire_count && k < samples; ++lamp) {
     const uint pair = pair_of(lamp, p);
     if (kind_of(pair) != PAIR_SEEN || channel_of(lamp) != channel) continue;
     const double up_to_lx = light_lx[2u * pair + 1u];
     for (; k < samples; ++k) {
-      const uvec2 sample_key = key_with(key, k);
-      const double wanted_lx =
-          (double(k) + fraction_of(key_with(sample_key, 0u))) / double(samples) * rest_lx;
+      if (wanted_lx < DBL(0.0)) {
+        sample_key = key_with(key, k);
+        wanted_lx = (double(k) + fraction_of(key_with(sample_key, 0u))) / double(samples) * rest_lx;
+      }
       if (!(up_to_lx > wanted_lx) && up_to_lx < rest_lx) break;
       sum_lx += sample_of_lamp(lamp, point, passed_lx, wanted_lx, rest_lx / double(samples),
                                sample_key);
+      wanted_lx = DBL(-1.0);  // the next one's is to be found
     }
     passed_lx = up_to_lx;
   }

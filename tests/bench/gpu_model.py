@@ -138,7 +138,7 @@ COUNTED = {
 # --- the processor beside it: one thread, measured ------------------------------------------------
 CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
           "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
-BESIDE_NS = {"connection": 20.0, "path": 400.0, "vertex": 45.0 + 15.0, "short_ray": 5.0, "pair": 5.0}
+BESIDE_NS = {"connection": 20.0, "path": 400.0, "vertex": 45.0 + 15.0, "short_ray": 5.0, "pair": 2.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
 VERTEX_UP, VERTEX_DOWN = 90, 48
