@@ -12,8 +12,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace gpu {
 namespace {
@@ -257,9 +259,21 @@ std::string no_library_advice(const DeviceFacts& facts) {
 
 MachineView this_machine() {
   return {"/",
-          [](const char* variable) -> std::string {
-            const char* const value = std::getenv(variable);
-            return value == nullptr ? "" : value;
+          [](std::string_view variable) -> std::string {
+            // By name each, so that what is read can be found.
+            const std::pair<std::string_view, const char*> known[] = {
+                {kVendorFiles, std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES")},
+                {kVendorFolders, std::getenv("__EGL_VENDOR_LIBRARY_DIRS")},
+                {"LD_LIBRARY_PATH", std::getenv("LD_LIBRARY_PATH")},
+                {"NVIDIA_DRIVER_CAPABILITIES", std::getenv("NVIDIA_DRIVER_CAPABILITIES")},
+                {"NVIDIA_VISIBLE_DEVICES", std::getenv("NVIDIA_VISIBLE_DEVICES")},
+                {"container", std::getenv("container")},
+                {"KUBERNETES_SERVICE_HOST", std::getenv("KUBERNETES_SERVICE_HOST")}};
+            for (const auto& [name, value] : known) {
+              if (name == variable) return value == nullptr ? "" : value;
+            }
+            throw std::logic_error("an environment variable that is not in the list: " +
+                                   std::string(variable));
           },
           [](const fs::path& path) {
             const int file = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gpu {
@@ -11,8 +12,8 @@ namespace gpu {
 // Where facts are read: this machine, or a tree that a test made.
 struct MachineView {
   std::filesystem::path root = "/";
-  std::function<std::string(const char* variable)> environment;  // "" = not set
-  std::function<bool(const std::filesystem::path&)> can_open;    // for reading and writing
+  std::function<std::string(std::string_view variable)> environment;  // "" = not set
+  std::function<bool(const std::filesystem::path&)> can_open;         // for reading and writing
 };
 MachineView this_machine();
 

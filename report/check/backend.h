@@ -19,6 +19,7 @@ enum class Backend { automatic, cpu, gpu };
 // Which parts of the calculation a gpu does.
 struct GpuStages {
   bool light_paths = true, connections = true, near_field = true, direct_light = true;
+  static constexpr GpuStages none() { return {false, false, false, false}; }
   friend bool operator==(const GpuStages&, const GpuStages&) = default;
 };
 // "direct-light", "light-paths", "connections" and "near-field": those that are set, in this order.

@@ -40,7 +40,7 @@ ValueParser forbidden_skip(calc::SkipSet& target) {
 // "light-paths,near-field": names of stages, each once, at least one.
 ValueParser gpu_stages(std::optional<GpuStages>& target) {
   const auto parse = [&target](const std::string& text) -> std::string {
-    GpuStages stages{false, false, false};
+    GpuStages stages = GpuStages::none();
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
       const std::string_view name = std::string_view(text).substr(begin, end - begin);

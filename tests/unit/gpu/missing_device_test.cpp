@@ -50,8 +50,8 @@ class FakeMachine {
 
   gpu::DeviceFacts facts() const {
     return gpu::read_device_facts({root_.path(),
-                                   [this](const char* variable) {
-                                     const auto found = variables_.find(variable);
+                                   [this](std::string_view variable) {
+                                     const auto found = variables_.find(std::string(variable));
                                      return found == variables_.end() ? "" : found->second;
                                    },
                                    [this](const fs::path& path) {
