@@ -110,7 +110,10 @@ Candidates find_candidates(Fault fault) {
   if (result.list.empty() && has_client_extension("EGL_MESA_platform_surfaceless")) {
     result.list.push_back({});
   }
-  if (result.list.empty()) result.problem = "EGL knows no device: no OpenGL driver is installed";
+  if (result.list.empty()) {
+    result.problem =
+        "EGL knows no device: " + no_egl_device_reason(read_device_facts(this_machine()));
+  }
   return result;
 }
 

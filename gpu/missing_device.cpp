@@ -308,8 +308,9 @@ DeviceFacts read_device_facts(const MachineView& machine) {
 }
 
 MissingDevice why_missing(const DeviceFacts& facts) {
-  // Nothing else helps where the GPU is in slices.
-  if (facts.is_partitioned) return MissingDevice::partitioned;
+  // Nothing else helps where the GPU is in slices. A variable alone is no GPU.
+  const bool has_nvidia = facts.has_nvidia_nodes || facts.has_nvidia_gpu || facts.is_nvidia_loaded;
+  if (facts.is_partitioned && has_nvidia) return MissingDevice::partitioned;
   if (facts.has_nvidia_nodes) {
     if (!facts.nvidia.has_library) {
       return facts.is_container && !has_graphics(facts.driver_capabilities)
@@ -327,6 +328,13 @@ MissingDevice why_missing(const DeviceFacts& facts) {
   }
   if (facts.has_nvidia_gpu || facts.has_other_gpu) return MissingDevice::no_driver;
   return facts.has_graphics_node ? MissingDevice::unknown : MissingDevice::no_gpu;
+}
+
+std::string no_egl_device_reason(const DeviceFacts& facts) {
+  if (!facts.vendor_variable.empty() && !facts.nvidia.has_file && !facts.mesa.has_file) {
+    return facts.vendor_variable + " leads it to no OpenGL driver";
+  }
+  return "no OpenGL driver is installed";
 }
 
 std::string missing_device_advice(const DeviceFacts& facts) {

@@ -58,4 +58,7 @@ MissingDevice why_missing(const DeviceFacts& facts);
 // The same with what to do, in words; "" if it is no_gpu or unknown.
 std::string missing_device_advice(const DeviceFacts& facts);
 
+// Why EGL knows no device at all, not even software.
+std::string no_egl_device_reason(const DeviceFacts& facts);
+
 }  // namespace gpu

@@ -91,6 +91,18 @@ TEST(MissingDevice, NothingIsSaidWhereThereIsNoGpu) {
   EXPECT_EQ(machine.advice(), "");
 }
 
+// What a variable says of slices does not make a GPU; one that hides all drivers is named.
+TEST(MissingDevice, VariablesAloneAreNoGpu) {
+  FakeMachine machine;
+  machine.set("NVIDIA_VISIBLE_DEVICES", "MIG-1");
+  EXPECT_EQ(machine.why(), MissingDevice::no_gpu);
+  EXPECT_EQ(gpu::no_egl_device_reason(machine.facts()), "no OpenGL driver is installed");
+  machine.file("usr/share/glvnd/egl_vendor.d/50_mesa.json", kMesaJson);
+  machine.set("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
+  EXPECT_EQ(gpu::no_egl_device_reason(machine.facts()),
+            "__EGL_VENDOR_LIBRARY_FILENAMES leads it to no OpenGL driver");
+}
+
 TEST(MissingDevice, NothingIsSaidWhereAllIsAsItShouldBe) {
   const NvidiaMachine machine;
   EXPECT_EQ(machine.why(), MissingDevice::unknown);
