@@ -90,7 +90,9 @@ bool Diagnostics::take(DiagnosticId id, std::size_t count, const std::string& fi
   if (found.count <= kMostMessagesOfAnId) return true;
   if (found.left_out == 0) {
     found.left_out = all_.size();
-    all_.push_back({DiagnosticId::messages_left_out, {file, 0, 0}, ""});
+    Diagnostic words{DiagnosticId::messages_left_out, {}, {}};  // found below
+    words.where.file = file;
+    all_.push_back(std::move(words));
   }
   all_[found.left_out].message =
       fmt::format(fmt::runtime(diagnostic_template(DiagnosticId::messages_left_out)),
