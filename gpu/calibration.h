@@ -21,7 +21,8 @@ std::optional<calc::DeviceRates> kept_rates(const Device& device,
                                             const std::filesystem::path& program_folder);
 
 // What was kept, else measures and keeps it. What a slow device does not reach within the limit
-// stays 0. Nothing if the device fails: `problem` says how.
+// stays 0. A choice that rests on what was not kept may be another one the next time. Nothing if
+// the device fails: `problem` says how.
 std::optional<calc::DeviceRates> measured_rates(const DeviceRequest& request, double limit_s,
                                                 std::string& problem);
 

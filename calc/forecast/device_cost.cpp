@@ -30,7 +30,7 @@ constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its sha
 constexpr double kDrawnOverGiven = 1.5;
 // Of an opening: a ray with its photometry; a proof. In any-hit rays. Assumed.
 constexpr double kRaysPerDirectRay = 3.0, kRaysPerProof = 10.0;
-constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32
+constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32, the fewest
 constexpr double kTripsPerPiece = 3.0;         // uploads, four dispatches, one read
 constexpr double kPathsPerTrip = 16384.0;      // a round of a bundle of batches
 

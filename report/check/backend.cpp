@@ -94,12 +94,13 @@ calc::DeviceStages device_stages(const GpuStages& stages) {
 }
 
 RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder) {
-  return
-      [fault, program_folder](const gpu::Device& device, bool may_measure, std::string& problem) {
-        if (!may_measure) return gpu::kept_rates(device, program_folder);
-        return gpu::measured_rates({device.index, fault, program_folder}, gpu::kCalibrationLimit_s,
-                                   problem);
-      };
+  return [fault, program_folder](const gpu::Device& device, bool may_measure,
+                                 std::string& problem) {
+    if (may_measure && !program_folder.empty()) {
+      gpu::measured_rates({device.index, fault, program_folder}, gpu::kCalibrationLimit_s, problem);
+    }
+    return gpu::kept_rates(device, program_folder);
+  };
 }
 
 std::optional<gpu::Fault> find_gl_fault(std::string_view name) {

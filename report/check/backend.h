@@ -55,7 +55,8 @@ calc::DeviceStages device_stages(const GpuStages& stages);
 // failed.
 using RatesOf = std::function<std::optional<calc::DeviceRates>(
     const gpu::Device& device, bool may_measure, std::string& problem)>;
-// Measured by gpu::measured_rates(), kept in the folder of compiled shaders.
+// Measured by gpu::measured_rates(), and kept in the folder of compiled shaders: what cannot be
+// kept does not count, so that one machine chooses alike every time.
 RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder);
 
 // The answer to --backend auto: a GPU if there is one that is not software, and it gains more than

@@ -93,7 +93,7 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
 calc::DeviceWork first_look_work(const std::vector<ProjectPlan>& projects,
                                  const calc::RadiositySettings& settings) {
   calc::DeviceWork sum;
-  sum.threads = calc::thread_count(settings);
+  sum.threads = calc::thread_count({});
   for (const ProjectPlan& project : projects) {
     for (const SpacePlan& space : project.spaces) {
       sum.add(space.plan.first_look, space.plan.workload, settings, space.plan.threads);

@@ -277,11 +277,9 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.closing_jobs = options.closing_jobs;
   if (job.closing_jobs == 0 && job.engine == Engine::slurm) job.closing_jobs = job.jobs;
   job.at_once = options.at_once;
-  calc::RadiositySettings of_shard = radiosity;
-  of_shard.jobs = std::max(1, options.jobs);  // on a machine that may not be this one
   job.needs_gpu = check::choose_backend(check.backend, radiosity.shadow_map_texels,
                                         context.gl_fault, context.environment.program_folder,
-                                        [&] { return first_look_work(plans, of_shard); })
+                                        [&] { return first_look_work(plans, radiosity); })
                       .backend == check::Backend::gpu;
   const std::string units_text = render_units_json(units);
   const std::string projects = render_project_list(check.input.projects);

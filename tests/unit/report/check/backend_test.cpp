@@ -1,5 +1,6 @@
 #include "report/check/backend.h"
 
+#include "report/check/plan.h"
 #include "report/tools/devices/devices.h"
 
 #include <gmock/gmock.h>
@@ -106,6 +107,18 @@ TEST(Backend, AutoMeasuresForMuchWorkOnly) {
   choose(kTwoCards, 10.0, watch);
   EXPECT_EQ(asked, 2);
   EXPECT_TRUE(may_measure);
+}
+
+// One machine must choose alike every time, whatever --jobs is.
+TEST(Backend, WhatAutoRestsOnStaysAsItIs) {
+  std::string problem;
+  const check::RatesOf rates_of = check::rates_on_this_machine(gpu::Fault::no_egl, "");
+  EXPECT_FALSE(rates_of(device(0, "Card A", false), true, problem));
+  EXPECT_EQ(problem, "");  // not even measured
+  calc::RadiositySettings one, many;
+  one.jobs = 1;
+  many.jobs = 61;
+  EXPECT_EQ(check::first_look_work({}, one).threads, check::first_look_work({}, many).threads);
 }
 
 TEST(Backend, AutoLeavesADeviceThatFailsWhenItIsMeasured) {
