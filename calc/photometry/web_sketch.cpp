@@ -34,26 +34,11 @@ std::size_t steps_of(const std::vector<double>& nodes_rad, double range_rad, std
   return are_ends_of_steps(nodes_rad, range_rad, even) ? even : most;
 }
 
-// atan2 to 1e-7 rad without a branch; 0 of (0, 0).  [AbramowitzStegun, 4.4.49]
-[[gnu::always_inline]] inline float turn_of(float y, float x) {
-  const float ay = std::fabs(y), ax = std::fabs(x);
-  const float low = ay < ax ? ay : ax, high = ay < ax ? ax : ay;
-  const float t = low / (high > 1e-30f ? high : 1e-30f);
-  const float u = t * t;
-  float p = 0.0028662257f;
-  p = p * u - 0.0161657367f;
-  p = p * u + 0.0429096138f;
-  p = p * u - 0.0752896400f;
-  p = p * u + 0.1065626393f;
-  p = p * u - 0.1420889944f;
-  p = p * u + 0.1999355085f;
-  p = p * u - 0.3333314528f;
-  p = p * u + 1.0f;
-  float turn = p * t;
-  turn = ay > ax ? 0.5f * kPi_f - turn : turn;
-  turn = x < 0.0f ? kPi_f - turn : turn;
-  return y < 0.0f ? -turn : turn;
-}
+#define TERM [[gnu::always_inline]] inline
+#define ABSOLUTE std::fabs
+#include "calc/photometry/turn_of.glsl"
+#undef ABSOLUTE
+#undef TERM
 
 struct SketchTable {
   const float* cd;  // [plane][gamma], one more of each than steps

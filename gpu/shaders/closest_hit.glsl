@@ -33,29 +33,12 @@ bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint tria
   bool is_found = false;
   triangle = 0u;
   share = dvec2(DBL(0.0));
-  const uint stack = gl_LocalInvocationIndex;
-  // As in is_blocked(), but open slots are in the order of the ray.
-  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u << signs : 0u;
-  uint height = 0u, triangles = 0u;
-  while ((open | height) != 0u) {
-    if (open == 0u) {
-      --height;
-      const uvec2 group = waiting[height * GROUP_SIZE + stack];
-      siblings = group.x;
-      inner = group.y & 255u;
-      open = group.y >> 8u;
-    }
-    const uint slot = uint(findLSB(open)) ^ signs;
-    open &= open - 1u;
-    if (open != 0u) {
-      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
-      ++height;
-    }
-    COUNT_NODE;
-    const uint at = 5u * (siblings + place_among(inner, slot));
+  Search search = search_of_tree(signs);  // open slots in the order of the ray
+  uint triangles = 0u;
+  while (goes_on(search)) {
+    const uint at = next_node(search, signs);
     const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
-    const uint met = boxes_met(grid, bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u], from,
-                               per_along, t_near, t_far);
+    const uint met = children_met(at, grid, from, per_along, t_near, t_far);
     triangles = links.z & four_times(met);
     while (triangles != 0u) {
       const uint bit = uint(findLSB(triangles));
@@ -70,11 +53,9 @@ bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint tria
       t_far = t;
       triangle = k;
     }
-    siblings = links.x;
-    inner = grid.w >> 24u;
-    open = in_order_of_ray(met & inner, signs);
+    open_children(search, grid, links, in_order_of_ray(met & inner_slots(grid), signs));
   }
-  if ((open | height | triangles) != 0u) is_cut = true;
+  if (goes_on(search) || triangles != 0u) is_cut = true;
   if (is_found) share = place_on(triangle, from, along);
   return is_found;
 }

@@ -7,17 +7,12 @@ uniform uint first_pair, last_pair;
 uint sampled_cells(Lamp lamp, Point point) {
   const View view = view_from(lamp, point.position_m);
   Walk walk = kBegin;
-  uint cells = 0u, samples = 0u;
-  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    const CellAt at = cell_at(lamp, view, point.position_m, walk);
-    if (!at.is_leaf) {
-      if (walk.place.depth == DEEPEST_PLACE) return PAIR_LEFT;
-      walk.place = first_half(walk.place);
-      continue;
-    }
-    ++cells;
+  uint samples = 0u;
+  for (uint cells = 0u; cells < MOST_PARTS; ++cells) {
+    CellAt at;
+    if (!find_cell(lamp, view, point.position_m, walk, at)) return PAIR_LEFT;
     samples += cell_samples(at);
-    if (!go_on(view, walk)) return cells <= MOST_PARTS ? PAIR_SAMPLED + PAIR_STEP * samples : PAIR_LEFT;
+    if (!go_on(view, walk)) return PAIR_SAMPLED + PAIR_STEP * samples;
   }
   return PAIR_LEFT;
 }
@@ -25,15 +20,10 @@ uint sampled_cells(Lamp lamp, Point point) {
 // As many patches as a later stage can visit.
 uint seen_patches(Lamp lamp, Point point) {
   Place place = Place(0u, 0u);
-  uint patches = 0u;
-  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    if (is_halved(patch_of(lamp, point, place))) {
-      if (place.depth == DEEPEST_PLACE) return PAIR_LEFT;
-      place = first_half(place);
-      continue;
-    }
-    ++patches;
-    if (!go_on(place)) return patches <= MOST_PARTS ? PAIR_SEEN : PAIR_LEFT;
+  for (uint patches = 0u; patches < MOST_PARTS; ++patches) {
+    Patch part;
+    if (!find_patch(lamp, point, place, part)) return PAIR_LEFT;
+    if (!go_on(place)) return PAIR_SEEN;
   }
   return PAIR_LEFT;
 }

@@ -48,12 +48,9 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
   const uint begin = chunk.z, end = chunk.z + chunk.w;
   uint before = 0u, cell = 0u;  // samples of cells before; of this one
   Walk walk = kBegin;
-  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    const CellAt at = cell_at(lamp, view, point.position_m, walk);
-    if (!at.is_leaf) {
-      walk.place = first_half(walk.place);
-      continue;
-    }
+  for (; cell < MOST_PARTS; ++cell) {
+    CellAt at;
+    if (!find_cell(lamp, view, point.position_m, walk, at)) break;
     const uint samples = cell_samples(at);
     const uint after = before + samples * (last_round - first_round);
     const uvec2 cell_key = key_with(key, cell);
@@ -67,7 +64,6 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
     }
     if (after >= end) return sum;
     before = after;
-    ++cell;
     if (!go_on(view, walk)) break;
   }
   is_cut = true;  // the list asks for more samples than there are

@@ -15,17 +15,14 @@ dvec2 seen_lx(uint index, uint p) {
   }
   dvec2 lx = dvec2(DBL(0.0));
   Place place = Place(0u, 0u);
-  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    Patch part = patch_of(lamp, point, place);
-    if (is_halved(part)) {
-      place = first_half(place);
-      continue;
-    }
+  for (uint patches = 0u; patches < MOST_PARTS; ++patches) {
+    Patch part;
+    if (!find_patch(lamp, point, place, part)) break;
     fit(lamp, point, part);
     lx += dvec2(known_lx(part), part.share * part.rest_lx);
     if (!go_on(place)) return lx;
   }
-  is_cut = true;  // stage 1 let none pass that has so many
+  is_cut = true;  // stage 1 let none pass that has more
   return lx;
 }
 

@@ -23,12 +23,9 @@ double sample_of_lamp(uint index, Point point, double sum_lx, double wanted_lx, 
                       uvec2 key) {
   const Lamp lamp = lamp_of(index);
   Place place = Place(0u, 0u);
-  for (uint turn = 0u; turn < 4u * MOST_PARTS; ++turn) {
-    Patch part = patch_of(lamp, point, place);
-    if (is_halved(part)) {
-      place = first_half(place);
-      continue;
-    }
+  for (uint patches = 0u; patches < MOST_PARTS; ++patches) {
+    Patch part;
+    if (!find_patch(lamp, point, place, part)) break;
     fit(lamp, point, part);
     const double rest_lx = part.share * part.rest_lx;
     sum_lx += rest_lx;

@@ -76,29 +76,6 @@ dvec3 in_table(Lamp lamp, dvec3 world) {
   return entry[lamp.web + 2u] != DBL(0.0) ? dvec3(-own.z, own.x, -own.y) : own;
 }
 
-// atan2 to 1e-7 rad without a branch; 0 of (0, 0): that of calc::WebSketch.  [AbramowitzStegun,
-// 4.4.49]
-float turn_of(float y, float x) {
-  const float pi = 3.14159265;
-  const float ay = abs(y), ax = abs(x);
-  const float low = min(ay, ax), high = max(ay, ax);
-  const float t = low / max(high, 1.0e-30);
-  const float u = t * t;
-  float p = 0.0028662257;
-  p = p * u - 0.0161657367;
-  p = p * u + 0.0429096138;
-  p = p * u - 0.0752896400;
-  p = p * u + 0.1065626393;
-  p = p * u - 0.1420889944;
-  p = p * u + 0.1999355085;
-  p = p * u - 0.3333314528;
-  p = p * u + 1.0;
-  float turn = p * t;
-  turn = ay > ax ? 0.5 * pi - turn : turn;
-  turn = x < 0.0 ? pi - turn : turn;
-  return y < 0.0 ? -turn : turn;
-}
-
 // atan2 in double: the float one, put right by the sine of what it is off by, 1e-7.
 double angle_of(double y, double x) {
   const double radius = sqrt(x * x + y * y);

@@ -86,6 +86,18 @@ bool is_halved(Patch part) {
   return part.ratio > LARGEST_PATCH && !part.is_disk && !part.is_small;
 }
 
+// The first patch at a place of the tree or below it. False: it lies deeper than places go.
+bool find_patch(Lamp lamp, Point point, inout Place place, out Patch part) {
+  for (;;) {
+    part = patch_of(lamp, point, place);
+    if (!is_halved(part)) return true;
+    if (place.depth == DEEPEST_PLACE) return false;
+    place = first_half(place);
+  }
+  is_cut = true;  // the driver left the loop
+  return false;
+}
+
 // Light of centre + x u + y v, by the sketch.
 double place_lx(Lamp lamp, Point point, Patch part, double x, double y) {
   const dvec3 to_source_m =
@@ -350,6 +362,18 @@ CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
   result.distance_m = length(extent.centre_m - point_m);
   result.is_leaf = result.diameter_m <= result.distance_m;
   return result;
+}
+
+// The first cell at a walk's place or below it, as find_patch().
+bool find_cell(Lamp lamp, View view, dvec3 point_m, inout Walk walk, out CellAt at) {
+  for (;;) {
+    at = cell_at(lamp, view, point_m, walk);
+    if (at.is_leaf) return true;
+    if (walk.place.depth == DEEPEST_PLACE) return false;
+    walk.place = first_half(walk.place);
+  }
+  is_cut = true;  // the driver left the loop
+  return false;
 }
 
 // calc::cell_samples()

@@ -150,41 +150,24 @@ uint slots_of(uint triangles) {
   return (slots | (slots >> 12u)) & 255u;
 }
 
-// The search is that of visibility.glsl.
 bool is_free(SightQuery query) {
   const Pyramid pyramid = pyramid_of(query);
-  const uint stack = gl_LocalInvocationIndex;
-  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u : 0u;  // the root as an only child
-  uint height = 0u, triangles = 0u;
-  while ((open | height) != 0u) {
-    if (open == 0u) {
-      --height;
-      const uvec2 group = waiting[height * GROUP_SIZE + stack];
-      siblings = group.x;
-      inner = group.y & 255u;
-      open = group.y >> 8u;
-    }
-    const uint slot = uint(findLSB(open));
-    open &= open - 1u;
-    if (open != 0u) {
-      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
-      ++height;
-    }
-    const uint at = 5u * (siblings + place_among(inner, slot));
+  Search search = search_of_tree(0u);
+  uint triangles = 0u;
+  while (goes_on(search)) {
+    const uint at = next_node(search, 0u);
     const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
-    inner = grid.w >> 24u;
-    const uint met = boxes_met_by(pyramid, inner | slots_of(links.z), grid, bvh_node[at + 2u],
-                                  bvh_node[at + 3u], bvh_node[at + 4u]);
+    const uint met = boxes_met_by(pyramid, inner_slots(grid) | slots_of(links.z), grid,
+                                  bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u]);
     triangles = links.z & four_times(met);
     while (triangles != 0u) {
       const uint bit = uint(findLSB(triangles));
       triangles &= triangles - 1u;
       if (meets_triangle(pyramid, links.y + place_among(links.z, bit))) return false;
     }
-    siblings = links.x;
-    open = met & inner;
+    open_children(search, grid, links, met & inner_slots(grid));
   }
-  if ((open | height | triangles) != 0u) is_cut = true;
+  if (goes_on(search) || triangles != 0u) is_cut = true;
   return true;
 }
 

@@ -108,6 +108,57 @@ uint place_among(uint mask, uint bit) { return bitCount(mask & ((1u << bit) - 1u
 // into the slowest.
 shared uvec2 waiting[MOST_WAITING * GROUP_SIZE];
 
+// How far a search of the tree is: the nodes at hand, one after another from `siblings` on by slot,
+// those of them that are still to be searched, and how many such groups wait.
+struct Search {
+  uint siblings, inner, open, height;
+};
+
+// The root as an only child. signs: 0, or as next_node() will have them.
+Search search_of_tree(uint signs) {
+  return Search(0u, 1u, node_count > 0u ? 1u << signs : 0u, 0u);
+}
+
+bool goes_on(Search search) { return (search.open | search.height) != 0u; }
+
+// Where the words of the next node begin, of which there must be one. Open slots stand at slot ^
+// signs, the next at the lowest bit.
+uint next_node(inout Search search, uint signs) {
+  const uint stack = gl_LocalInvocationIndex;
+  if (search.open == 0u) {
+    --search.height;
+    const uvec2 group = waiting[search.height * GROUP_SIZE + stack];
+    search.siblings = group.x;
+    search.inner = group.y & 255u;
+    search.open = group.y >> 8u;
+  }
+  const uint slot = uint(findLSB(search.open)) ^ signs;
+  search.open &= search.open - 1u;
+  if (search.open != 0u) {
+    waiting[search.height * GROUP_SIZE + stack] =
+        uvec2(search.siblings, search.inner | (search.open << 8u));
+    ++search.height;
+  }
+  COUNT_NODE;
+  return 5u * (search.siblings + place_among(search.inner, slot));
+}
+
+// Slots of a node's children that are nodes, from its first words.
+uint inner_slots(uvec4 grid) { return grid.w >> 24u; }
+
+// On to the children of the node that next_node() gave.
+void open_children(inout Search search, uvec4 grid, uvec4 links, uint open) {
+  search.siblings = links.x;
+  search.inner = inner_slots(grid);
+  search.open = open;
+}
+
+// Boxes of the children of a node whose first words are given, as boxes_met().
+uint children_met(uint at, uvec4 grid, vec3 from, vec3 per_along, float t_near, float t_far) {
+  return boxes_met(grid, bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u], from, per_along,
+                   t_near, t_far);
+}
+
 // Whether anything stands between from + t_near along and from + t_far along. is_cut: the driver
 // left the loop early, so that the answer means nothing: llvmpipe does after 65535 turns, without a
 // word. Needs work groups of no more than GROUP_SIZE.
@@ -116,28 +167,12 @@ bool is_crossed_by_any(vec3 from, vec3 along, float t_near, float t_far, out boo
   // Two points nearer than the margins have nothing between them.
   if (!(t_near < t_far)) return false;
   const vec3 per_along = reciprocals(along);
-  const uint stack = gl_LocalInvocationIndex;
-  uint siblings = 0u, inner = 1u, open = node_count > 0u ? 1u : 0u;  // the root as an only child
-  uint height = 0u, triangles = 0u;
-  while ((open | height) != 0u) {
-    if (open == 0u) {
-      --height;
-      const uvec2 group = waiting[height * GROUP_SIZE + stack];
-      siblings = group.x;
-      inner = group.y & 255u;
-      open = group.y >> 8u;
-    }
-    const uint slot = uint(findLSB(open));
-    open &= open - 1u;
-    if (open != 0u) {
-      waiting[height * GROUP_SIZE + stack] = uvec2(siblings, inner | (open << 8u));
-      ++height;
-    }
-    COUNT_NODE;
-    const uint at = 5u * (siblings + place_among(inner, slot));
+  Search search = search_of_tree(0u);
+  uint triangles = 0u;
+  while (goes_on(search)) {
+    const uint at = next_node(search, 0u);
     const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
-    const uint met = boxes_met(grid, bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u], from,
-                               per_along, t_near, t_far);
+    const uint met = children_met(at, grid, from, per_along, t_near, t_far);
     triangles = links.z & four_times(met);
     while (triangles != 0u) {
       const uint bit = uint(findLSB(triangles));
@@ -145,11 +180,9 @@ bool is_crossed_by_any(vec3 from, vec3 along, float t_near, float t_far, out boo
       COUNT_TRIANGLE;
       if (is_hit(links.y + place_among(links.z, bit), from, along, t_near, t_far)) return true;
     }
-    siblings = links.x;
-    inner = grid.w >> 24u;
-    open = met & inner;
+    open_children(search, grid, links, met & inner_slots(grid));
   }
-  is_cut = (open | height | triangles) != 0u;
+  is_cut = goes_on(search) || triangles != 0u;
   return false;
 }
 
