@@ -3,6 +3,7 @@
 #include "calc/base/units.h"
 #include "calc/photometry/web.h"
 #include "calc/photometry/web_sketch.h"
+#include "gpu/number_table.h"
 
 #include <cassert>
 #include <cstddef>
@@ -10,14 +11,6 @@
 
 namespace gpu {
 namespace {
-
-void add(std::vector<double>& table, const glm::dvec3& v) {
-  table.insert(table.end(), {v.x, v.y, v.z});
-}
-
-void add(std::vector<double>& table, const std::vector<double>& values) {
-  table.insert(table.end(), values.begin(), values.end());
-}
 
 double number(std::size_t count) { return static_cast<double>(count); }
 
@@ -69,16 +62,13 @@ void add_lamp(std::vector<double>& table, const calc::PlacedLuminaire& lamp,
   const std::size_t begin = table.size();
   const calc::WebSketch::Table sketch = lamp.web->sketch().table();
   const calc::LightReach reach = lamp.reach.value_or(calc::LightReach{});
-  add(table, lamp.position_m);
-  for (int axis = 0; axis < 3; ++axis) add(table, lamp.world_from_luminaire[axis]);
-  add(table, 0.5 * lamp.opening.size_m());
-  table.insert(
-      table.end(),
-      {static_cast<double>(lamp.opening.shape), static_cast<double>(lamp.channel),
-       number(place.web_at), lamp.flux_scale, lamp.web->max_intensity_cd(),
-       lamp.web->sketch().largest_error_share(), lamp.reach ? 1.0 : 0.0, reach.along.x,
-       reach.along.y, reach.distance_m, number(place.sketch_at), number(sketch.planes),
-       number(sketch.gammas), static_cast<double>(sketch.begin), static_cast<double>(sketch.end)});
+  add_placement(table, lamp);
+  table.insert(table.end(),
+               {static_cast<double>(lamp.channel), number(place.web_at), lamp.flux_scale,
+                lamp.web->max_intensity_cd(), lamp.web->sketch().largest_error_share(),
+                lamp.reach ? 1.0 : 0.0, reach.along.x, reach.along.y, reach.distance_m,
+                number(place.sketch_at), number(sketch.planes), number(sketch.gammas),
+                static_cast<double>(sketch.begin), static_cast<double>(sketch.end)});
   assert(table.size() - begin == kLampSize);
   static_cast<void>(begin);
 }

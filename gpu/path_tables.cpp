@@ -1,6 +1,7 @@
 #include "gpu/path_tables.h"
 
 #include "calc/base/elementary.h"
+#include "gpu/number_table.h"
 #include "gpu/path_shader_text.h"
 
 #include <algorithm>
@@ -10,21 +11,10 @@
 namespace gpu {
 namespace {
 
-void add(std::vector<double>& table, const glm::dvec3& v) {
-  table.insert(table.end(), {v.x, v.y, v.z});
-}
-
-void add(std::vector<double>& table, const std::vector<double>& values) {
-  table.insert(table.end(), values.begin(), values.end());
-}
-
 void add_luminaire(std::vector<double>& table, const calc::Emitter& emitter, std::size_t luminaire,
                    std::size_t web_at) {
   const calc::PlacedLuminaire& placed = emitter.scene().luminaires[luminaire];
-  add(table, placed.position_m);
-  for (int axis = 0; axis < 3; ++axis) add(table, placed.world_from_luminaire[axis]);
-  add(table, 0.5 * placed.opening.size_m());
-  table.push_back(static_cast<double>(placed.opening.shape));
+  add_placement(table, placed);
   table.push_back(emitter.path_flux_lm(luminaire));
   table.push_back(static_cast<double>(placed.channel));
   table.push_back(static_cast<double>(web_at));

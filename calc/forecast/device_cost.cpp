@@ -125,7 +125,7 @@ DeviceCost weigh_device(const DeviceWork& work, const DeviceRates& rates,
     if (is_taken) s = device_s;
   };
   DeviceStages& stages = cost.stages;
-  take(possible.direct, device.direct(), cost.with_device.direct, stages.direct);
+  take(possible.direct_light, device.direct(), cost.with_device.direct, stages.direct_light);
   take(possible.light_paths, device.pool(), cost.with_device.pool, stages.light_paths);
   take(possible.connections, device.connect(), cost.with_device.connect, stages.connections);
   take(possible.near_field, device.near_field(), cost.with_device.near_field, stages.near_field);

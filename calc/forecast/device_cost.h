@@ -26,9 +26,10 @@ DeviceRates with_assumptions(const DeviceRates& measured);
 
 // What a device does; the rest is the CPU's.
 struct DeviceStages {
-  bool direct = true, light_paths = true, connections = true, near_field = true;
+  bool direct_light = true, light_paths = true, connections = true, near_field = true;
 
-  bool any() const { return direct || light_paths || connections || near_field; }
+  static constexpr DeviceStages none() { return {false, false, false, false}; }
+  bool any() const { return *this != none(); }
   friend bool operator==(const DeviceStages&, const DeviceStages&) = default;
 };
 

@@ -37,8 +37,8 @@ std::string why_no_hardware(const gpu::DeviceList& hardware) {
 std::string describe(const gpu::Device& device, const GpuStages& stages) {
   const std::string gpu =
       fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
-  const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field,
-                       !stages.direct_light};
+  const GpuStages rest{!stages.direct_light, !stages.light_paths, !stages.connections,
+                       !stages.near_field};
   if (stages == GpuStages()) return gpu;
   return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
                      calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
@@ -84,15 +84,6 @@ bool GpuStages::*find_gpu_stage(std::string_view name) {
   return nullptr;
 }
 
-calc::DeviceStages device_stages(const GpuStages& stages) {
-  calc::DeviceStages result;
-  result.direct = stages.direct_light;
-  result.light_paths = stages.light_paths;
-  result.connections = stages.connections;
-  result.near_field = stages.near_field;
-  return result;
-}
-
 RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder) {
   return [fault, program_folder](const gpu::Device& device, bool may_measure,
                                  std::string& problem) {
@@ -121,7 +112,7 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
   if (device < 0) return {Backend::cpu, -1, why_no_hardware(hardware)};
   const gpu::Device& found = hardware.devices[static_cast<std::size_t>(device)];
   const calc::DeviceWork amount = work();
-  const calc::DeviceStages possible = device_stages({});
+  const GpuStages possible;
   const calc::DeviceCost ideal = calc::weigh_ideal_device(amount, possible);
   const std::string on_cpu =
       fmt::format("first looks take some {:.2g} s on {} thread{} ({})", ideal.cpu_s(),
@@ -147,9 +138,7 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
       is_worth_it ? "enough" : "too little", found.renderer, on_cpu, cost.device_s(), cost.open_s,
       cost.send_s, stage_times(cost.with_device), rates_words(rates));
   if (!is_worth_it) return {Backend::cpu, -1, why};
-  return {Backend::gpu, device, why,
-          GpuStages{cost.stages.light_paths, cost.stages.connections, cost.stages.near_field,
-                    cost.stages.direct}};
+  return {Backend::gpu, device, why, cost.stages};
 }
 
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
@@ -157,9 +146,9 @@ BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow
                              const std::function<calc::DeviceWork()>& work) {
   if (shadow_map_texels > 0) {
     // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
-    const GpuStages wanted = request.stages.value_or(GpuStages{false, true, false, false});
+    const GpuStages wanted = request.stages.value_or(GpuStages{false, false, true, false});
     return {Backend::gpu, request.gl_device, "--visibility shadow-map draws with OpenGL",
-            GpuStages{wanted.light_paths, true, false, wanted.direct_light}, shadow_map_texels};
+            GpuStages{wanted.direct_light, wanted.light_paths, true, false}, shadow_map_texels};
   }
   if (request.backend != Backend::automatic) {
     return {request.backend, request.gl_device, "asked for with --backend",

@@ -17,11 +17,7 @@ namespace check {
 
 enum class Backend { automatic, cpu, gpu };
 // Which parts of the calculation a gpu does.
-struct GpuStages {
-  bool light_paths = true, connections = true, near_field = true, direct_light = true;
-  static constexpr GpuStages none() { return {false, false, false, false}; }
-  friend bool operator==(const GpuStages&, const GpuStages&) = default;
-};
+using GpuStages = calc::DeviceStages;
 // "direct-light", "light-paths", "connections" and "near-field": those that are set, in this order.
 std::vector<std::string_view> gpu_stage_names(const GpuStages& stages);
 // Of such a name; null if there is none.
@@ -46,9 +42,6 @@ struct BackendChoice {
   GpuStages stages{};                   // of the gpu
   std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
-
-// What a device does if --gpu-stages says nothing: all it can.
-calc::DeviceStages device_stages(const GpuStages& stages);
 
 // Rates of a device. may_measure: whether the work is worth the second that measuring may take;
 // else only what was kept is asked for. Empty: nothing is known, or `problem` says how the device

@@ -97,12 +97,12 @@ TEST(DeviceCost, OnlyStagesThatAreThereAreTaken) {
   calc::DeviceWork w = work(1.0, 2);
   w.one_thread.direct = 1000.0;
   calc::DeviceStages possible;
-  possible.direct = false;
+  possible.direct_light = false;
   const calc::DeviceCost without = calc::weigh_device(w, calc::kAssumedRates, possible);
-  EXPECT_FALSE(without.stages.direct);
+  EXPECT_FALSE(without.stages.direct_light);
   EXPECT_EQ(without.with_device.direct, 500.0);
   const calc::DeviceCost all = calc::weigh_device(w, calc::kAssumedRates, {});
-  EXPECT_TRUE(all.stages.direct);
+  EXPECT_TRUE(all.stages.direct_light);
   EXPECT_LT(all.with_device.direct, 10.0);
   const calc::DeviceCost none =
       calc::weigh_device(w, calc::kAssumedRates, {false, false, false, false});

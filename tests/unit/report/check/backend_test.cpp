@@ -178,7 +178,7 @@ TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
 TEST(Backend, StagesAreNamed) {
   check::BackendRequest request;
   request.backend = check::Backend::gpu;
-  request.stages = check::GpuStages{true, false, true, false};
+  request.stages = check::GpuStages{false, true, false, true};
   const auto chosen = [&] {
     return check::choose_backend(request, 0, gpu::Fault::no_egl, "",
                                  [] { return calc::DeviceWork(); });
@@ -200,7 +200,7 @@ TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
                                                      [] { return calc::DeviceWork(); }));
   };
   EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
-  request.stages = check::GpuStages{true, false, true, false};
+  request.stages = check::GpuStages{false, true, false, true};
   EXPECT_THAT(line(), HasSubstr("gpu stages: light-paths, connections\n"));
 }
 

@@ -127,7 +127,7 @@ TEST(Options, GpuStagesBelongToResults) {
     return parsed({"check", "a.xml", "--backend", "gpu", "--gpu-stages", list});
   };
   const cli::CheckOptions two = stages("near-field,light-paths");
-  EXPECT_EQ(two.backend.stages, (check::GpuStages{true, false, true, false}));
+  EXPECT_EQ(two.backend.stages, (check::GpuStages{false, true, false, true}));
   EXPECT_EQ(cli::reproducible_command(two),
             "luxgate check a.xml --backend gpu --gpu-stages light-paths,near-field");
   EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,direct-light,light-paths")),
