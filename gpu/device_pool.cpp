@@ -29,10 +29,14 @@ PackedPool pack_pool(const calc::VertexTree& tree) {
   PackedPool packed = pack_pool(tree.vertices());
   packed.sphere.reserve(tree.nodes().size());
   packed.rest.reserve(tree.nodes().size());
+  packed.half.reserve(tree.nodes().size());
+  packed.axis.reserve(tree.nodes().size());
   for (const calc::VertexNode& node : tree.nodes()) {
     packed.sphere.emplace_back(node.centre_m, node.radius_m);
     packed.rest.emplace_back(std::bit_cast<std::uint32_t>(node.flux_lm),
                              std::bit_cast<std::uint32_t>(node.per_m2), node.first, node.size());
+    packed.half.emplace_back(node.half_m, node.cos_spread);
+    packed.axis.emplace_back(glm::floatBitsToUint(node.axis), node.child);
   }
   packed.flux_before_lm = tree.flux_before_lm();
   packed.has_tree = true;
@@ -40,7 +44,8 @@ PackedPool pack_pool(const calc::VertexTree& tree) {
 }
 
 std::size_t DevicePool::bytes() const {
-  return position.bytes() + normal.bytes() + sphere.bytes() + rest.bytes() + flux_before.bytes();
+  return position.bytes() + normal.bytes() + sphere.bytes() + rest.bytes() + half.bytes() +
+         axis.bytes() + flux_before.bytes();
 }
 
 void DevicePool::bind_vertices() const {
@@ -52,6 +57,13 @@ void DevicePool::bind_tree() const {
   sphere.bind(6);
   rest.bind(7);
   flux_before.bind(11);
+}
+
+void DevicePool::bind_nodes() const {
+  sphere.bind(6);
+  rest.bind(7);
+  half.bind(8);
+  axis.bind(9);
 }
 
 bool DevicePools::holds(std::uint64_t identity) const {
@@ -78,11 +90,15 @@ const DevicePool& DevicePools::send(std::uint64_t identity, const PackedPool& pa
                   GlBuffer("normals of light vertices", BufferUse::fixed),
                   GlBuffer("groups of light vertices", BufferUse::fixed),
                   GlBuffer("fluxes of groups of light vertices", BufferUse::fixed),
+                  GlBuffer("boxes of groups of light vertices", BufferUse::fixed),
+                  GlBuffer("normals of groups of light vertices", BufferUse::fixed),
                   GlBuffer("summed flux of light vertices", BufferUse::fixed)};
   pool.position.assign(packed.position_m);
   pool.normal.assign(packed.normal);
   pool.sphere.assign(packed.sphere);
   pool.rest.assign(packed.rest);
+  pool.half.assign(packed.half);
+  pool.axis.assign(packed.axis);
   pool.flux_before.assign(packed.flux_before_lm);
   check_gl("sending light vertices");
   const std::scoped_lock lock(mutex_);

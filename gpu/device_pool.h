@@ -23,8 +23,10 @@ struct PackedPool {
   std::vector<glm::vec4> normal;      // last component unused
   std::vector<glm::vec4> sphere;      // [node] centre and radius, m
   std::vector<glm::uvec4> rest;       // [node] flux and vertices per m2 as floats; first, count
+  std::vector<glm::vec4> half;        // [node] half sizes of its box, m; cos_spread
+  std::vector<glm::uvec4> axis;       // [node] mean normal as floats; child
   std::span<const double> flux_before_lm;
-  bool has_tree = false;  // the last three are there
+  bool has_tree = false;  // what is said of nodes, and the flux, are there
 };
 
 PackedPool pack_pool(std::span<const calc::LightVertex> vertices);
@@ -33,12 +35,13 @@ PackedPool pack_pool(const calc::VertexTree& tree);  // which must live on
 struct DevicePool {
   std::uint64_t identity;
   bool has_tree;
-  GlBuffer position, normal, sphere, rest, flux_before;
+  GlBuffer position, normal, sphere, rest, half, axis, flux_before;
 
   std::size_t bytes() const;
-  // To bindings 2, 3, and for draws 6, 7, 11.
+  // To bindings 2, 3; for draws 6, 7, 11; to choose nodes 6 to 9.
   void bind_vertices() const;
   void bind_tree() const;
+  void bind_nodes() const;
 };
 
 // The pools used last: the replicates of a look are computed side by side.

@@ -28,6 +28,7 @@ std::uint32_t word(std::size_t number) { return static_cast<std::uint32_t>(numbe
 void set_common(const GlProgram& program, const DrawPiece& piece) {
   program.use();
   program.set("most_nodes", piece.most_nodes);
+  program.set("most_ranges", piece.most_ranges);
   program.set("draws", piece.batch->draws);
 }
 
@@ -55,7 +56,12 @@ void DrawPass::upload(Slot& slot, const DrawPiece& piece) {
   const std::size_t weights = receivers * piece.most_nodes;
   const std::size_t answer_bytes = receivers * piece.words_per_answer() * sizeof(std::uint32_t);
   slot.receivers.assign(piece.receivers);
-  slot.tiles.assign(piece.tiles);
+  if (piece.has_views()) {
+    slot.views.assign(piece.views);
+    slot.tiles.assign(piece.tile_count * piece.words_per_tile() * sizeof(std::uint32_t), kNotDone);
+  } else {
+    slot.sent_tiles.assign(piece.tiles);
+  }
   slot.weights.reserve(weights * sizeof(float));
   slot.cumulated.reserve(weights * sizeof(double));
   slot.spacings.reserve(receivers * sizeof(double));
@@ -66,15 +72,40 @@ void DrawPass::upload(Slot& slot, const DrawPiece& piece) {
   // A device that silently stops must not look like darkness.
   slot.results.assign(places * sizeof(std::uint32_t), kNotDone);
   slot.sums.assign(answer_bytes, kNotDone);
+  check_gl("sending calculation points");
+}
+
+void DrawPass::bind(const DevicePool& pool, const Slot& slot, const DrawPiece& piece) {
+  pool.bind_vertices();
+  pool.bind_tree();
   slot.receivers.bind(4);
-  slot.tiles.bind(5);
+  (piece.has_views() ? slot.tiles : slot.sent_tiles).bind(5);
   slot.weights.bind(8);
   slot.cumulated.bind(9);
   slot.spacings.bind(10);
   slot.results.bind(12);
   slot.sums.bind(13);
   slot.bounded.bind(14);
-  check_gl("sending calculation points");
+}
+
+// The nodes that each tile's receivers choose from.
+void DrawPass::choose(DeviceState& device, const DevicePool& pool, const Slot& slot,
+                      const DrawPiece& piece) {
+  if (!choose_) choose_ = std::make_unique<GlProgram>("choose", choose_shader(), device.programs);
+  const calc::CutRequest& cut = piece.batch->cut;
+  choose_->use();
+  choose_->set("most_nodes", piece.most_nodes);
+  choose_->set("most_ranges", piece.most_ranges);
+  choose_->set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
+  choose_->set("wanted_nodes", word(cut.nodes));
+  choose_->set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
+  choose_->set("children", 2u);
+  pool.bind_nodes();
+  slot.views.bind(4);
+  slot.tiles.bind(5);
+  glDispatchCompute(word(piece.tile_count), 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  check_gl("choosing groups of light vertices");
 }
 
 void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_number,
@@ -88,8 +119,8 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
     pool = &pools.send(identity, packed != nullptr ? *packed : pack_pool(batch.tree));
   }
   upload(slot, piece);
-  pool->bind_vertices();
-  pool->bind_tree();
+  if (piece.has_views()) choose(device, *pool, slot, piece);
+  bind(*pool, slot, piece);
 
   const std::size_t receivers = piece.receivers.size();
   set_common(program.weigh, piece);
@@ -103,7 +134,6 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
   trace(program.trace, device, piece);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   set_common(program.add, piece);
-  program.add.set("most_ranges", piece.most_ranges);
   glDispatchCompute(static_cast<unsigned>(receivers), 1, 1);
   fetch(slot, piece);
   check_gl("adding light");

@@ -43,7 +43,9 @@ class DrawPass {
 
  private:
   struct Slot {
-    GlBuffer receivers{"calculation points"}, tiles{"groups of light vertices"};
+    GlBuffer receivers{"calculation points"}, views{"tiles of calculation points"};
+    GlBuffer sent_tiles{"groups of light vertices"};  // that the CPU chose
+    GlBuffer tiles{"groups of light vertices", BufferUse::by_device};
     GlBuffer weights{"weights of groups", BufferUse::by_device};
     GlBuffer cumulated{"summed weights of groups", BufferUse::by_device};
     GlBuffer spacings{"spacings of draws", BufferUse::by_device};
@@ -54,11 +56,15 @@ class DrawPass {
   };
 
   void upload(Slot& slot, const DrawPiece& piece);
+  void choose(DeviceState& device, const DevicePool& pool, const Slot& slot,
+              const DrawPiece& piece);
+  static void bind(const DevicePool& pool, const Slot& slot, const DrawPiece& piece);
   void fetch(Slot& slot, const DrawPiece& piece);
   void trace(const GlProgram& program, DeviceState& device, DrawPiece& piece);
   const DrawPrograms& programs(const DeviceState& device, const DrawShape& shape);
 
   std::array<Slot, kSlots> slot_;
+  std::unique_ptr<GlProgram> choose_;
   std::map<DrawShape, std::unique_ptr<DrawPrograms>> programs_;
   DispatchPacer pacer_;
   // Bounded draws that are fetched with the sums: by what pieces had, so that few come back twice.

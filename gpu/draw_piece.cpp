@@ -31,6 +31,24 @@ DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& rec
   return result;
 }
 
+DrawTileView view_of(const calc::ReceiverTile& tile) {
+  const float has_axis = tile.axis != glm::vec3(0.0f) ? 1.0f : 0.0f;
+  return {tile.centre_m, tile.radius_m, tile.axis, tile.softening_m,
+          tile.slack_m,  tile.lowest_m, has_axis};
+}
+
+std::vector<std::uint32_t> channels_of(const calc::VertexTree& tree) {
+  std::vector<std::uint32_t> channels;
+  for (const std::uint32_t root : tree.roots()) channels.push_back(tree.nodes()[root].channel);
+  return channels;
+}
+
+// A cut has no more nodes than are asked for, or than there are channels, or vertices.
+std::uint32_t most_nodes(const calc::DrawBatch& batch) {
+  return static_cast<std::uint32_t>(
+      std::min(std::max(batch.cut.nodes, batch.tree.roots().size()), batch.tree.vertices().size()));
+}
+
 [[noreturn]] void throw_not_done() {
   throw calc::BackendFailure("the device did not finish its work");
 }
@@ -47,79 +65,88 @@ std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits
   return std::clamp(std::min(tiles, work.tiles_each), kFewestTiles, kMostTiles);
 }
 
-void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
-  thread_local calc::Cut cut;
-  nodes_.clear();
-  ranges_.clear();
-  cut.select(batch_.tree, calc::tile_of(tile.receivers, batch_.tracer.scene().extent_m), batch_.cut,
-             nodes_, ranges_);
-  has_nodes_ = true;
+std::size_t DrawPiece::words_per_tile() const {
+  return std::size_t{kTileHead} + 2 * std::size_t{most_ranges} + most_nodes;
 }
 
-// Receivers of the tile whose nodes were chosen that the piece can still take.
+DrawPacker::DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits)
+    : batch_(batch),
+      limits_(limits),
+      channels_(channels_of(batch.tree)),
+      most_nodes_(most_nodes(batch)) {}
+
+void DrawPacker::append_nodes(const calc::ReceiverTile& tile, DrawPiece& piece) {
+  thread_local calc::Cut cut;
+  thread_local std::vector<std::uint32_t> nodes;
+  thread_local std::vector<calc::Cut::ChannelRange> ranges;
+  nodes.clear();
+  ranges.clear();
+  cut.select(batch_.tree, tile, batch_.cut, nodes, ranges);
+  const std::size_t at = piece.tiles.size();
+  piece.tiles.resize(at + piece.words_per_tile());
+  std::uint32_t last_range = 0;
+  for (std::uint32_t channel = 0, k = 0; k < ranges.size(); ++channel) {
+    if (batch_.tree.nodes()[nodes[ranges[k].begin]].channel != channels_[channel]) continue;
+    piece.tiles[at + kTileHead + 2 * channel] = ranges[k].begin;
+    piece.tiles[at + kTileHead + 2 * channel + 1] = ranges[k].end;
+    last_range = channel;
+    ++k;
+  }
+  piece.tiles[at] = static_cast<std::uint32_t>(nodes.size());
+  piece.tiles[at + 1] = static_cast<std::uint32_t>(ranges.size());
+  piece.tiles[at + 2] = last_range;
+  piece.tiles[at + 3] = kTileChosen;
+  std::copy(
+      nodes.begin(), nodes.end(),
+      piece.tiles.begin() + static_cast<std::ptrdiff_t>(at + kTileHead + 2 * channels_.size()));
+}
+
+// Receivers that the piece can still take.
 std::size_t DrawPacker::room_in(const DrawPiece& piece) const {
   const std::size_t used = piece.receivers.size();
-  const std::size_t row = std::max<std::size_t>({piece.most_nodes, nodes_.size(), 1});
-  const std::size_t most = most_receivers(limits_, piece.places_per_receiver(), row);
+  const std::size_t most = most_receivers(limits_, piece.places_per_receiver(), most_nodes_);
   if (used == 0) return std::max<std::size_t>(most, 1);
   return most > used ? most - used : 0;
 }
 
 void DrawPacker::append(DrawPiece& piece, std::size_t count) {
   const calc::DrawTile& tile = batch_.tiles[tile_];
-  // Heads come first but their number is not yet known: finish() puts them there.
-  Part part{tile_, receiver_, count, {}};
-  for (const calc::Cut::ChannelRange& range : ranges_) {
-    part.channels.push_back(batch_.tree.nodes()[nodes_[range.begin]].channel);
+  const calc::ReceiverTile seen = calc::tile_of(tile.receivers, batch_.tracer.scene().extent_m);
+  if (std::max<std::size_t>(most_nodes_, channels_.size()) <= kMostChosen) {
+    piece.views.push_back(view_of(seen));
+  } else {
+    append_nodes(seen, piece);
   }
   for (std::size_t k = receiver_; k < receiver_ + count; ++k) {
     piece.receivers.push_back(
-        draw_receiver(batch_.tracer, tile.receivers[k], tile.shifts[k], parts_.size()));
+        draw_receiver(batch_.tracer, tile.receivers[k], tile.shifts[k], piece.tile_count));
     const bool is_planar = tile.receivers[k].kernel == calc::ReceiverKernel::planar;
     (is_planar ? piece.shape.has_planar : piece.shape.has_round) = true;
   }
-  const auto at = static_cast<std::uint32_t>(piece.tiles.size());
-  const auto nodes = static_cast<std::uint32_t>(nodes_.size());
-  const auto ranges = static_cast<std::uint32_t>(ranges_.size());
-  heads_.insert(heads_.end(), {at, nodes, at + nodes, ranges});
-  piece.tiles.insert(piece.tiles.end(), nodes_.begin(), nodes_.end());
-  for (const calc::Cut::ChannelRange& range : ranges_) {
-    piece.tiles.insert(piece.tiles.end(), {range.begin, range.end});
-  }
-  piece.most_nodes = std::max(piece.most_nodes, nodes);
-  piece.most_ranges = std::max(piece.most_ranges, ranges);
-  parts_.push_back(std::move(part));
-}
-
-void DrawPacker::finish(DrawPiece& piece) {
-  const auto shift = static_cast<std::uint32_t>(heads_.size());
-  for (std::size_t k = 0; k < heads_.size(); k += 2) heads_[k] += shift;
-  piece.tiles.insert(piece.tiles.begin(), heads_.begin(), heads_.end());
-  piece.shape.has_shadows = batch_.has_shadows && !batch_.tracer.scene().triangle.empty();
-  piece.shape.has_many_channels = piece.most_ranges > 1;
-  piece.shape.has_bound = std::isfinite(batch_.bounds.lowest_per_m2());
+  ++piece.tile_count;
+  parts_.push_back({tile_, receiver_, count});
 }
 
 bool DrawPacker::next(DrawPiece& piece) {
   piece = DrawPiece{};
   piece.batch = &batch_;
+  piece.most_nodes = most_nodes_;
+  piece.most_ranges = static_cast<std::uint32_t>(channels_.size());
+  piece.shape.has_shadows = batch_.has_shadows && !batch_.tracer.scene().triangle.empty();
+  piece.shape.has_many_channels = channels_.size() > 1;
+  piece.shape.has_bound = std::isfinite(batch_.bounds.lowest_per_m2());
   parts_.clear();
-  heads_.clear();
+  if (most_nodes_ == 0) return false;  // no light vertices
   while (tile_ < batch_.tiles.size() && !calc::is_past(batch_.deadline_s)) {
-    const calc::DrawTile& tile = batch_.tiles[tile_];
-    if (!has_nodes_) choose_nodes(tile);
-    const std::size_t left = nodes_.empty() ? 0 : tile.receivers.size() - receiver_;
+    const std::size_t left = batch_.tiles[tile_].receivers.size() - receiver_;
     const std::size_t count = std::min(left, room_in(piece));
     if (count > 0) append(piece, count);
     receiver_ += count;
     if (count < left) break;
     ++tile_;
     receiver_ = 0;
-    has_nodes_ = false;
   }
-  if (piece.receivers.empty()) return false;
-  finish(piece);
-  return true;
+  return !piece.receivers.empty();
 }
 
 std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
@@ -135,10 +162,10 @@ std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
       DrawAnswer answer;
       std::memcpy(&answer, words, sizeof answer);
       rays += answer.rays;
-      for (std::size_t range = 0; range < part.channels.size(); ++range) {
+      for (std::size_t range = 0; range < channels_.size(); ++range) {
         double lx = 0.0;
         std::memcpy(&lx, words + 4 + 2 * range, sizeof lx);
-        sums.lx[part.channels[range] * sums.stride + k] += lx;
+        sums.lx[channels_[range] * sums.stride + k] += lx;
       }
       float largest = std::max(sums.largest_lx[k], answer.largest_lx);
       for (std::size_t b = 0; b < answer.bounded; ++b) {

@@ -26,6 +26,18 @@ struct DrawReceiver {
 };
 static_assert(sizeof(DrawReceiver) == 64);
 
+// A tile as shaders/choose.glsl reads it: three vec4, calc::ReceiverTile.
+struct DrawTileView {
+  glm::vec3 centre_m;
+  float radius_m;
+  glm::vec3 axis;
+  float softening_m;
+  float slack_m, lowest_m;
+  float has_axis;  // 1 = yes
+  float unused = 0.0f;
+};
+static_assert(sizeof(DrawTileView) == 48);
+
 // One of the draws above the smallest bound, whose own bound the CPU has to find.
 struct BoundedDraw {
   std::uint32_t vertex;
@@ -34,7 +46,7 @@ struct BoundedDraw {
 };
 static_assert(sizeof(BoundedDraw) == 12);
 
-// What the device answers for a receiver, before a sum for each range of channels.
+// What the device answers for a receiver, before a sum for each channel of the pool.
 struct DrawAnswer {
   std::uint32_t rays;  // kNotDone: the device did not do its work
   std::uint32_t bounded, first_bounded;
@@ -55,10 +67,13 @@ struct DrawShape {
 struct DrawPiece {
   const calc::DrawBatch* batch = nullptr;
   DrawShape shape;
-  std::uint32_t most_nodes = 0, most_ranges = 0;  // of a tile
+  std::uint32_t most_nodes = 0;   // of a tile
+  std::uint32_t most_ranges = 0;  // channels of the pool
   std::vector<DrawReceiver> receivers;
-  // Four words for each tile: where its nodes begin here and how many they are, then the same of
-  // its ranges of channels; then what those point to. Ranges have two words, begin and end.
+  std::size_t tile_count = 0;
+  // Of tiles whose nodes the device chooses; else empty, and the nodes are below, as
+  // shaders/tile_words.glsl says.
+  std::vector<DrawTileView> views;
   std::vector<std::uint32_t> tiles;
 
   // What comes back.
@@ -68,6 +83,8 @@ struct DrawPiece {
   bool is_cut_short = false;  // the deadline has passed
 
   std::size_t places_per_receiver() const { return std::size_t{batch->draws} + 1; }
+  bool has_views() const { return !views.empty(); }
+  std::size_t words_per_tile() const;
   std::size_t words_per_answer() const { return 4 + 2 * std::size_t{most_ranges}; }
 };
 
@@ -86,12 +103,12 @@ struct DrawLimits {
 std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits,
                             std::size_t places_per_dispatch);
 
-// Cuts a batch into pieces that fit onto the device, chooses the nodes of each tile on the way, and
-// adds what comes back.
+// Cuts a batch into pieces that fit onto the device, and adds what comes back. Chooses the nodes of
+// tiles whose cuts are too large for the device to choose: those of few points with thousands of
+// draws each.
 class DrawPacker {
  public:
-  DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits)
-      : batch_(batch), limits_(limits) {}
+  DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits);
 
   // The next piece; false after the last, or past the deadline.
   bool next(DrawPiece& piece);
@@ -103,22 +120,18 @@ class DrawPacker {
   // Some receivers of one tile, in the piece one after the other.
   struct Part {
     std::size_t tile, first, count;
-    std::vector<std::uint32_t> channels;  // of its ranges
   };
 
-  void choose_nodes(const calc::DrawTile& tile);
+  void append_nodes(const calc::ReceiverTile& tile, DrawPiece& piece);
   std::size_t room_in(const DrawPiece& piece) const;
   void append(DrawPiece& piece, std::size_t count);
-  void finish(DrawPiece& piece);
 
   const calc::DrawBatch& batch_;
   const DrawLimits limits_;
+  const std::vector<std::uint32_t> channels_;  // of the pool, in order of its roots
+  const std::uint32_t most_nodes_;
   std::size_t tile_ = 0, receiver_ = 0;  // where the next piece begins
-  bool has_nodes_ = false;               // of tile_
-  std::vector<std::uint32_t> nodes_;
-  std::vector<calc::Cut::ChannelRange> ranges_;
   std::vector<Part> parts_;
-  std::vector<std::uint32_t> heads_;
 };
 
 }  // namespace gpu

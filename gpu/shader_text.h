@@ -24,6 +24,11 @@ std::string connection_terms_in_double();
 // Of given connections. has_shadows: false leaves the rays out.
 std::string gather_shader(bool has_shadows);
 
+// The nodes of a tile's cut, before its receivers draw; see shaders/tile_words.glsl.
+inline constexpr std::uint32_t kMostChosen = 1024;  // nodes of a cut, by shared memory
+inline constexpr std::uint32_t kTileHead = 4, kTileChosen = 1;
+std::string choose_shader();
+
 // Of drawn connections, in this order: the weights of nodes, their sums and the channels' shares,
 // one ray for each draw, the sums of receivers.
 enum class DrawStage { weigh, share, trace, add };

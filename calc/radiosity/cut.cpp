@@ -1,12 +1,10 @@
 #include "calc/radiosity/cut.h"
 
-#include "calc/base/elementary.h"
 #include "calc/radiosity/node_terms.h"
 #include "calc/radiosity/node_weights.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace calc {
@@ -17,60 +15,32 @@ constexpr float kRelativeSlack = 1e-5f;
 
 enum : std::uint8_t { kUnseen, kTaken, kOpened, kHidden };
 
-// Exponent and two bits of the mantissa of a float, from 2^-40 to 2^40.
-constexpr int kLevels = 4 * 80;
-int level_of(float error) {
-  const int level = static_cast<int>(std::bit_cast<std::uint32_t>(error) >> 21) - 4 * (127 - 40);
-  return std::clamp(level, 0, kLevels - 1);
-}
+// A node that can light nothing of the tile.
+constexpr int kHiddenStep = -2;
 
-// Geometry of a node as seen from a tile.
-struct NodeView {
-  glm::vec3 to_tile;
-  float distance;  // between centres
-
-  NodeView(const ReceiverTile& tile, const VertexNode& node)
-      : to_tile(tile.centre_m - node.centre_m), distance(glm::length(to_tile)) {}
-};
-
-bool is_behind(const ReceiverTile& tile, const VertexNode& node) {
-  const float highest =
-      glm::dot(tile.axis, node.centre_m) + glm::dot(glm::abs(tile.axis), node.half_m);
-  return highest + tile.slack_m < tile.lowest_m;
-}
-
-// No direction from the node to the tile lies within 90 degrees of any of its normals.
-bool faces_away(const ReceiverTile& tile, const VertexNode& node, const NodeView& view) {
-  const float cosine = glm::dot(node.axis, view.to_tile);
-  if (cosine >= 0.0f || node.cos_spread <= 0.0f) return false;
-  const float reach = node.radius_m + tile.radius_m;
-  if (node.cos_spread >= 1.0f - 1e-6f) {  // one normal: a plain distance to the plane
-    return cosine + glm::dot(glm::abs(node.axis), node.half_m) + tile.radius_m + tile.slack_m <
-           0.0f;
+// Of a node's error as seen from a tile, see cut_terms.glsl.
+int step_of(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
+            std::uint32_t n) {
+  const VertexNode& node = tree.nodes()[n];
+  const glm::vec3 &a = tile.axis, &c = node.centre_m, &h = node.half_m, &normal = node.axis;
+  if (request.leave_out_hidden && a != glm::vec3(0.0f) &&
+      node_terms::cut_is_behind(a.x, a.y, a.z, tile.slack_m, tile.lowest_m, c.x, c.y, c.z, h.x, h.y,
+                                h.z)) {
+    return kHiddenStep;
   }
-  if (view.distance <= reach) return false;
-  // angle(axis, to_tile) > 90 degrees + spread + angle that both spheres take up
-  const float spread = calc::acos(std::min(1.0f, node.cos_spread));
-  const float sphere = calc::asin(reach / view.distance);
-  return calc::acos(std::clamp(cosine / view.distance, -1.0f, 1.0f)) >
-         calc::acos(0.0f) + spread + sphere + 1e-3f;
-}
-
-float bound_of(const VertexNode& node, float smallest_bound_per_m2) {
-  return node_terms::node_bound_per_m2(smallest_bound_per_m2, node.per_m2);
-}
-
-// How far the node's contribution may vary over its vertices: flux times the largest kernel, times
-// the share of it that position and normals leave open.
-float error_of(const ReceiverTile& tile, const VertexNode& node, const NodeView& view,
-               float smallest_bound_per_m2) {
-  if (node.child == 0) return 0.0f;
-  const float gap =
-      std::max(0.0f, view.distance + tile.softening_m - tile.radius_m - node.radius_m);
-  const float gap2 = gap * gap + 1e-12f;
-  const float r2 = node.radius_m * node.radius_m;
-  const float largest = std::min(1.0f / gap2, bound_of(node, smallest_bound_per_m2));
-  return node.flux_lm * largest * (r2 / (gap2 + r2) + (1.0f - node.cos_spread));
+  const glm::vec3 to = tile.centre_m - c;
+  const float distance_m = node_terms::cut_distance_m(to.x, to.y, to.z);
+  if (request.leave_out_hidden &&
+      node_terms::cut_faces_away(normal.x, normal.y, normal.z, node.cos_spread, h.x, h.y, h.z,
+                                 tile.radius_m, tile.slack_m, node.radius_m + tile.radius_m, to.x,
+                                 to.y, to.z, distance_m)) {
+    return kHiddenStep;
+  }
+  if (node.child == 0) return -1;
+  const float bound = node_terms::node_bound_per_m2(request.smallest_bound_per_m2, node.per_m2);
+  return node_terms::cut_step(node_terms::cut_error(node.flux_lm, node.radius_m, node.cos_spread,
+                                                    bound, distance_m, tile.softening_m,
+                                                    tile.radius_m));
 }
 
 }  // namespace
@@ -97,59 +67,64 @@ ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m) {
   return tile;
 }
 
-void Cut::build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
-                float smallest_bound_per_m2, bool leave_out_hidden) {
-  open_nodes(tree, tile, size, smallest_bound_per_m2, leave_out_hidden);
+void Cut::build(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request) {
+  open_nodes(tree, tile, request);
   resize(taken_);
-  collect(tree, smallest_bound_per_m2);
+  collect(tree, request.smallest_bound_per_m2);
 }
 
-void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
-                     float smallest_bound_per_m2, bool leave_out_hidden) {
+// In rounds: all nodes from a step of error on at once, or as many as there is room for, by their
+// place in the pool. What is taken then depends on no other order, so that a device that opens many
+// nodes at a time takes the same (gpu/shaders/choose.glsl).
+void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request) {
   const std::span<const VertexNode> nodes = tree.nodes();
   state_.resize(std::max(state_.size(), nodes.size()), kUnseen);
-  queue_.resize(kLevels);
-  const bool has_axis = leave_out_hidden && tile.axis != glm::vec3(0.0f);
   std::size_t count = 0;
-  int highest = 0;
+  int highest = -1, lowest = std::numeric_limits<int>::max();
+  const auto queue_at = [&](int step) -> std::vector<std::uint32_t>& {
+    if (queue_.size() <= static_cast<std::size_t>(step))
+      queue_.resize(static_cast<std::size_t>(step) + 1);
+    return queue_[static_cast<std::size_t>(step)];
+  };
   const auto add = [&](std::uint32_t n) {
     touched_.push_back(n);
-    const VertexNode& node = nodes[n];
-    if (has_axis && is_behind(tile, node)) {
-      state_[n] = kHidden;
-      return;
-    }
-    const NodeView view(tile, node);
-    if (leave_out_hidden && faces_away(tile, node, view)) {
-      state_[n] = kHidden;
-      return;
-    }
-    state_[n] = kTaken;
+    const int step = step_of(tree, tile, request, n);
+    state_[n] = step == kHiddenStep ? kHidden : kTaken;
+    if (step == kHiddenStep) return;
     ++count;
-    const float error = error_of(tile, node, view, smallest_bound_per_m2);
-    if (!(error > 0.0f)) return;
-    const int level = level_of(error);
-    highest = std::max(highest, level);
-    queue_[static_cast<std::size_t>(level)].push_back(n);
+    if (step < 0) return;
+    highest = std::max(highest, step);
+    queue_at(step).push_back(n);
   };
   for (const std::uint32_t root : tree.roots()) add(root);
-  for (; highest >= 0; --highest) {
-    auto& best = queue_[static_cast<std::size_t>(highest)];
-    bool rises = false;  // a part may have a larger error than the whole
-    while (!best.empty() && count < size && !rises) {
-      const std::uint32_t n = best.back();
-      best.pop_back();
+  while (count < request.nodes) {
+    while (highest >= 0 && queue_at(highest).empty()) --highest;
+    if (highest < 0) break;
+    // A part may have a larger error than the whole: then it is opened in the round after.
+    lowest = std::min(lowest, highest);
+    round_.clear();
+    for (; highest >= lowest; --highest) {
+      auto& queue = queue_at(highest);
+      round_.insert(round_.end(), queue.begin(), queue.end());
+      queue.clear();
+    }
+    const std::size_t room = request.nodes - count;
+    if (round_.size() > room) {
+      std::sort(round_.begin(), round_.end(),
+                [&](std::uint32_t a, std::uint32_t b) { return nodes[a].first < nodes[b].first; });
+      highest = lowest;  // the rest waits
+      auto& queue = queue_at(lowest);
+      queue.assign(round_.begin() + static_cast<std::ptrdiff_t>(room), round_.end());
+      round_.resize(room);
+    }
+    for (const std::uint32_t n : round_) {
       state_[n] = kOpened;
       --count;
-      const int before = highest;
       add(nodes[n].child);
       add(nodes[n].child + 1);
-      rises = highest > before;
     }
-    if (count >= size) break;
-    if (rises) ++highest;  // the loop steps down to it
   }
-  for (auto& level : queue_) level.clear();
+  for (auto& queue : queue_) queue.clear();
   taken_ = count;
 }
 
@@ -191,7 +166,7 @@ void Cut::visit_taken(const VertexTree& tree, std::vector<ChannelRange>& channel
 
 void Cut::select(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
                  std::vector<std::uint32_t>& nodes, std::vector<ChannelRange>& channels) {
-  open_nodes(tree, tile, request.nodes, request.smallest_bound_per_m2, request.leave_out_hidden);
+  open_nodes(tree, tile, request);
   visit_taken(tree, channels, [&](std::uint32_t n, const VertexNode&) { nodes.push_back(n); });
 }
 
@@ -203,7 +178,7 @@ void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {
     count_[c] = node.size();
     flux_lm_[c] = node.flux_lm;
     radius_m_[c] = node.radius_m;
-    bound_per_m2_[c] = bound_of(node, smallest_bound_per_m2);
+    bound_per_m2_[c] = node_terms::node_bound_per_m2(smallest_bound_per_m2, node.per_m2);
     centre_x_[c] = node.centre_m.x;
     centre_y_[c] = node.centre_m.y;
     centre_z_[c] = node.centre_m.z;

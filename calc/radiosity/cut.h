@@ -26,10 +26,10 @@ struct ReceiverTile {
 // extent_m: of the whole scene.
 ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m);
 
-// What Cut::build() takes, as one thing.
 struct CutRequest {
-  std::size_t nodes = 0;
-  float smallest_bound_per_m2 = 0.0f;
+  std::size_t nodes = 0;               // about
+  float smallest_bound_per_m2 = 0.0f;  // GeometryBound::smallest(); only shapes probabilities
+  // Nodes that are wholly behind the receivers' common plane or face away, exactly 0.
   bool leave_out_hidden = true;
 };
 
@@ -41,12 +41,9 @@ class Cut {
     std::uint32_t begin, end;
   };
 
-  // Opens the nodes with the largest expected error until there are about `size`. Nodes that are
-  // wholly behind the receivers' common plane or face away are left out, exactly 0, if
-  // leave_out_hidden. smallest_bound_per_m2: GeometryBound::smallest(); only shapes probabilities.
-  // [METHOD, 5.2; light cuts: Walter05]
-  void build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
-             float smallest_bound_per_m2, bool leave_out_hidden);
+  // Opens the nodes with the largest expected error until there are request.nodes, or as many as
+  // can be, or one for each channel.  [METHOD, 5.2; light cuts: Walter05]
+  void build(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request);
 
   // The same nodes as indices in the tree, for whoever weighs them himself: appends them, and the
   // ranges of this cut, which count from its first node. What build() made stays.
@@ -64,17 +61,16 @@ class Cut {
   std::span<const ChannelRange> channels() const { return channel_; }
 
  private:
-  void open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
-                  float smallest_bound_per_m2, bool leave_out_hidden);
+  void open_nodes(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request);
   template <class Take>
   void visit_taken(const VertexTree& tree, std::vector<ChannelRange>& channels, const Take& take);
   void resize(std::size_t size);
   void collect(const VertexTree& tree, float smallest_bound_per_m2);
 
-  // Candidates by the size of their error, in steps of 2^(1/4): a queue without a search.
+  // [step of error] nodes that could be opened: a queue without a search.
   std::vector<std::vector<std::uint32_t>> queue_;
   std::vector<std::uint8_t> state_;  // [node] of the tree
-  std::vector<std::uint32_t> touched_, stack_;
+  std::vector<std::uint32_t> round_, touched_, stack_;
   std::size_t taken_ = 0;
 
   std::vector<std::uint32_t> first_, count_;

@@ -47,8 +47,7 @@ class CpuGatherer : public Gatherer {
     std::uint64_t rays = 0;
     for (const DrawTile& tile : batch.tiles) {
       if (is_past(batch.deadline_s)) break;
-      cut.build(batch.tree, tile_of(tile.receivers, batch.tracer.scene().extent_m), batch.cut.nodes,
-                batch.cut.smallest_bound_per_m2, batch.cut.leave_out_hidden);
+      cut.build(batch.tree, tile_of(tile.receivers, batch.tracer.scene().extent_m), batch.cut);
       connections.clear();
       for (std::uint32_t k = 0; k < tile.receivers.size(); ++k) {
         draw_connections(batch.tree, cut, tile.receivers[k], k, batch.draws, tile.shifts[k],

@@ -1,5 +1,9 @@
 #pragma once
-// node_terms.glsl as C++. A processor's division and square root are rounded as it needs them.
+// node_terms.glsl and cut_terms.glsl as C++. A processor's division and square root are rounded as
+// they need them.
+
+#include <bit>
+#include <cstdint>
 
 #if defined(__GNUC__)
 // Loops over nodes only become vectors if all of it is inlined.
@@ -11,9 +15,12 @@
 #define EXACT const
 #define QUOTIENT(a, b) ((a) / (b))
 #define ROOT(a) __builtin_sqrtf(a)
+#define BITS_OF(a) std::bit_cast<std::uint32_t>(a)
 
 namespace calc::node_terms {
 #include "calc/radiosity/node_terms.glsl"
+// After what it is made of.
+#include "calc/radiosity/cut_terms.glsl"
 }  // namespace calc::node_terms
 
 #undef TERM
@@ -21,3 +28,4 @@ namespace calc::node_terms {
 #undef EXACT
 #undef QUOTIENT
 #undef ROOT
+#undef BITS_OF

@@ -486,7 +486,8 @@ class Solver {
       ReceiverTile everywhere;
       everywhere.softening_m =
           static_cast<float>(kGlobalSoftening * workshop_->tracer.scene().extent_m);
-      global_cut.build(tree, everywhere, kGlobalCut, static_cast<float>(bound->smallest()), false);
+      global_cut.build(tree, everywhere,
+                       {kGlobalCut, static_cast<float>(bound->smallest()), false});
     }
     times.pool_s += now_s() - sort_begin_s;
     if (stages_.gatherer.connects_all() && bound == nullptr) {

@@ -9,8 +9,6 @@ layout(std430, binding = 14) buffer Bounded {
   uint bounded_word[];
 };
 
-uniform uint most_ranges;
-
 shared double sum_of[GROUP_SIZE];
 shared uint count_of[GROUP_SIZE];
 shared uint largest_of[GROUP_SIZE];
@@ -52,7 +50,7 @@ void main() {
   const uint row = r * places();
   const uint head = r * (4u + 2u * most_ranges);
   const Tile tile = tile_of(r);
-  is_cut = 0u;
+  is_cut = tile.is_chosen ? 0u : 1u;
   barrier();
   uint rays = 0u, bounded = 0u, undone = 0u, largest = 0u;
   uint first = 0u;
@@ -60,10 +58,11 @@ void main() {
   for (; range < most_ranges; ++range) {
     uint last = first;
 #if HAS_MANY_CHANNELS
-    if (range < tile.ranges && spacing[r] > 0.0) {
-      const uint end = tile_word[tile.first_range + 2u * range + 1u];
-      last = range + 1u == tile.ranges ? places()
-                                       : draws_before(r, cumulated[r * most_nodes + end - 1u]);
+    const uint begin = tile_word[tile.first_range + 2u * range];
+    const uint end = tile_word[tile.first_range + 2u * range + 1u];
+    if (begin < end && spacing[r] > 0.0) {
+      last = range == tile.last_range ? places()
+                                      : draws_before(r, cumulated[r * most_nodes + end - 1u]);
     }
 #else
     last = places();

@@ -55,3 +55,4 @@ float exact_root(float a) {
 #define EXACT precise
 #define QUOTIENT(a, b) exact_quotient(a, b)
 #define ROOT(a) exact_root(a)
+#define BITS_OF(a) floatBitsToUint(a)

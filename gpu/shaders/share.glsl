@@ -36,18 +36,18 @@ float scaled_sum(uint row, uint begin, uint end, float factor) {
 double share_among_channels(uint row, Tile tile) {
 #if HAS_MANY_CHANNELS
   precise double total = 0.0;
-  for (uint k = 0u; k < tile.ranges; ++k) {
+  for (uint k = 0u; k < most_ranges; ++k) {
     const uint at = tile.first_range + 2u * k;
     total = total + double(scaled_sum(row, tile_word[at], tile_word[at + 1u], 1.0));
   }
   if (tile.ranges <= 1u) return total;
   precise double shared_total = 0.0;
-  for (uint k = 0u; k < tile.ranges; ++k) {
+  for (uint k = 0u; k < most_ranges; ++k) {
     const uint at = tile.first_range + 2u * k;
     const uint begin = tile_word[at], end = tile_word[at + 1u];
     const double own = double(scaled_sum(row, begin, end, 1.0));
     precise double even = total / double(tile.ranges);
-    if (!(own > 0.0LF)) continue;  // next to no flux: its weights are 0 in single precision
+    if (!(own > 0.0LF)) continue;  // none, or next to no flux: weights are 0 in single precision
     precise double share = min(0.5LF + 0.5LF * even / own, double(3.402823466e38));
     shared_total = shared_total + double(scaled_sum(row, begin, end, float(share)));
   }

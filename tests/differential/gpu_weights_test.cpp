@@ -20,16 +20,53 @@ namespace {
 
 using namespace test_support;
 
-calc::LightVertices some_vertices() {
+enum class Normals { any, of_a_box, nearly_alike };
+
+calc::LightVertices some_vertices(std::size_t count = 20'000, Normals normals = Normals::any,
+                                  std::uint32_t channels = 1) {
   calc::LightVertices vertices;
   const calc::RandomKey key(8);
-  for (std::uint64_t j = 0; j < 20'000; ++j) {
+  for (std::uint64_t j = 0; j < count; ++j) {
     const auto u = [&](std::uint64_t k) { return key.with(j).with(k).uniform(); };
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(u(0) - 0.5, u(1) - 0.5, u(2) - 0.5));
-    vertices.push_back({glm::vec3(9 * u(3), 7 * u(4), 3 * u(5)), static_cast<float>(0.01 + u(6)),
-                        glm::vec3(normal), 0});
+    glm::dvec3 normal(u(0) - 0.5, u(1) - 0.5, u(2) - 0.5);
+    glm::dvec3 at(9 * u(3), 7 * u(4), 3 * u(5));
+    if (normals == Normals::of_a_box) {
+      const auto axis = static_cast<glm::length_t>(3 * u(0));
+      normal = glm::dvec3(0.0);
+      normal[axis] = u(1) < 0.5 ? 1.0 : -1.0;
+      at[axis] = u(1) < 0.5 ? 0.0 : glm::dvec3(9, 7, 3)[axis];
+    }
+    if (normals == Normals::nearly_alike) normal = 0.3 * normal + glm::dvec3(0, 0.2, 1);
+    vertices.push_back({glm::vec3(at), static_cast<float>(0.01 + u(6)),
+                        glm::vec3(glm::normalize(normal)),
+                        static_cast<std::uint32_t>(j % channels)});
   }
   return vertices;
+}
+
+// What the device makes of a piece's tiles: gpu/shaders/tile_words.glsl.
+std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
+                                           const gpu::DevicePool& pool) {
+  std::vector<std::uint32_t> words(piece.tile_count * piece.words_per_tile());
+  const gpu::GlProgram program("choose", gpu::choose_shader());
+  gpu::GlBuffer views("views"), tiles("tiles");
+  views.assign(piece.views);
+  tiles.assign(words.size() * sizeof(std::uint32_t), gpu::kNotDone);
+  pool.bind_nodes();
+  views.bind(4);
+  tiles.bind(5);
+  program.use();
+  const calc::CutRequest& cut = piece.batch->cut;
+  program.set("most_nodes", piece.most_nodes);
+  program.set("most_ranges", piece.most_ranges);
+  program.set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
+  program.set("wanted_nodes", static_cast<std::uint32_t>(cut.nodes));
+  program.set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
+  program.set("children", 2u);
+  glDispatchCompute(static_cast<unsigned>(piece.tile_count), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  tiles.read(0, std::as_writable_bytes(std::span(words)));
+  return words;
 }
 
 std::vector<float> weights_by_device(const gpu::DrawPiece& piece, const calc::VertexTree& tree) {
@@ -38,19 +75,18 @@ std::vector<float> weights_by_device(const gpu::DrawPiece& piece, const calc::Ve
     const gpu::GlProgram program("weigh", gpu::draw_shader(gpu::DrawStage::weigh, piece.shape));
     gpu::DevicePools pools;
     const gpu::DevicePool& pool = pools.send(tree.identity(), gpu::pack_pool(tree));
+    gpu::GlBuffer receivers("points"), tiles("tiles"), result("weights");
+    tiles.assign(tiles_by_device(piece, pool));
+    receivers.assign(piece.receivers);
+    result.reserve(weights.size() * sizeof(float));
     pool.bind_vertices();
     pool.bind_tree();
-    gpu::GlBuffer receivers("points"), tiles("tiles"), result("weights");
-    receivers.reserve(piece.receivers.size() * sizeof(gpu::DrawReceiver));
-    receivers.write(0, std::as_bytes(std::span(piece.receivers)));
-    tiles.reserve(piece.tiles.size() * sizeof(std::uint32_t));
-    tiles.write(0, std::as_bytes(std::span(piece.tiles)));
-    result.reserve(weights.size() * sizeof(float));
     receivers.bind(4);
     tiles.bind(5);
     result.bind(8);
     program.use();
     program.set("most_nodes", piece.most_nodes);
+    program.set("most_ranges", piece.most_ranges);
     program.set("smallest_bound_per_m2", piece.batch->cut.smallest_bound_per_m2);
     glDispatchCompute(piece.most_nodes / 64 + 1, static_cast<unsigned>(piece.receivers.size()), 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -88,8 +124,7 @@ TEST(GlWeights, AreTheCpusInBits) {
   const std::vector<float> device = weights_by_device(piece, tree);
 
   calc::Cut cut;
-  cut.build(tree, calc::tile_of(receivers, scene.extent_m), request.nodes,
-            request.smallest_bound_per_m2, request.leave_out_hidden);
+  cut.build(tree, calc::tile_of(receivers, scene.extent_m), request);
   ASSERT_EQ(cut.size(), piece.most_nodes);
   std::vector<float> weights;
   std::size_t differing = 0;
@@ -101,5 +136,109 @@ TEST(GlWeights, AreTheCpusInBits) {
   }
   EXPECT_EQ(differing, 0u) << "of " << device.size();
 }
+
+// The nodes of a tile as the CPU chooses them, in the same words.
+std::vector<std::uint32_t> tile_by_cpu(const gpu::DrawPiece& piece, const calc::DrawTile& tile) {
+  const calc::VertexTree& tree = piece.batch->tree;
+  calc::Cut cut;
+  std::vector<std::uint32_t> nodes;
+  std::vector<calc::Cut::ChannelRange> ranges;
+  cut.select(tree, calc::tile_of(tile.receivers, piece.batch->tracer.scene().extent_m),
+             piece.batch->cut, nodes, ranges);
+  std::vector<std::uint32_t> words{static_cast<std::uint32_t>(nodes.size()),
+                                   static_cast<std::uint32_t>(ranges.size()), 0u, gpu::kTileChosen};
+  std::size_t k = 0;
+  for (std::uint32_t root = 0; root < tree.roots().size(); ++root) {
+    const bool is_lit = k < ranges.size() && tree.nodes()[nodes[ranges[k].begin]].channel ==
+                                                 tree.nodes()[tree.roots()[root]].channel;
+    // An empty range lies where its nodes would.
+    const std::uint32_t end = k > 0 ? ranges[k - 1].end : 0u;
+    words.insert(words.end(), {is_lit ? ranges[k].begin : end, is_lit ? ranges[k].end : end});
+    if (!is_lit) continue;
+    words[2] = root;
+    ++k;
+  }
+  words.insert(words.end(), nodes.begin(), nodes.end());
+  return words;
+}
+
+struct Pool {
+  std::size_t vertices;
+  Normals normals;
+  std::uint32_t channels;
+};
+
+class GlCuts : public ::testing::TestWithParam<Pool> {};
+
+// Node by node, for tiles that are near and far, flat and not, above and under what lights them.
+TEST_P(GlCuts, AreTheCpusInBits) {
+  LUXGATE_NEEDS_OPENGL();
+  calc::PreparedScene scene;
+  add_box(scene, {0, 0, 0}, {9, 7, 3}, 0.5);
+  set_extent(scene);
+  const calc::Tracer tracer(scene);
+  const auto [count, normals, channels] = GetParam();
+  const calc::VertexTree tree(some_vertices(count, normals, channels), channels);
+  const calc::VertexBounds bounds(0.3);
+  const calc::RandomKey key(19);
+  std::vector<std::vector<calc::Receiver>> receivers;
+  for (std::uint64_t t = 0; t < 60; ++t) {
+    const auto u = [&](std::uint64_t k) { return key.with(t).with(k).uniform(); };
+    auto& tile = receivers.emplace_back();
+    // Every third looks away from all that lights it, from outside.
+    const glm::dvec3 at(9 * u(0), 7 * u(1), t % 3 == 0 ? 3.5 : 3 * u(2));
+    for (std::uint64_t i = 0; i < 1 + t % 9; ++i) {
+      const double apart = t % 2 == 0 ? 0.1 : 1.5;
+      tile.push_back({at + glm::dvec3(apart * u(10 + 2 * i), apart * u(11 + 2 * i), 0.0),
+                      {0, 0, 1},
+                      t % 5 == 1 ? calc::ReceiverKernel::scalar : calc::ReceiverKernel::planar});
+      if (t % 3 == 1) tile.back().axis = glm::normalize(glm::dvec3(u(4) - 0.5, u(5) - 0.5, 0.3));
+    }
+  }
+  std::vector<double> lx(9 * channels), shifts(9, 0.5);
+  std::vector<float> largest_lx(9);
+  std::vector<calc::DrawTile> tiles;
+  for (const auto& tile : receivers) {
+    tiles.push_back(
+        {tile, std::span(shifts).first(tile.size()), {lx.data(), tile.size(), largest_lx.data()}});
+  }
+  std::size_t hidden_tiles = 0, left_out = 0;
+  for (const calc::CutRequest request : {calc::CutRequest{1, 0.4f, true},
+                                         {128, 0.4f, true},
+                                         {333, 0.001f, true},
+                                         {1024, 2.0f, true},
+                                         {1024, 0.4f, false}}) {
+    const calc::DrawBatch batch{tracer, tree, bounds, request, 64, true, 0.0, tiles};
+    gpu::DrawPacker packer(batch, {});
+    gpu::DrawPiece piece;
+    ASSERT_TRUE(packer.next(piece));
+    ASSERT_EQ(piece.tile_count, tiles.size());
+    ASSERT_TRUE(piece.has_views());
+    std::vector<std::uint32_t> device;
+    gl_device()->run([&](gpu::DeviceState&) {
+      gpu::DevicePools pools;
+      device = tiles_by_device(piece, pools.send(tree.identity(), gpu::pack_pool(tree)));
+    });
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      const std::vector<std::uint32_t> cpu = tile_by_cpu(piece, tiles[t]);
+      const auto begin = device.begin() + static_cast<std::ptrdiff_t>(t * piece.words_per_tile());
+      const std::vector<std::uint32_t> own(begin, begin + static_cast<std::ptrdiff_t>(cpu.size()));
+      EXPECT_EQ(own, cpu) << "tile " << t << " of " << request.nodes;
+      hidden_tiles += cpu[0] == 0 ? 1u : 0u;
+      left_out += request.nodes == 1024 && cpu[0] < piece.most_nodes ? 1u : 0u;
+    }
+  }
+  // Where there is something to leave out, it was left out.
+  if (normals == Normals::of_a_box) {
+    EXPECT_GT(hidden_tiles + left_out, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pools, GlCuts,
+                         ::testing::Values(Pool{20'000, Normals::any, 1},
+                                           Pool{20'000, Normals::of_a_box, 3},
+                                           Pool{5'000, Normals::nearly_alike, 2},
+                                           Pool{3, Normals::of_a_box, 1},
+                                           Pool{700, Normals::of_a_box, 40}));
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(VertexTree, FindsTheVertexOfAShareOfFlux) {
 calc::Cut cut_for(const calc::VertexTree& tree, const std::vector<calc::Receiver>& tile,
                   bool leave_out_hidden) {
   calc::Cut cut;
-  cut.build(tree, calc::tile_of(tile, 7.0), 64, 1.0f, leave_out_hidden);
+  cut.build(tree, calc::tile_of(tile, 7.0), {64, 1.0f, leave_out_hidden});
   return cut;
 }
 
