@@ -69,16 +69,68 @@ Pyramid pyramid_of(SightQuery query) {
   return pyramid;
 }
 
-// false: no triangle in that box meets it, by more than rounding.
-bool may_meet_box(Pyramid pyramid, dvec3 low, dvec3 high) {
-  if (any(greaterThan(low, pyramid.high_m)) || any(lessThan(high, pyramid.low_m))) return false;
-  const double slack_m = pyramid.margin_m / DBL(64.0);
+// The pyramid about its point, in float, which tells of nearly all boxes and triangles that they lie
+// outside. It only says so where roundings cannot matter: what it cannot tell is left to double, so
+// that no proof hangs on it.
+struct FloatPyramid {
+  vec3 point_m;
+  vec3 normal[5];      // of planes, outward
+  float offset_m[5];   // what is beyond -offset along the normal lies outside
+  vec3 low_m, high_m;  // about the point
+  float rounding_m;    // of what does not depend on what is tested
+};
+
+// Twice what eight roundings can add up to, of the numbers that are rounded.
+const float kFloatRounding = 1.0e-6;
+
+FloatPyramid in_float(Pyramid pyramid) {
+  FloatPyramid quick;
+  quick.point_m = vec3(pyramid.place[0]);
+  quick.low_m = vec3(pyramid.low_m - pyramid.place[0]);
+  quick.high_m = vec3(pyramid.high_m - pyramid.place[0]);
+  const vec3 reach_m = max(abs(quick.low_m), abs(quick.high_m));
+  const vec3 size_m = abs(quick.point_m) + reach_m;
+  quick.rounding_m = kFloatRounding * (size_m.x + size_m.y + size_m.z);
   for (int k = 0; k < 5; ++k) {
-    const dvec3 n = pyramid.plane[k].normal;
-    const dvec3 lowest = mix(high, low, greaterThan(n, dvec3(DBL(0.0))));
-    if (!pyramid.plane[k].is_none && above(pyramid.plane[k], lowest) > slack_m) return false;
+    quick.normal[k] = vec3(pyramid.plane[k].normal);
+    // A plane that is none has no normal: then nothing is beyond.
+    quick.offset_m[k] = pyramid.plane[k].is_none
+                              ? 0.0
+                              : float(above(pyramid.plane[k], pyramid.place[0]) -
+                                      pyramid.margin_m / DBL(64.0));
+  }
+  return quick;
+}
+
+// false: no triangle in that box, which is given about the point, meets the pyramid.
+bool may_meet_box(FloatPyramid quick, vec3 low, vec3 high, float rounding_m) {
+  if (any(greaterThan(low - rounding_m, quick.high_m)) ||
+      any(lessThan(high + rounding_m, quick.low_m))) {
+    return false;
+  }
+  for (int k = 0; k < 5; ++k) {
+    const vec3 n = quick.normal[k];
+    const vec3 lowest = mix(high, low, greaterThan(n, vec3(0.0)));
+    if (dot(n, lowest) + quick.offset_m[k] > rounding_m) return false;
   }
   return true;
+}
+
+// Beyond one of the planes.
+bool is_outside(FloatPyramid quick, uint triangle) {
+  const vec3 corner_m[3] = vec3[3](bvh_corner[3u * triangle].xyz, bvh_corner[3u * triangle + 1u].xyz,
+                                   bvh_corner[3u * triangle + 2u].xyz);
+  const vec3 size_m = max(abs(corner_m[0]), max(abs(corner_m[1]), abs(corner_m[2])));
+  const float rounding_m =
+      quick.rounding_m + kFloatRounding * (size_m.x + size_m.y + size_m.z);
+  for (int k = 0; k < 5; ++k) {
+    const vec3 n = quick.normal[k];
+    const float nearest = min(dot(n, corner_m[0] - quick.point_m),
+                              min(dot(n, corner_m[1] - quick.point_m),
+                                  dot(n, corner_m[2] - quick.point_m)));
+    if (nearest + quick.offset_m[k] > rounding_m) return true;
+  }
+  return false;
 }
 
 bool separates(Pyramid pyramid, dvec3 axis, dvec3 a, dvec3 b, dvec3 c) {
@@ -114,26 +166,27 @@ bool meets_triangle(Pyramid pyramid, uint triangle) {
   return true;
 }
 
-// Of the planes of eight boxes along an axis, in double, which holds them as they are.
-double plane_at(float low, uint exponent, uvec2 bytes, uint slot) {
-  const uint number = (bytes[slot >> 2u] >> (8u * (slot & 3u))) & 255u;
-  return double(low) + double(uintBitsToFloat(exponent)) * double(number);
+// Of the planes of eight boxes along an axis.
+float plane_at(float low, float cell, uvec2 bytes, uint slot) {
+  return low + cell * float((bytes[slot >> 2u] >> (8u * (slot & 3u))) & 255u);
 }
 
 // Slots of a node (visibility.glsl) with a child whose box the pyramid may meet.
-uint boxes_met_by(Pyramid pyramid, uint children, uvec4 grid, uvec4 a, uvec4 b, uvec4 c) {
+uint boxes_met_by(FloatPyramid quick, uint children, uvec4 grid, uvec4 a, uvec4 b, uvec4 c) {
   const uvec3 exponent = (uvec3(grid.w) << uvec3(23u, 15u, 7u)) & 0x7f800000u;
-  const vec3 low_m = uintBitsToFloat(grid.xyz);
+  const vec3 cell = uintBitsToFloat(exponent), low_m = uintBitsToFloat(grid.xyz);
+  const vec3 size_m = abs(low_m) + 255.0 * cell;
+  const float rounding_m =
+      quick.rounding_m + kFloatRounding * (size_m.x + size_m.y + size_m.z);
   uint met = 0u;
   for (; children != 0u; children &= children - 1u) {
     const uint slot = uint(findLSB(children));
-    if (may_meet_box(pyramid,
-                     dvec3(plane_at(low_m.x, exponent.x, a.xy, slot),
-                           plane_at(low_m.y, exponent.y, a.zw, slot),
-                           plane_at(low_m.z, exponent.z, b.xy, slot)),
-                     dvec3(plane_at(low_m.x, exponent.x, b.zw, slot),
-                           plane_at(low_m.y, exponent.y, c.xy, slot),
-                           plane_at(low_m.z, exponent.z, c.zw, slot)))) {
+    const vec3 low = vec3(plane_at(low_m.x, cell.x, a.xy, slot), plane_at(low_m.y, cell.y, a.zw, slot),
+                          plane_at(low_m.z, cell.z, b.xy, slot));
+    const vec3 high = vec3(plane_at(low_m.x, cell.x, b.zw, slot),
+                           plane_at(low_m.y, cell.y, c.xy, slot),
+                           plane_at(low_m.z, cell.z, c.zw, slot));
+    if (may_meet_box(quick, low - quick.point_m, high - quick.point_m, rounding_m)) {
       met |= 1u << slot;
     }
   }
@@ -152,18 +205,20 @@ uint slots_of(uint triangles) {
 
 bool is_free(SightQuery query) {
   const Pyramid pyramid = pyramid_of(query);
+  const FloatPyramid quick = in_float(pyramid);
   Search search = search_of_tree(0u);
   uint triangles = 0u;
   while (goes_on(search)) {
     const uint at = next_node(search, 0u);
     const uvec4 grid = bvh_node[at], links = bvh_node[at + 1u];
-    const uint met = boxes_met_by(pyramid, inner_slots(grid) | slots_of(links.z), grid,
+    const uint met = boxes_met_by(quick, inner_slots(grid) | slots_of(links.z), grid,
                                   bvh_node[at + 2u], bvh_node[at + 3u], bvh_node[at + 4u]);
     triangles = links.z & four_times(met);
     while (triangles != 0u) {
       const uint bit = uint(findLSB(triangles));
       triangles &= triangles - 1u;
-      if (meets_triangle(pyramid, links.y + place_among(links.z, bit))) return false;
+      const uint triangle = links.y + place_among(links.z, bit);
+      if (!is_outside(quick, triangle) && meets_triangle(pyramid, triangle)) return false;
     }
     open_children(search, grid, links, met & inner_slots(grid));
   }
