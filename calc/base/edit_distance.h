@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,17 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
+}
+
+// The distance of `found` from a name that it may be meant for: within a third of the name's
+// length, or 1. A text of any length costs next to nothing where it is too long or too short for
+// that.
+inline std::optional<std::size_t> distance_if_near(std::string_view found, std::string_view name) {
+  const std::size_t most = std::max<std::size_t>(1, name.size() / 3);
+  const std::size_t longer = std::max(found.size(), name.size());
+  if (longer - std::min(found.size(), name.size()) > most) return std::nullopt;
+  const std::size_t distance = edit_distance(found, name);
+  return distance <= most ? std::optional(distance) : std::nullopt;
 }
 
 }  // namespace calc

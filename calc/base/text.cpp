@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace calc {
 namespace {
@@ -84,15 +85,16 @@ std::string list_names(const std::vector<std::string>& names, std::size_t most) 
 
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices) {
   std::string_view best;
-  std::size_t best_distance = 0;
+  std::optional<std::size_t> best_distance;
   for (const std::string_view choice : choices) {
-    const std::size_t distance = edit_distance(found, choice);
-    if (best.empty() || distance < best_distance) {
+    if (choice.empty()) continue;
+    const std::optional<std::size_t> distance = distance_if_near(found, choice);
+    if (distance && (!best_distance || *distance < *best_distance)) {
       best = choice;
       best_distance = distance;
     }
   }
-  if (best.empty() || best_distance > std::max<std::size_t>(1, best.size() / 3)) return {};
+  if (!best_distance) return {};
   return "; did you mean '" + std::string(best) + "'?";
 }
 

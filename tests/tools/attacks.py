@@ -125,7 +125,7 @@ def floods():
     end = room.index("</room>")
     texts = {"unknown elements": room[:end] + "<a/>" * 500_000 + room[end:],
              "unknown attributes": room[:end] + '<box id="b" q="1"/>' * 100_000 + room[end:],
-             "a long name": f"<luxgate><{'a' * 20_000_000}/></luxgate>",
+             "a long name": f"<luxgate><{'a' * 60_000_000}/></luxgate>",
              "a long value": room.replace('"spot.ies"', f'"{"a" * 20_000_000}"'),
              "a long attribute": room.replace("<luxgate", f'<luxgate {"a" * 20_000_000}="1"'),
              "deep": "<a>" * 1_000_000,

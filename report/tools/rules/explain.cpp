@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace cli {
@@ -522,8 +524,8 @@ std::string near_names(const rules::RulePack& pack, std::string_view name) {
   for (const rules::RuleCheck& check : pack.checks) names.push_back(check.id);
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& known : names) {
-    const std::size_t distance = calc::edit_distance(name, known);
-    if (distance <= std::max<std::size_t>(1, known.size() / 3)) near.emplace_back(distance, known);
+    const std::optional<std::size_t> distance = calc::distance_if_near(name, known);
+    if (distance) near.emplace_back(*distance, known);
   }
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

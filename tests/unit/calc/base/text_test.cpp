@@ -14,4 +14,16 @@ TEST(Text, ListsNameAFewAndCountTheRest) {
 }
 
 }  // namespace
+TEST(Suggestion, IsTheClosestNameWithinAThirdOfItsLength) {
+  EXPECT_EQ(suggestion("reflectanse", {"reflectance", "position"}),
+            "; did you mean 'reflectance'?");
+  EXPECT_EQ(suggestion("roon", {"plane", "room", "rooms"}), "; did you mean 'room'?");
+  EXPECT_EQ(suggestion("x", {"", "position"}), "");
+  EXPECT_EQ(suggestion("posxyzon", {"position"}), "");
+  // One that is too far from itself hides no other that is not.
+  EXPECT_EQ(suggestion("maintenanze-factr", {"ma", "maintenance-factor"}),
+            "; did you mean 'maintenance-factor'?");
+  EXPECT_EQ(suggestion(std::string(1000, 'a'), {"a", "aaaa"}), "");
+}
+
 }  // namespace calc
