@@ -12,6 +12,8 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,14 +24,16 @@ using namespace test_support;
 
 enum class Normals { any, of_a_box, nearly_alike };
 
+// crowding: above 1 most lie near one corner, where parts are denser than the whole.
 calc::LightVertices some_vertices(std::size_t count = 20'000, Normals normals = Normals::any,
-                                  std::uint32_t channels = 1) {
+                                  std::uint32_t channels = 1, double crowding = 1.0) {
   calc::LightVertices vertices;
   const calc::RandomKey key(8);
   for (std::uint64_t j = 0; j < count; ++j) {
     const auto u = [&](std::uint64_t k) { return key.with(j).with(k).uniform(); };
     glm::dvec3 normal(u(0) - 0.5, u(1) - 0.5, u(2) - 0.5);
-    glm::dvec3 at(9 * u(3), 7 * u(4), 3 * u(5));
+    glm::dvec3 at(9 * std::pow(u(3), crowding), 7 * std::pow(u(4), crowding),
+                  3 * std::pow(u(5), crowding));
     if (normals == Normals::of_a_box) {
       const auto axis = static_cast<glm::length_t>(3 * u(0));
       normal = glm::dvec3(0.0);
@@ -166,6 +170,7 @@ struct Pool {
   std::size_t vertices;
   Normals normals;
   std::uint32_t channels;
+  double crowding = 1.0;
 };
 
 class GlCuts : public ::testing::TestWithParam<Pool> {};
@@ -177,8 +182,8 @@ TEST_P(GlCuts, AreTheCpusInBits) {
   add_box(scene, {0, 0, 0}, {9, 7, 3}, 0.5);
   set_extent(scene);
   const calc::Tracer tracer(scene);
-  const auto [count, normals, channels] = GetParam();
-  const calc::VertexTree tree(some_vertices(count, normals, channels), channels);
+  const auto [count, normals, channels, crowding] = GetParam();
+  const calc::VertexTree tree(some_vertices(count, normals, channels, crowding), channels);
   const calc::VertexBounds bounds(0.3);
   const calc::RandomKey key(19);
   std::vector<std::vector<calc::Receiver>> receivers;
@@ -186,7 +191,8 @@ TEST_P(GlCuts, AreTheCpusInBits) {
     const auto u = [&](std::uint64_t k) { return key.with(t).with(k).uniform(); };
     auto& tile = receivers.emplace_back();
     // Every third looks away from all that lights it, from outside.
-    const glm::dvec3 at(9 * u(0), 7 * u(1), t % 3 == 0 ? 3.5 : 3 * u(2));
+    const glm::dvec3 at(9 * std::pow(u(0), crowding), 7 * std::pow(u(1), crowding),
+                        t % 3 == 0 ? 3.5 : 3 * std::pow(u(2), crowding));
     for (std::uint64_t i = 0; i < 1 + t % 9; ++i) {
       const double apart = t % 2 == 0 ? 0.1 : 1.5;
       tile.push_back({at + glm::dvec3(apart * u(10 + 2 * i), apart * u(11 + 2 * i), 0.0),
@@ -234,11 +240,47 @@ TEST_P(GlCuts, AreTheCpusInBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pools, GlCuts,
-                         ::testing::Values(Pool{20'000, Normals::any, 1},
-                                           Pool{20'000, Normals::of_a_box, 3},
-                                           Pool{5'000, Normals::nearly_alike, 2},
-                                           Pool{3, Normals::of_a_box, 1},
-                                           Pool{700, Normals::of_a_box, 40}));
+// Where the nodes of a tile were never chosen there is nothing to draw: that is not darkness.
+TEST(GlCutsMissing, AreNotDarkness) {
+  LUXGATE_NEEDS_OPENGL();
+  gl_device()->run([&](gpu::DeviceState&) {
+    const gpu::GlProgram add("add", gpu::draw_shader(gpu::DrawStage::add, {}));
+    constexpr std::uint32_t kNodes = 64, kDraws = 16;
+    std::array<std::uint32_t, 6> answer{};
+    gpu::GlBuffer receivers("points"), tiles("tiles"), cumulated("sums"), spacings("spacings"),
+        results("results"), sums("answers"), weights("weights");
+    receivers.assign(std::vector<gpu::DrawReceiver>(1));
+    weights.assign(kNodes * sizeof(float), 0);
+    cumulated.assign(kNodes * sizeof(double), 0);
+    spacings.assign(sizeof(double), 0);
+    results.assign((kDraws + 1) * sizeof(std::uint32_t), gpu::kNoRay);
+    receivers.bind(4);
+    weights.bind(8);
+    cumulated.bind(9);
+    spacings.bind(10);
+    results.bind(12);
+    for (const std::uint32_t state : {gpu::kNotDone, 0u, gpu::kTileChosen}) {
+      tiles.assign((gpu::kTileHead + 2 + kNodes) * sizeof(std::uint32_t), state);
+      sums.assign(sizeof answer, gpu::kNotDone);
+      tiles.bind(5);
+      sums.bind(13);
+      add.use();
+      add.set("most_nodes", kNodes);
+      add.set("most_ranges", 1u);
+      add.set("draws", kDraws);
+      glDispatchCompute(1, 1, 1);
+      glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+      sums.read(0, std::as_writable_bytes(std::span(answer)));
+      EXPECT_EQ(answer[0], state == gpu::kTileChosen ? 0u : gpu::kNotDone);
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pools, GlCuts,
+    ::testing::Values(Pool{20'000, Normals::any, 1}, Pool{20'000, Normals::of_a_box, 3},
+                      Pool{5'000, Normals::nearly_alike, 2},
+                      Pool{20'000, Normals::of_a_box, 2, 6.0}, Pool{20'000, Normals::any, 1, 6.0},
+                      Pool{3, Normals::of_a_box, 1}, Pool{700, Normals::of_a_box, 40}));
 
 }  // namespace

@@ -132,6 +132,53 @@ TEST(Cut, HoldsEveryVertexThatCanLightTheTile) {
   }
 }
 
+// Vertices of curved things, whose nodes hold normals of many directions; receivers that look
+// everywhere, and planes.
+TEST(Cut, LeavesOutNothingThatLightsTheTile) {
+  LightVertices vertices;
+  for (std::uint64_t j = 0; j < 4000; ++j) {
+    const RandomKey key = RandomKey(11).with(j);
+    const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
+    // Parts of three spheres, seen from outside and inside.
+    const glm::dvec3 direction =
+        glm::normalize(glm::dvec3(u(0) - 0.5, u(1) - 0.5, 0.2 + static_cast<double>(j % 3) * u(2)));
+    const glm::dvec3 centre(static_cast<double>(j % 3), 1.0, 0.5);
+    const double side = j % 5 == 0 ? -1.0 : 1.0;
+    vertices.push_back({glm::vec3(centre + 0.4 * direction), static_cast<float>(0.1 + u(3)),
+                        glm::vec3(side * direction), 0});
+  }
+  const calc::VertexTree tree(std::move(vertices), 1);
+  std::size_t left_out = 0;
+  for (std::uint64_t t = 0; t < 300; ++t) {
+    const RandomKey key = RandomKey(12).with(t);
+    const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
+    std::vector<calc::Receiver> tile;
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      tile.push_back({{4 * u(0) - 1 + 0.2 * u(10 + i), 3 * u(1) + 0.2 * u(20 + i), 3 * u(2) - 1},
+                      {0, 0, 1},
+                      t % 2 == 0 ? calc::ReceiverKernel::scalar : calc::ReceiverKernel::planar});
+    }
+    calc::Cut cut;
+    cut.build(tree, calc::tile_of(tile, 5.0), {300, 1.0f, true});
+    std::vector<std::uint8_t> is_held(tree.vertices().size(), 0);
+    for (std::size_t c = 0; c < cut.size(); ++c) {
+      for (std::uint32_t k = 0; k < cut.count(c); ++k) is_held[cut.first(c) + k] = 1;
+    }
+    for (std::size_t j = 0; j < is_held.size(); ++j) {
+      if (is_held[j] != 0) continue;
+      ++left_out;
+      const calc::LightVertex& v = tree.vertices()[j];
+      for (const calc::Receiver& receiver : tile) {
+        const glm::dvec3 way = glm::dvec3(v.position_m) - receiver.position_m;
+        const bool is_behind =
+            receiver.kernel == calc::ReceiverKernel::planar && glm::dot(way, receiver.axis) <= 0.0;
+        EXPECT_TRUE(is_behind || glm::dot(glm::dvec3(v.normal), way) >= 0.0) << t << " " << j;
+      }
+    }
+  }
+  EXPECT_GT(left_out, 300u * 400u);
+}
+
 // Over many shifts every vertex that is not hidden is drawn 1 / weight times in the mean: the sum
 // of weights estimates their number.
 TEST(Cut, SelectsTheNodesItBuilds) {
