@@ -31,5 +31,9 @@ std::string draw_shader(DrawStage stage, const DrawShape& shape);
 
 // exact_quotient(a, b) and exact_root(a) with what a shader begins with: for their test.
 std::string exact_arithmetic();
+// The same without a beginning.
+std::string exact_text();
+// Declares find_draw(), what it reads, and the size of groups.
+std::string drawn_vertex_text();
 
 }  // namespace gpu

@@ -12,15 +12,8 @@ struct ChunkSum {
 
 void add_sample(inout ChunkSum sum, Lamp lamp, View view, Point point, vec3 from_m, double s,
                 double t, double weight) {
-  const OpeningPoint source = opening_point(lamp, view, s, t);
-  double lx = point_illuminance_lx(lamp, source.position_m, point);
   vec3 to_m;
-  if (lamp.shape < SHAPE_BOX) {
-    to_m = vec3(lifted_source_m(lamp, source.position_m, point.position_m));
-  } else {
-    lx *= view_weight(lamp, view, source, normalize(point.position_m - source.position_m));
-    to_m = vec3(source.position_m + offset_of_rays_m() * source.normal);
-  }
+  const double lx = opening_lx(lamp, view, point, s, t, to_m);
   if (!(lx > DBL(0.0))) return;
   sum.flags |= CHUNK_IS_LIT;
   if (has_shadows != 0u) {
