@@ -33,7 +33,7 @@ bool is_done(const calc::HitLight& light) {
   if (light.ray == calc::HitLight::kNotDone || !is_number(light.weight)) return false;
   if (!(light.weight > 0.0)) return true;
   return light.luminaire != calc::HitLight::kNotDone && is_number(light.direct_lx) &&
-         light.next.triangle_and_side != calc::FirstHit::kNotDone &&
+         light.next_triangle_and_side != calc::HitLight::kNotDone &&
          std::none_of(light.draws.begin(), light.draws.end(), [](const calc::HitLight::Draw& draw) {
            return draw.which == calc::HitLight::kNotDone;
          });

@@ -27,8 +27,10 @@ std::string light_path_shader();
 std::string path_sums_shader();
 std::string path_places_shader();
 std::string path_balance_shader();
-// has_light: only what may give light counts as met, for the stages below.
+// has_light: for the stages below. Only what may give light counts as met; kLitHitSize words for each
+// ray, its triangle in the tree and two doubles.
 std::string short_ray_shader(bool has_light);
+inline constexpr std::uint32_t kLitHitSize = 5;
 
 // Rays that one invocation lists the hits of.
 inline constexpr std::uint32_t kRaysPerBlock = 64;

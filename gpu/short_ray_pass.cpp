@@ -72,7 +72,9 @@ void ShortRayPass::bind() const {
 bool ShortRayPass::trace(DeviceState& device, const ShortRayJob& job) {
   const GlProgram& shader = program(job.has_light);
   requests_.assign(job.requests);
-  hits_.assign(job.rays * sizeof(calc::FirstHit), calc::FirstHit::kNotDone);
+  const std::size_t bytes =
+      job.has_light ? kLitHitSize * sizeof(std::uint32_t) : sizeof(calc::FirstHit);
+  hits_.assign(job.rays * bytes, calc::FirstHit::kNotDone);
   const DeviceScene& scene = device.scenes.of(*job.tracer);
   shader.use();
   scene.bind();

@@ -33,9 +33,8 @@ struct ShortRayJob {
   const calc::Tracer* tracer = nullptr;
   float least_m = 0.0f, most_m = 0.0f;
   std::span<const GpuRequest> requests{};
-  std::size_t rays = 0;  // of all of them
-  // Only what may give light counts as met; triangles are those of the device's tree.
-  bool has_light = false;
+  std::size_t rays = 0;     // of all of them
+  bool has_light = false;   // for HitPass
   double deadline_s = 0.0;  // see calc::is_past()
 };
 
@@ -53,7 +52,7 @@ class ShortRayPass {
   // Sends the points and starts their rays; has_light: with the field's numbers bound. False: the
   // deadline passed. Throws GlError.
   bool trace(DeviceState& device, const ShortRayJob& job);
-  // What the rays met, three words each as in calc::FirstHit, kNotDone before.
+  // What the rays met, kNotDone before: calc::FirstHit; has_light: as short_ray_shader() says.
   const GlBuffer& hits() const { return hits_; }
   void bind() const;
 

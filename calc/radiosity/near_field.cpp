@@ -175,9 +175,11 @@ std::uint64_t add_found(const NearField& field, const HitLight& light, RandomKey
   if (!(light.weight > 0.0)) return 0;
   std::uint64_t rays = 1;  // the further one
   const Tracer& tracer = field.tracer;
+  const auto hit = [&] {
+    return tracer.surface_hit(light.triangle_and_side, light.place.u, light.place.v);
+  };
   if (light.luminaire == HitLight::kLeft) {
-    rays += add_direct_draw(field, tracer.surface_hit(light.hit), ray_key.with(0).with(1),
-                            light.weight, sums, stride);
+    rays += add_direct_draw(field, hit(), ray_key.with(0).with(1), light.weight, sums, stride);
   } else if (light.luminaire != HitLight::kNothing) {
     rays += tracer.has_shadows() ? 1 : 0;
     if (light.luminaire != HitLight::kHidden) {
@@ -185,8 +187,9 @@ std::uint64_t add_found(const NearField& field, const HitLight& light, RandomKey
     }
   }
   rays += add_found_draws(field, light, sums, stride);
-  if (light.next.triangle_and_side == FirstHit::kNothing) return rays;
-  const SurfaceHit at = tracer.surface_hit(light.hit), next = tracer.surface_hit(light.next);
+  if (light.next_triangle_and_side == HitLight::kNothing) return rays;
+  const SurfaceHit at = hit(), next = tracer.surface_hit(light.next_triangle_and_side,
+                                                         light.next_place.u, light.next_place.v);
   const double g = geometry_term(at.position_m, at.normal, next.position_m, next.normal);
   return rays + add_chain(field, {next, g, light.weight}, 1, ray_key, sums, stride);
 }

@@ -54,15 +54,23 @@ struct HitLight {
         bounded_per_m2;  // 0; or the geometry term, above the lowest bound: the CPU has to find it
   };
 
-  FirstHit hit;
-  std::uint32_t request, ray;  // the request's number in the call, the ray's of the request
-  std::uint32_t luminaire;     // asked for direct light; kNothing, kHidden, kLeft
-  double weight;               // of all light from there; 0: none, and nothing below is said
-  double direct_lx;            // from that luminaire, with the weight
-  FirstHit next;               // what the further ray meets; kNothing: the chain ends
+  // On a triangle, as in FirstHit, but not rounded: what hangs on it is compared with the CPU's.
+  struct Place {
+    double u, v;
+  };
+
+  std::uint32_t triangle_and_side;  // as FirstHit's
+  std::uint32_t request, ray;       // the request's number in the call, the ray's of the request
+  std::uint32_t luminaire;          // asked for direct light; kNothing, kHidden, kLeft
+  Place place;
+  double weight;     // of all light from there; 0: none, and nothing below is said
+  double direct_lx;  // from that luminaire, with the weight
+  // What the further ray meets; kNothing: the chain ends.
+  Place next_place;
+  std::uint32_t next_triangle_and_side;
   std::array<Draw, kFarDraws + 1> draws;  // one more: rounding may let it in
 };
-static_assert(sizeof(HitLight) == 112);
+static_assert(sizeof(HitLight) == 128);
 
 // Rays of one call to ShortRayCaster: enough for a large device, 12 MiB of hits.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 20;

@@ -56,9 +56,10 @@ void main() {
   const uint i = first_item + gl_GlobalInvocationID.x;
   const uvec2 at = list[first_hit + i];
   const Request request = request_at(at.x);
-  const uint ray = 3u * (request.first_ray + at.y);
+  const uint ray = LIT_HIT_SIZE * (request.first_ray + at.y);
   const uint triangle = hit[ray] & ~HIT_FROM_BEHIND, side = hit[ray] & HIT_FROM_BEHIND;
-  const dvec2 share = dvec2(uintBitsToFloat(uvec2(hit[ray + 1u], hit[ray + 2u])));
+  const dvec2 share = dvec2(packDouble2x32(uvec2(hit[ray + 1u], hit[ray + 2u])),
+                            packDouble2x32(uvec2(hit[ray + 3u], hit[ray + 4u])));
   HitPlace place;
   place.position_m = position_on(triangle, share);
   place.normal = normal_of(triangle, side == 0u);
@@ -80,9 +81,9 @@ void main() {
       uvec4(is_wanted ? TILE_OF_ALL : TILE_OF_NOTHING, KERNEL_PLANAR,
             unpackDouble2x32(fraction_of(key_with(key_with(place.key, 0u), 2u))));
   if (is_cut) return;  // not done
-  write_light(i, LIGHT_HIT, triangle_of[triangle] | side);
-  write_light(i, LIGHT_HIT + 1u, hit[ray + 1u]);
-  write_light(i, LIGHT_HIT + 2u, hit[ray + 2u]);
+  write_light(i, LIGHT_TRIANGLE, triangle_of[triangle] | side);
+  write_light(i, LIGHT_PLACE, share.x);
+  write_light(i, LIGHT_PLACE + 2u, share.y);
   write_light(i, LIGHT_REQUEST, at.x);
   write_light(i, LIGHT_RAY, at.y);
   write_light(i, LIGHT_WEIGHT, place.weight);

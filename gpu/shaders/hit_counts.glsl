@@ -13,7 +13,7 @@ void main() {
   const uint end = min((block + 1u) * RAYS_PER_BLOCK, ray_count);
   uint hits = 0u;
   for (uint ray = block * RAYS_PER_BLOCK; ray < end; ++ray) {
-    const uint one = hit[3u * ray];
+    const uint one = hit[LIT_HIT_SIZE * ray];
     if (one == HIT_NOT_DONE) return;  // nor is this
     if (one != HIT_NOTHING) ++hits;
   }

@@ -89,7 +89,8 @@ bool draw_cell(Lamp lamp, View view, Point point, double u, out DrawnCell drawn)
     sum = DBL(0.0);
     Walk walk = kBegin;
     bool is_last = false;
-    for (uint cells = 0u; cells < MOST_PARTS && !is_last; ++cells) {
+    uint cells = 0u;
+    for (; cells < MOST_PARTS && !is_last; ++cells) {
       CellAt at;
       if (!find_cell(lamp, view, point.position_m, walk, at)) return false;
       is_last = !go_on(view, walk);
@@ -108,7 +109,10 @@ bool draw_cell(Lamp lamp, View view, Point point, double u, out DrawnCell drawn)
       drawn = DrawnCell(at.cell, (sum - before) / whole);
       return true;
     }
-    if (!is_last) return false;
+    if (!is_last) {
+      if (cells < MOST_PARTS) is_cut = true;  // the driver left the loop
+      return false;
+    }
     if (!(sum > DBL(0.0))) return true;
   }
   is_cut = true;

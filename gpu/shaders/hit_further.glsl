@@ -29,13 +29,12 @@ void main() {
   dvec2 share;
   const bool is_met = closest_hit(from, along, 0.0, most_m, triangle, share);
   if (is_cut) return;  // not done
-  const vec2 rounded = vec2(share);
-  if (!is_met || !goes_on(place, triangle, along, dvec2(rounded))) {
-    write_light(i, LIGHT_NEXT, HIT_NOTHING);
+  if (!is_met || !goes_on(place, triangle, along, share)) {
+    write_light(i, LIGHT_NEXT_TRIANGLE, HIT_NOTHING);
     return;
   }
   const uint side = is_met_in_front(triangle, along) ? 0u : HIT_FROM_BEHIND;
-  write_light(i, LIGHT_NEXT, triangle_of[triangle] | side);
-  write_light(i, LIGHT_NEXT + 1u, floatBitsToUint(rounded.x));
-  write_light(i, LIGHT_NEXT + 2u, floatBitsToUint(rounded.y));
+  write_light(i, LIGHT_NEXT_TRIANGLE, triangle_of[triangle] | side);
+  write_light(i, LIGHT_NEXT_PLACE, share.x);
+  write_light(i, LIGHT_NEXT_PLACE + 2u, share.y);
 }

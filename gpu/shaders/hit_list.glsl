@@ -17,7 +17,7 @@ void main() {
   uint at = block_first[block];
   for (uint ray = begin; ray < end; ++ray) {
     while (request + 1u < request_count && first_ray_of(request + 1u) <= ray) ++request;
-    if (hit[3u * ray] == HIT_NOTHING) continue;
+    if (hit[LIT_HIT_SIZE * ray] == HIT_NOTHING) continue;
     list[at] = uvec2(request, ray - first_ray_of(request));
     ++at;
   }

@@ -27,22 +27,28 @@ void main() {
   const vec3 along = vec3(ray_direction(request, ray - request.first_ray));
   uint triangle;
   dvec2 share;
-  bool is_met = closest_hit(request.origin_m, along, least_m, most_m, triangle, share);
+  const bool is_met = closest_hit(request.origin_m, along, least_m, most_m, triangle, share);
   if (is_cut) return;  // not done
-  const vec2 place = vec2(share);
+  const uint side = is_met_in_front(triangle, along) ? 0u : HIT_FROM_BEHIND;
 #if HAS_LIGHT
-  is_met = is_met && may_give_light(request, triangle, along, dvec2(place));
-#endif
+  const uint at = LIT_HIT_SIZE * ray;
+  if (!is_met || !may_give_light(request, triangle, along, share)) {
+    hit[at] = HIT_NOTHING;
+    return;
+  }
+  hit[at] = triangle | side;
+  const uvec2 u = unpackDouble2x32(share.x), v = unpackDouble2x32(share.y);
+  hit[at + 1u] = u.x;
+  hit[at + 2u] = u.y;
+  hit[at + 3u] = v.x;
+  hit[at + 4u] = v.y;
+#else
   if (!is_met) {
     hit[3u * ray] = HIT_NOTHING;
     return;
   }
-  const uint side = is_met_in_front(triangle, along) ? 0u : HIT_FROM_BEHIND;
-#if HAS_LIGHT
-  hit[3u * ray] = triangle | side;
-#else
   hit[3u * ray] = triangle_of[triangle] | side;
+  hit[3u * ray + 1u] = floatBitsToUint(float(share.x));
+  hit[3u * ray + 2u] = floatBitsToUint(float(share.y));
 #endif
-  hit[3u * ray + 1u] = floatBitsToUint(place.x);
-  hit[3u * ray + 2u] = floatBitsToUint(place.y);
 }
