@@ -8,6 +8,7 @@
 #include "gpu/short_ray_pass.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <exception>
@@ -75,13 +76,18 @@ class GlShortRays : public calc::ShortRayCaster {
     if (rays == 0) return;
     const std::shared_ptr<const PackedPool> packed = thread_->pools().pack_unless_held(field.tree);
     const std::size_t before = found.size();
+    // Room is made here, where no other thread waits for it.
+    found.resize(before + static_cast<std::size_t>(most_hits_per_ray_ * static_cast<double>(rays)));
     run([&](DeviceState& device) {
       if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
       lights_->run(device, *rays_, field, packed.get(),
                    {&field.tracer, static_cast<float>(field.tracer.offset_m()),
                     static_cast<float>(field.bound.reach_m()), sent, rays, true, field.deadline_s},
-                   found);
+                   before, found);
     });
+    const double hits_per_ray =
+        static_cast<double>(found.size() - before) / static_cast<double>(rays);
+    if (hits_per_ray > most_hits_per_ray_) most_hits_per_ray_ = hits_per_ray;
     const bool has_far_light = field.cut.size() > 0;
     for (std::size_t k = before; k < found.size(); ++k) {
       if (!has_far_light) found[k].draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
@@ -110,6 +116,7 @@ class GlShortRays : public calc::ShortRayCaster {
 
   const std::shared_ptr<DeviceThread> thread_;
   const HitLimits limits_;
+  std::atomic<double> most_hits_per_ray_{0.0};  // so far, about
   // Of the device's thread alone.
   std::unique_ptr<ShortRayPass> rays_;
   std::unique_ptr<GlReadBack> hits_back_;

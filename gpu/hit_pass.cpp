@@ -72,7 +72,7 @@ std::vector<float> choice_table(const calc::LuminaireChoice& choice) {
   static_assert(kChoiceSize == 5 * 3 + 4);
   for (const auto& lobe : choice.lobes()) {
     table.push_back(lobe.largest_cd);
-    table.insert(table.end(), std::begin(lobe.most_cd), std::end(lobe.most_cd));
+    table.insert(table.end(), lobe.most_cd.begin(), lobe.most_cd.end());
   }
   static_assert(kLobeSize == 1 + calc::choice_terms::kChoiceBands);
   if (table.empty()) table.push_back(0.0f);
@@ -296,29 +296,28 @@ void HitPass::take(Slot& slot) {
   slot.to = {};
 }
 
-bool HitPass::run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
-                  const PackedPool* packed, const ShortRayJob& job,
+void HitPass::run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
+                  const PackedPool* packed, const ShortRayJob& job, std::size_t keep,
                   std::vector<calc::HitLight>& found) {
   for (Slot& slot : slot_) slot.to = {};  // should an earlier run have ended early
   send(field);
   field_.bind(ShortRayPass::kField);
-  if (!rays.trace(device, job)) return false;
-  const std::size_t hits = list_hits(rays, job), before = found.size(), most = most_hits(field);
-  found.resize(before + hits);
+  const std::size_t hits = rays.trace(device, job) ? list_hits(rays, job) : 0;
+  const std::size_t most = most_hits(field);
+  found.resize(keep + hits);
   std::size_t piece = 0;
   for (std::size_t first = 0; first < hits; first += most, ++piece) {
     const std::size_t count = std::min(most, hits - first);
     Slot& slot = slot_[piece % slot_.size()];
     take(slot);
     if (!find(device, rays, packed, {field, job, first, count}, slot)) {
-      found.resize(before);
-      return false;
+      found.resize(keep);
+      return;
     }
-    slot.to = std::span(found).subspan(before + first, count);
+    slot.to = std::span(found).subspan(keep + first, count);
   }
   for (std::size_t k = 0; k < slot_.size(); ++k) take(slot_[(piece + k) % slot_.size()]);
   device.check(kDoing);
-  return true;
 }
 
 }  // namespace gpu

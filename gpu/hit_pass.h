@@ -32,11 +32,13 @@ class HitPass {
  public:
   HitPass(const ProgramCache& programs, const HitLimits& limits);  // programs must outlive it
 
-  // The rays of some requests and the light at their hits, appended in the order of rays. packed:
-  // as DevicePools::find_or_send() takes it. False: the deadline passed, and nothing was appended.
-  // Throws GlError and calc::BackendFailure.
-  bool run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
-           const PackedPool* packed, const ShortRayJob& job, std::vector<calc::HitLight>& found);
+  // The rays of some requests and the light at their hits, in the order of rays, in place of what
+  // `found` has behind the first `keep`: room that need not be made here. packed: as
+  // DevicePools::find_or_send() takes it. Nothing once the deadline passed. Throws GlError and
+  // calc::BackendFailure.
+  void run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
+           const PackedPool* packed, const ShortRayJob& job, std::size_t keep,
+           std::vector<calc::HitLight>& found);
 
  private:
   struct Slot {

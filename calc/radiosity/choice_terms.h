@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,7 @@ inline constexpr std::size_t kChoiceBands = 32;  // of equal solid angle
 // Intensities of a web about its axis; numbers of a device's table, one after the other.
 struct ChoiceLobe {
   float largest_cd;
-  float most_cd[kChoiceBands];  // over the band and its neighbours
+  std::array<float, kChoiceBands> most_cd;  // over the band and its neighbours
 };
 
 #include "calc/radiosity/choice_terms.glsl"

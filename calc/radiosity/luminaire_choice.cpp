@@ -4,7 +4,6 @@
 #include "calc/base/units.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -36,7 +35,7 @@ LuminaireChoice::LuminaireChoice(const PreparedScene& scene) : channels_(scene.c
 LuminaireChoice::Lobe LuminaireChoice::lobe_of(const PhotometricWeb& web, bool is_extended) {
   Lobe lobe;
   const auto largest_cd = static_cast<float>(web.max_intensity_cd());
-  std::fill(std::begin(lobe.most_cd), std::end(lobe.most_cd), largest_cd);
+  lobe.most_cd.fill(largest_cd);
   lobe.largest_cd = largest_cd;
   if (web.axis() != TableAxis::vertical) return lobe;
   const std::vector<double>& gamma = web.gamma_rad();
