@@ -47,7 +47,7 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
     const uint samples = cell_samples(at);
     const uint after = before + samples * (last_round - first_round);
     const uvec2 cell_key = key_with(key, cell);
-    const uint scramble_s = key_with(cell_key, 0u).y, scramble_t = key_with(cell_key, 1u).y;
+    const uint scramble_s = key_with(cell_key, PART_0).y, scramble_t = key_with(cell_key, PART_1).y;
     const double weight = at.cell.size_s * at.cell.size_t / double(samples);
     for (uint j = max(begin, before); j < min(end, after); ++j) {
       const uint i = first_round * samples + (j - before);

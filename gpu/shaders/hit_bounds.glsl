@@ -79,7 +79,7 @@ void main() {
   receiver_word[4u * i + 2u] = uvec4(floatBitsToUint(vec3(lifted_m)), 0u);
   receiver_word[4u * i + 3u] =
       uvec4(is_wanted ? TILE_OF_ALL : TILE_OF_NOTHING, KERNEL_PLANAR,
-            unpackDouble2x32(fraction_of(key_with(key_with(place.key, 0u), 2u))));
+            unpackDouble2x32(fraction_of(key_with(key_with(place.key, PART_0), PART_2))));
   if (is_cut) return;  // not done
   write_light(i, LIGHT_TRIANGLE, triangle_of[triangle] | side);
   write_light(i, LIGHT_PLACE, share.x);

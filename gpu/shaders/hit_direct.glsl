@@ -124,26 +124,26 @@ void main() {
   const uint i = first_item + gl_GlobalInvocationID.x;
   if (!is_lit(i)) return;
   const HitPlace place = place_at(i);
-  const uvec2 key = key_with(key_with(place.key, 0u), 1u);
+  const uvec2 key = key_with(key_with(place.key, PART_0), PART_1);
   uint luminaire = LIGHT_NOTHING;
   double direct_lx = DBL(0.0);
   Choice chosen = Choice(0u, DBL(0.0));
   if (luminaire_count > 0u) {
-    chosen = choose(i, vec3(place.position_m), vec3(place.normal), fraction_of(key_with(key, 2u)));
+    chosen = choose(i, vec3(place.position_m), vec3(place.normal), fraction_of(key_with(key, PART_2)));
   }
   if (chosen.probability > DBL(0.0)) {
     const Lamp lamp = lamp_of(chosen.luminaire);
     const Point point = Point(place.position_m, place.normal, KERNEL_PLANAR, key);
     const View view = view_from(lamp, place.position_m);
     DrawnCell drawn;
-    if (!draw_cell(lamp, view, point, fraction_of(key_with(key, 3u)), drawn)) {
+    if (!draw_cell(lamp, view, point, fraction_of(key_with(key, PART_3)), drawn)) {
       luminaire = LIGHT_LEFT;
     } else if (drawn.probability > DBL(0.0)) {
       const Cell cell = drawn.cell;
       vec3 to_m;
       const double lx =
-          opening_lx(lamp, view, point, cell.s + cell.size_s * fraction_of(key_with(key, 0u)),
-                     cell.t + cell.size_t * fraction_of(key_with(key, 1u)), to_m);
+          opening_lx(lamp, view, point, cell.s + cell.size_s * fraction_of(key_with(key, PART_0)),
+                     cell.t + cell.size_t * fraction_of(key_with(key, PART_1)), to_m);
       if (lx > DBL(0.0)) {
         luminaire = chosen.luminaire;
         direct_lx = place.weight / chosen.probability * cell.size_s * cell.size_t /

@@ -12,7 +12,7 @@ bool goes_on(HitPlace place, uint triangle, vec3 along, dvec2 share) {
   const double g = connection_geometry(KERNEL_PLANAR, place.normal, facing_normal(triangle, along),
                                        position_on(triangle, share) - place.position_m);
   if (rho <= DBL(0.0) || g <= field[FIELD_SMALLEST]) return false;
-  const double roulette = fraction_of(key_with(key_with(place.key, 1u), 0u));
+  const double roulette = fraction_of(key_with(key_with(place.key, PART_1), PART_0));
   return roulette < (DBL(1.0) - field[FIELD_SMALLEST] / g) * rho;
 }
 
@@ -21,10 +21,10 @@ void main() {
   const uint i = first_item + gl_GlobalInvocationID.x;
   if (!is_lit(i)) return;
   const HitPlace place = place_at(i);
-  const uvec2 key = key_with(place.key, 0u);
+  const uvec2 key = key_with(place.key, PART_0);
   const vec3 from = vec3(place.position_m + offset_of_rays_m() * place.normal);
-  const vec3 along = vec3(cosine_direction(place.normal, fraction_of(key_with(key, 3u)),
-                                           fraction_of(key_with(key, 4u))));
+  const vec3 along = vec3(cosine_direction(place.normal, fraction_of(key_with(key, PART_3)),
+                                           fraction_of(key_with(key, PART_4))));
   uint triangle;
   dvec2 share;
   const bool is_met = closest_hit(from, along, 0.0, most_m, triangle, share);
