@@ -20,7 +20,7 @@ PackedPool pack_pool(std::span<const calc::LightVertex> vertices) {
   packed.normal.reserve(vertices.size());
   for (const calc::LightVertex& v : vertices) {
     packed.position_m.emplace_back(v.position_m, v.flux_lm);
-    packed.normal.emplace_back(v.normal, 0.0f);
+    packed.normal.emplace_back(v.normal, static_cast<float>(v.channel));
   }
   return packed;
 }
@@ -71,6 +71,29 @@ bool DevicePools::holds(std::uint64_t identity) const {
   return identity != 0 && std::any_of(pools_.begin(), pools_.end(), [&](const DevicePool& pool) {
            return pool.identity == identity && pool.has_tree;
          });
+}
+
+std::shared_ptr<const PackedPool> DevicePools::pack_unless_held(const calc::VertexTree& tree) {
+  if (holds(tree.identity())) return nullptr;
+  std::shared_ptr<Packing> packing;
+  {
+    const std::scoped_lock lock(packing_mutex_);
+    std::erase_if(packings_, [](const auto& known) { return known.second.expired(); });
+    packing = packings_[tree.identity()].lock();
+    if (!packing) {
+      packing = std::make_shared<Packing>();
+      packings_[tree.identity()] = packing;
+    }
+  }
+  std::call_once(packing->once, [&] { packing->packed = pack_pool(tree); });
+  return {packing, &packing->packed};
+}
+
+const DevicePool& DevicePools::find_or_send(const calc::VertexTree& tree,
+                                            const PackedPool* packed) {
+  const DevicePool* pool = find(tree.identity(), true);
+  if (pool != nullptr) return *pool;
+  return send(tree.identity(), packed != nullptr ? *packed : pack_pool(tree));
 }
 
 const DevicePool* DevicePools::find(std::uint64_t identity, bool needs_tree) {

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -20,7 +22,7 @@ namespace gpu {
 // of 128 MiB.
 struct PackedPool {
   std::vector<glm::vec4> position_m;  // last component: flux, lm
-  std::vector<glm::vec4> normal;      // last component unused
+  std::vector<glm::vec4> normal;      // last component: channel
   std::vector<glm::vec4> sphere;      // [node] centre and radius, m
   std::vector<glm::uvec4> rest;       // [node] flux and vertices per m2 as floats; first, count
   std::vector<glm::vec4> half;        // [node] half sizes of its box, m; cos_spread
@@ -47,9 +49,9 @@ struct DevicePool {
 // The pools used last: the replicates of a look are computed side by side.
 class DevicePools {
  public:
-  // Whether it is there with its tree, so that send() need not be called now; it may yet be
-  // necessary later. For all threads.
-  bool holds(std::uint64_t identity) const;
+  // For all threads: what find_or_send() takes, packed once for all that want it at the same time;
+  // null if the device has it with its tree.
+  std::shared_ptr<const PackedPool> pack_unless_held(const calc::VertexTree& tree);
 
   // All others need the context current in which the pools live, the destructor too.
   // Null if it is not there, or lacks the tree that is needed. Valid until the next call.
@@ -57,11 +59,23 @@ class DevicePools {
   // identity: as VertexTree::identity(), 0 = never used again. Takes the place of a pool of the
   // same identity. Throws GlError.
   const DevicePool& send(std::uint64_t identity, const PackedPool& packed);
+  // With its tree. packed: of pack_unless_held(); null, though it is not there any more: packed
+  // now.
+  const DevicePool& find_or_send(const calc::VertexTree& tree, const PackedPool* packed);
   void clear();
 
  private:
+  struct Packing {
+    std::once_flag once;
+    PackedPool packed;
+  };
+
+  bool holds(std::uint64_t identity) const;
+
   mutable std::mutex mutex_;     // changes of the list, and reading it outside the context's thread
   std::list<DevicePool> pools_;  // latest use first
+  std::mutex packing_mutex_;
+  std::map<std::uint64_t, std::weak_ptr<Packing>> packings_;  // by VertexTree::identity()
 };
 
 }  // namespace gpu

@@ -72,8 +72,12 @@ void DeviceThread::live() {
   }
   changed_.notify_all();
   if (!context) return;
-  DeviceState state{
-      *context, request_.fault, {request_.program_folder, context->device().driver_key()}, {}, {}};
+  DeviceState state{*context,
+                    request_.fault,
+                    {request_.program_folder, context->device().driver_key()},
+                    pools_,
+                    {},
+                    {}};
   while (Piece* piece = next()) {
     run_piece(state, *piece);
     {
@@ -82,6 +86,7 @@ void DeviceThread::live() {
     }
     changed_.notify_all();
   }
+  pools_.clear();  // while the context is there
 }
 
 // Null: the end.
@@ -104,6 +109,7 @@ void DeviceThread::run_piece(DeviceState& state, Piece& piece) {
   } catch (const OutOfMemory& error) {
     // What is kept for later may be what leaves no room.
     state.scenes.clear();
+    state.pools.clear();
     state.pictures.clear();
     piece.problem = error.what();
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 #pragma once
 // A thread that owns an OpenGL context and does the device work of all other threads.
 
+#include "gpu/device_pool.h"
 #include "gpu/device_scene.h"
 #include "gpu/egl_context.h"
 #include "gpu/picture_tools.h"
@@ -29,6 +30,7 @@ struct DeviceState {
   const EglContext& context;
   Fault fault;
   ProgramCache programs;
+  DevicePools& pools;  // of the thread
   DeviceScenes scenes;
   PictureTools pictures;
 
@@ -47,6 +49,8 @@ class DeviceThread {
   DeviceThread& operator=(const DeviceThread&) = delete;
 
   const Device& device() const { return device_; }
+  // One upload for all stages. What needs the context is for work on its thread.
+  DevicePools& pools() { return pools_; }
 
   // Runs the work on the context's thread and waits; any thread may ask, pieces run in the order
   // asked for. Throws calc::BackendFailure with the text of what the work threw. After OutOfMemory
@@ -78,6 +82,7 @@ class DeviceThread {
   std::string problem_;  // why there is no context
   std::string loss_;     // of the context's thread alone
   Device device_;
+  DevicePools pools_;
   std::thread thread_;  // last: it uses all the others
 };
 

@@ -113,14 +113,10 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
   Slot& slot = slot_[slot_number];
   const calc::DrawBatch& batch = *piece.batch;
   const DrawPrograms& program = programs(device, piece.shape);
-  const std::uint64_t identity = batch.tree.identity();
-  const DevicePool* pool = pools.find(identity, true);
-  if (pool == nullptr) {
-    pool = &pools.send(identity, packed != nullptr ? *packed : pack_pool(batch.tree));
-  }
+  const DevicePool& pool = pools.find_or_send(batch.tree, packed);
   upload(slot, piece);
-  if (piece.has_views()) choose(device, *pool, slot, piece);
-  bind(*pool, slot, piece);
+  if (piece.has_views()) choose(device, pool, slot, piece);
+  bind(pool, slot, piece);
 
   const std::size_t receivers = piece.receivers.size();
   set_common(program.weigh, piece);

@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/phase_timer.h"
 #include "gpu/shader_text.h"
+#include "gpu/tile_words.h"
 
 #include <algorithm>
 #include <bit>
@@ -66,7 +67,7 @@ std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits
 }
 
 std::size_t DrawPiece::words_per_tile() const {
-  return std::size_t{kTileHead} + 2 * std::size_t{most_ranges} + most_nodes;
+  return gpu::words_per_tile(most_nodes, most_ranges);
 }
 
 DrawPacker::DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits)
@@ -82,23 +83,7 @@ void DrawPacker::append_nodes(const calc::ReceiverTile& tile, DrawPiece& piece) 
   nodes.clear();
   ranges.clear();
   cut.select(batch_.tree, tile, batch_.cut, nodes, ranges);
-  const std::size_t at = piece.tiles.size();
-  piece.tiles.resize(at + piece.words_per_tile());
-  std::uint32_t last_range = 0;
-  for (std::uint32_t channel = 0, k = 0; k < ranges.size(); ++channel) {
-    if (batch_.tree.nodes()[nodes[ranges[k].begin]].channel != channels_[channel]) continue;
-    piece.tiles[at + kTileHead + 2 * channel] = ranges[k].begin;
-    piece.tiles[at + kTileHead + 2 * channel + 1] = ranges[k].end;
-    last_range = channel;
-    ++k;
-  }
-  piece.tiles[at] = static_cast<std::uint32_t>(nodes.size());
-  piece.tiles[at + 1] = static_cast<std::uint32_t>(ranges.size());
-  piece.tiles[at + 2] = last_range;
-  piece.tiles[at + 3] = kTileChosen;
-  std::copy(
-      nodes.begin(), nodes.end(),
-      piece.tiles.begin() + static_cast<std::ptrdiff_t>(at + kTileHead + 2 * channels_.size()));
+  append_tile(batch_.tree, most_nodes_, nodes, ranges, piece.tiles);
 }
 
 // Receivers that the piece can still take.

@@ -3,16 +3,13 @@
 #include "gpu/draw_piece.h"
 #include "gpu/draw_queue.h"
 #include "gpu/gather_pass.h"
-#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -43,43 +40,15 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
   return batch.has_shadows ? rays : 0;
 }
 
-// Packs a pool once for all threads that want to send it at the same time.
-class PoolPacker {
- public:
-  std::shared_ptr<const PackedPool> pack(const calc::VertexTree& tree) {
-    std::shared_ptr<Entry> entry;
-    {
-      const std::scoped_lock lock(mutex_);
-      std::erase_if(entries_, [](const auto& known) { return known.second.expired(); });
-      entry = entries_[tree.identity()].lock();
-      if (!entry) {
-        entry = std::make_shared<Entry>();
-        entries_[tree.identity()] = entry;
-      }
-    }
-    std::call_once(entry->once, [&] { entry->packed = pack_pool(tree); });
-    return {entry, &entry->packed};
-  }
-
- private:
-  struct Entry {
-    std::once_flag once;
-    PackedPool packed;
-  };
-
-  std::mutex mutex_;
-  std::map<std::uint64_t, std::weak_ptr<Entry>> entries_;  // by VertexTree::identity()
-};
-
 class GlGatherer : public calc::Gatherer {
  public:
   GlGatherer(std::shared_ptr<DeviceThread> thread, const DrawLimits& limits)
       : thread_(std::move(thread)), limits_(limits), draws_(limits.dispatch) {}
   ~GlGatherer() override {
-    thread_->clean_up([this](DeviceState&) {
+    thread_->clean_up([this](DeviceState& device) {
       gather_pass_.reset();
       draws_.clear();
-      pools_.clear();
+      device.pools.clear();
     });
   }
   GlGatherer(const GlGatherer&) = delete;
@@ -102,13 +71,13 @@ class GlGatherer : public calc::Gatherer {
   }
 
   std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
-    std::shared_ptr<const PackedPool> packed;  // null: the device has it
-    if (!pools_.holds(batch.tree.identity())) packed = packer_.pack(batch.tree);
+    DevicePools& pools = thread_->pools();
+    const std::shared_ptr<const PackedPool> packed = pools.pack_unless_held(batch.tree);
     DrawPacker packer(batch, limits_);
     DrawPiece piece;
     std::uint64_t rays = 0;
     while (packer.next(piece)) {
-      draws_.run(*thread_, pools_, piece, packed.get());
+      draws_.run(*thread_, pools, piece, packed.get());
       if (piece.is_cut_short) break;
       rays += packer.add(piece);
     }
@@ -127,20 +96,13 @@ class GlGatherer : public calc::Gatherer {
  private:
   void run(const GatherJob& job) {
     thread_->run([&](DeviceState& device) {
-      try {
-        if (!gather_pass_) gather_pass_ = std::make_unique<GatherPass>();
-        gather_pass_->run(device, pools_, job);
-      } catch (const OutOfMemory&) {
-        pools_.clear();  // what is kept for later may be what leaves no room
-        throw;
-      }
+      if (!gather_pass_) gather_pass_ = std::make_unique<GatherPass>();
+      gather_pass_->run(device, device.pools, job);
     });
   }
 
   const std::shared_ptr<DeviceThread> thread_;
   const DrawLimits limits_;
-  PoolPacker packer_;
-  DevicePools pools_;
   DrawQueue draws_;
   std::unique_ptr<GatherPass> gather_pass_;  // of the device's thread alone
 };

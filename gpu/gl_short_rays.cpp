@@ -1,126 +1,51 @@
 #include "gpu/gl_short_rays.h"
 
+#include "calc/radiosity/cut.h"
 #include "calc/radiosity/gatherer.h"
-#include "calc/radiosity/low_discrepancy.h"
-#include "gpu/dispatch_pacer.h"
-#include "gpu/gl_buffer.h"
-#include "gpu/gl_error.h"
-#include "gpu/gl_program.h"
+#include "calc/radiosity/near_field.h"
 #include "gpu/gl_read_back.h"
-#include "gpu/path_shader_text.h"
-#include "gpu/shader_text.h"
-
-#include <epoxy/gl.h>
+#include "gpu/hit_pass.h"
+#include "gpu/short_ray_pass.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+#include <atomic>
+#include <bit>
+#include <cstdint>
 #include <exception>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace gpu {
 namespace {
 
-enum Binding : unsigned { kRequests = 3, kWords, kHits = 6 };  // others are those of DeviceScene
-
-// Rays of one dispatch.
-constexpr std::size_t kFewestRays = std::size_t{1} << 12;
-constexpr std::size_t kMostRays = std::size_t{1} << 22;
-constexpr std::size_t kFirstRays = std::size_t{1} << 16;
 constexpr const char* kDoing = "tracing short rays";
 
-// One point as the shader reads it: four uvec4.
-struct GpuRequest {
-  glm::dvec3 axis;
-  std::array<std::uint32_t, 2> unused{};
-  glm::vec3 origin_m;      // local, lifted
-  std::uint32_t has_back;  // 0: rays all around
-  std::array<std::uint32_t, 2> scramble;
-  std::uint32_t first_ray;
-  std::uint32_t unused_too = 0;
-};
-static_assert(sizeof(GpuRequest) == 64);
+[[noreturn]] void throw_not_done() {
+  throw calc::BackendFailure("the device did not finish its work");
+}
 
-class ShortRayPass {
- public:
-  explicit ShortRayPass(const ProgramCache& programs)
-      : program_("short rays", short_ray_shader(), programs),
-        words_("random numbers", BufferUse::fixed),
-        requests_("calculation points"),
-        hits_("hits of short rays", BufferUse::by_device),
-        read_back_("hits of short rays"),
-        pacer_({kFewestRays, kMostRays, kFirstRays}) {
-    std::vector<std::uint32_t> words;
-    for (int dimension = 0; dimension < 2; ++dimension) {
-      for (int bit = 0; bit < 32; ++bit) {
-        words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
-      }
-    }
-    words_.assign(words);
-  }
-
-  void run(DeviceState& device, const calc::Tracer& tracer, float least_m, float most_m,
-           std::span<const GpuRequest> requests, std::span<calc::FirstHit> hits) {
-    requests_.assign(requests);
-    hits_.assign(hits.size_bytes(), calc::FirstHit::kNotDone);
-    const DeviceScene& scene = device.scenes.of(tracer);
-    program_.use();
-    scene.bind();
-    scene.bind_surfaces();
-    requests_.bind(kRequests);
-    words_.bind(kWords);
-    hits_.bind(kHits);
-    program_.set("node_count", scene.nodes);
-    program_.set("request_count", static_cast<std::uint32_t>(requests.size()));
-    program_.set("least_m", least_m);
-    program_.set("most_m", most_m);
-    for (std::size_t first = 0; first < hits.size();) {
-      const std::size_t count = std::min(pacer_.items(), hits.size() - first);
-      pacer_.run(count, kDoing, [&] {
-        program_.set("first_ray", static_cast<std::uint32_t>(first));
-        program_.set("ray_count", static_cast<std::uint32_t>(count));
-        glDispatchCompute(static_cast<GLuint>((count + kGroupSize - 1) / kGroupSize), 1, 1);
-      });
-      first += count;
-    }
-    // Their "not done" is a word of its own: all ones mean that a ray met nothing.
-    read_back_.start({{hits_, 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
-    read_back_.wait(kDoing);
-    read_back_.copy(0, std::as_writable_bytes(hits));
-    device.check(kDoing);
-  }
-
- private:
-  GlProgram program_;
-  GlBuffer words_, requests_, hits_;
-  GlReadBack read_back_;
-  DispatchPacer pacer_;
-};
-
-std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
-                                     std::span<const calc::NearFieldRequest> requests) {
-  std::vector<GpuRequest> result;
-  result.reserve(requests.size());
-  std::uint32_t first_ray = 0;
-  for (const calc::NearFieldRequest& request : requests) {
-    const calc::ScrambledSobol sobol(request.key);
-    GpuRequest& to = result.emplace_back();
-    to.axis = request.receiver.axis;
-    to.origin_m = glm::vec3(tracer.lift(request.receiver));
-    to.has_back = calc::has_back(request.receiver.kernel) ? 1 : 0;
-    to.scramble = {sobol.scramble(0), sobol.scramble(1)};
-    to.first_ray = first_ray;
-    first_ray += request.rays;
-  }
-  return result;
+bool is_done(const calc::HitLight& light) {
+  constexpr std::uint64_t kNotDone =
+      (std::uint64_t{calc::HitLight::kNotDone} << 32) | calc::HitLight::kNotDone;
+  const auto is_number = [](double value) {
+    return std::bit_cast<std::uint64_t>(value) != kNotDone;
+  };
+  if (light.ray == calc::HitLight::kNotDone || !is_number(light.weight)) return false;
+  if (!(light.weight > 0.0)) return true;
+  return light.luminaire != calc::HitLight::kNotDone && is_number(light.direct_lx) &&
+         light.next_triangle_and_side != calc::HitLight::kNotDone &&
+         std::none_of(light.draws.begin(), light.draws.end(), [](const calc::HitLight::Draw& draw) {
+           return draw.which == calc::HitLight::kNotDone;
+         });
 }
 
 class GlShortRays : public calc::ShortRayCaster {
  public:
-  explicit GlShortRays(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
+  GlShortRays(std::shared_ptr<DeviceThread> thread, const HitLimits& limits)
+      : thread_(std::move(thread)), limits_(limits) {}
   ~GlShortRays() override {
-    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
+    thread_->clean_up([this](DeviceState&) { clear(); });
   }
   GlShortRays(const GlShortRays&) = delete;
   GlShortRays& operator=(const GlShortRays&) = delete;
@@ -130,31 +55,79 @@ class GlShortRays : public calc::ShortRayCaster {
             std::span<calc::FirstHit> hits) override {
     if (hits.empty()) return;
     const std::vector<GpuRequest> sent = gpu_requests(tracer, requests);
-    thread_->run([&](DeviceState& device) {
-      try {
-        if (!pass_) pass_ = std::make_unique<ShortRayPass>(device.programs);
-        pass_->run(device, tracer, least_m, most_m, sent, hits);
-      } catch (const std::exception&) {
-        pass_.reset();  // what it kept may be what left no room
-        throw;
-      }
+    run([&](DeviceState& device) {
+      rays_->trace(device, {&tracer, least_m, most_m, sent, hits.size()});
+      // Their "not done" is a word of its own: all ones mean that a ray met nothing.
+      hits_back_->start({{rays_->hits(), 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
+      hits_back_->wait(kDoing);
+      hits_back_->copy(0, std::as_writable_bytes(hits));
+      device.check(kDoing);
     });
     for (const calc::FirstHit& hit : hits) {
-      if (hit.triangle_and_side == calc::FirstHit::kNotDone) {
-        throw calc::BackendFailure("the device did not finish its work");
-      }
+      if (hit.triangle_and_side == calc::FirstHit::kNotDone) throw_not_done();
+    }
+  }
+
+  void find_light(const calc::NearField& field, std::span<const calc::NearFieldRequest> requests,
+                  std::vector<calc::HitLight>& found) override {
+    const std::vector<GpuRequest> sent = gpu_requests(field.tracer, requests);
+    const std::size_t rays =
+        sent.empty() ? 0 : std::size_t{sent.back().first_ray} + sent.back().rays;
+    if (rays == 0) return;
+    const std::shared_ptr<const PackedPool> packed = thread_->pools().pack_unless_held(field.tree);
+    const std::size_t before = found.size();
+    // Room is made here, where no other thread waits for it.
+    found.resize(before + static_cast<std::size_t>(most_hits_per_ray_ * static_cast<double>(rays)));
+    run([&](DeviceState& device) {
+      if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
+      lights_->run(device, *rays_, field, packed.get(),
+                   {&field.tracer, static_cast<float>(field.tracer.offset_m()),
+                    static_cast<float>(field.bound.reach_m()), sent, rays, true, field.deadline_s},
+                   before, found);
+    });
+    const double hits_per_ray =
+        static_cast<double>(found.size() - before) / static_cast<double>(rays);
+    if (hits_per_ray > most_hits_per_ray_) most_hits_per_ray_ = hits_per_ray;
+    const bool has_far_light = field.cut.size() > 0;
+    for (std::size_t k = before; k < found.size(); ++k) {
+      if (!has_far_light) found[k].draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
+      if (!is_done(found[k])) throw_not_done();
     }
   }
 
  private:
+  void run(const DeviceThread::Work& work) {
+    thread_->run([&](DeviceState& device) {
+      try {
+        if (!rays_) rays_ = std::make_unique<ShortRayPass>(device.programs);
+        if (!hits_back_) hits_back_ = std::make_unique<GlReadBack>("hits of short rays");
+        work(device);
+      } catch (const std::exception&) {
+        clear();  // what was kept may be what left no room
+        throw;
+      }
+    });
+  }
+  void clear() {
+    lights_.reset();
+    hits_back_.reset();
+    rays_.reset();
+  }
+
   const std::shared_ptr<DeviceThread> thread_;
-  std::unique_ptr<ShortRayPass> pass_;  // of the device's thread alone
+  const HitLimits limits_;
+  std::atomic<double> most_hits_per_ray_{0.0};  // so far, about
+  // Of the device's thread alone.
+  std::unique_ptr<ShortRayPass> rays_;
+  std::unique_ptr<GlReadBack> hits_back_;
+  std::unique_ptr<HitPass> lights_;
 };
 
 }  // namespace
 
-std::unique_ptr<calc::ShortRayCaster> make_gl_short_rays(std::shared_ptr<DeviceThread> thread) {
-  return std::make_unique<GlShortRays>(std::move(thread));
+std::unique_ptr<calc::ShortRayCaster> make_gl_short_rays(std::shared_ptr<DeviceThread> thread,
+                                                         const HitLimits& limits) {
+  return std::make_unique<GlShortRays>(std::move(thread), limits);
 }
 
 }  // namespace gpu

@@ -27,7 +27,22 @@ std::string light_path_shader();
 std::string path_sums_shader();
 std::string path_places_shader();
 std::string path_balance_shader();
-std::string short_ray_shader();
+// has_light: for the stages below. Only what may give light counts as met; kLitHitSize words for
+// each ray, its triangle in the tree and two doubles.
+std::string short_ray_shader(bool has_light);
+inline constexpr std::uint32_t kLitHitSize = 5;
+
+// Rays that one invocation lists the hits of.
+inline constexpr std::uint32_t kRaysPerBlock = 64;
+// Numbers of a piece of hits, see hit_pass.h: tiles of its receivers, doubles of the field, floats
+// of a calc::ChoiceSource and of a calc::ChoiceLobe.
+inline constexpr std::uint32_t kTileOfAll = 0, kTileOfNothing = 1;
+inline constexpr std::uint32_t kFieldSmallest = 0, kFieldPerLumen = 1, kFieldAmbient = 2,
+                               kFieldNeeded = 3, kFieldLeast = 4;
+inline constexpr std::uint32_t kChoiceSize = 19, kLobeSize = 33;
+
+enum class HitStage { counts, list, bounds, direct, further, far };
+std::string hit_shader(HitStage stage);
 
 // What a point has of a luminaire; above it, of what is sampled, samples of one round.
 inline constexpr std::uint32_t kPairNothing = 0, kPairHidden = 1, kPairSeen = 2, kPairSampled = 3,
@@ -35,6 +50,8 @@ inline constexpr std::uint32_t kPairNothing = 0, kPairHidden = 1, kPairSeen = 2,
 inline constexpr std::uint32_t kPairStep = 8;
 // Parts of an opening that a shader visits at most, and how deep in the tree of halves.
 inline constexpr std::uint32_t kMostParts = 64, kDeepestPlace = 31;
+// The same at a hit, which stands for little: few, so that it does not hold up its neighbours.
+inline constexpr std::uint32_t kMostHitParts = 16, kDeepestHitPlace = 8;
 // Of the samples of a chunk; above these bits, its rays.
 inline constexpr std::uint32_t kChunkIsLit = 1, kChunkHasHidden = 2, kChunkHasSeen = 4;
 inline constexpr std::uint32_t kChunkFlags = 3;

@@ -2,6 +2,7 @@
 // The sources of shaders, put together from shaders/ and the formulas of calc/.
 
 #include "gpu/draw_piece.h"
+#include "gpu/tile_words.h"
 
 #include <cstdint>
 #include <string>
@@ -26,7 +27,6 @@ std::string gather_shader(bool has_shadows);
 
 // The nodes of a tile's cut, before its receivers draw; see shaders/tile_words.glsl.
 inline constexpr std::uint32_t kMostChosen = 1024;  // nodes of a cut, by shared memory
-inline constexpr std::uint32_t kTileHead = 4, kTileChosen = 1;
 std::string choose_shader();
 
 // Of drawn connections, in this order: the weights of nodes, their sums and the channels' shares,
@@ -36,5 +36,9 @@ std::string draw_shader(DrawStage stage, const DrawShape& shape);
 
 // exact_quotient(a, b) and exact_root(a) with what a shader begins with: for their test.
 std::string exact_arithmetic();
+// The same without a beginning.
+std::string exact_text();
+// Declares find_draw(), what it reads, and the size of groups.
+std::string drawn_vertex_text();
 
 }  // namespace gpu

@@ -4,6 +4,7 @@ luxgate_test(gpu_tests
     differential/gpu_direct_test.cpp
     differential/gpu_draws_test.cpp
     differential/gpu_gatherer_test.cpp
+    differential/gpu_hits_test.cpp
     differential/gpu_near_test.cpp
     differential/gpu_paths_test.cpp
     differential/gpu_stages_test.cpp

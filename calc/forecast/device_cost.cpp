@@ -1,5 +1,7 @@
 #include "calc/forecast/device_cost.h"
 
+#include "calc/radiosity/short_rays.h"
+
 #include <cmath>
 #include <limits>
 
@@ -15,14 +17,18 @@ constexpr double kBesideShortRay_ns = 5.0;
 constexpr double kSortVertex_ns = 45.0;
 constexpr double kPackVertex_ns = 15.0;     // by one thread
 constexpr double kPackTriangle_ns = 300.0;  // the device's own tree, by one thread
-// What a first short ray costs the CPU without the light at its end, which stays there.
+// What a first short ray costs the CPU without the light at its end.
 constexpr double kFirstShortRay_ns = 75.0;
+// Light at hits that stays on the CPU: of the later steps of chains.
+constexpr double kLaterSteps = 0.25;
+constexpr double kRaysPerHit = 5.0;  // of a first step
+constexpr double kBesideHit_ns = 100.0;
 
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------
 constexpr double kVertexUp_bytes = 90.0;  // with its share of the tree
 constexpr double kVertexDown_bytes = 48.0;
 constexpr double kReceiverUp_bytes = 64.0, kReceiverDown_bytes = 32.0;
-constexpr double kShortRayDown_bytes = 12.0;
+constexpr double kHitDown_bytes = 128.0;
 constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its share of the tree
 
 // --- the device ----------------------------------------------------------------------------------
@@ -30,9 +36,13 @@ constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its sha
 constexpr double kDrawnOverGiven = 1.5;
 // Of an opening: a ray with its photometry; a proof. In any-hit rays. Assumed.
 constexpr double kRaysPerDirectRay = 3.0, kRaysPerProof = 10.0;
+// Of a ray at a short ray's hit, with its share of the search for bound, luminaire and vertices,
+// too.
+constexpr double kRaysPerHitRay = 3.0;
 constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32, the fewest
 constexpr double kTripsPerPiece = 3.0;         // uploads, four dispatches, one read
 constexpr double kPathsPerTrip = 16384.0;      // a round of a bundle of batches
+constexpr double kTripsPerCast = 3.0;  // of short rays: how many hits, their list, their light
 
 // What any driver takes to open, at least.
 constexpr double kLeastOpen_s = 0.15;
@@ -72,10 +82,15 @@ struct Weigher {
   }
   double near_field() const {
     const double first = work.work.near_rays / kRaysPerShortRay;
-    const double moved_s = thread_s * kFirstShortRay_ns * first;
-    return first / rates.closest_hit_per_s + first * kShortRayDown_bytes / rates.down_bytes_per_s +
-           rates.round_trip_s + thread_s * kBesideShortRay_ns * first +
-           std::fmax(0.0, work.one_thread.near_field / work.threads - moved_s);
+    const double hit_rays = (1.0 - kLaterSteps) * (work.work.near_rays - first);
+    const double hits = hit_rays / kRaysPerHit;
+    const double light_ns =
+        std::fmax(0.0, 1e9 * work.one_thread.near_field - kFirstShortRay_ns * first);
+    return first / rates.closest_hit_per_s + kRaysPerHitRay * hit_rays / rates.any_hit_per_s +
+           hits * kHitDown_bytes / rates.down_bytes_per_s +
+           kTripsPerCast * rates.round_trip_s *
+               trips(first, static_cast<double>(kShortRaysPerCast)) +
+           thread_s * (kBesideShortRay_ns * first + kBesideHit_ns * hits + kLaterSteps * light_ns);
   }
 };
 

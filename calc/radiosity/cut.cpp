@@ -129,8 +129,7 @@ void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, const Cut
 }
 
 void Cut::resize(std::size_t size) {
-  first_.resize(size);
-  count_.resize(size);
+  for (auto* v : {&node_, &first_, &count_}) v->resize(size);
   for (auto* v : {&flux_lm_, &radius_m_, &bound_per_m2_, &centre_x_, &centre_y_, &centre_z_, &x_,
                   &y_, &z_, &nx_, &ny_, &nz_}) {
     v->resize(size);
@@ -173,7 +172,8 @@ void Cut::select(const VertexTree& tree, const ReceiverTile& tile, const CutRequ
 void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {
   channel_.clear();
   std::size_t c = 0;
-  visit_taken(tree, channel_, [&](std::uint32_t, const VertexNode& node) {
+  visit_taken(tree, channel_, [&](std::uint32_t n, const VertexNode& node) {
+    node_[c] = n;
     first_[c] = node.first;
     count_[c] = node.size();
     flux_lm_[c] = node.flux_lm;

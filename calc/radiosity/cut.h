@@ -58,6 +58,7 @@ class Cut {
   std::uint32_t first(std::size_t c) const { return first_[c]; }
   std::uint32_t count(std::size_t c) const { return count_[c]; }
   float flux_lm(std::size_t c) const { return flux_lm_[c]; }
+  std::span<const std::uint32_t> nodes() const { return node_; }  // indices in the tree
   std::span<const ChannelRange> channels() const { return channel_; }
 
  private:
@@ -73,7 +74,7 @@ class Cut {
   std::vector<std::uint32_t> round_, touched_, stack_;
   std::size_t taken_ = 0;
 
-  std::vector<std::uint32_t> first_, count_;
+  std::vector<std::uint32_t> node_, first_, count_;
   std::vector<ChannelRange> channel_;
   std::vector<float> flux_lm_, radius_m_, bound_per_m2_, centre_x_, centre_y_, centre_z_;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_;

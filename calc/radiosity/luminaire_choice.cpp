@@ -4,7 +4,6 @@
 #include "calc/base/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -25,11 +24,11 @@ LuminaireChoice::LuminaireChoice(const PreparedScene& scene) : channels_(scene.c
                                                          static_cast<std::uint32_t>(lobes_.size()));
     if (is_new) lobes_.push_back(lobe_of(*luminaire.web, is_extended));
     const glm::dvec3 half_m = is_extended ? 0.5 * luminaire.opening.size_m() : glm::dvec3(0.0);
+    const glm::dmat3& axes = luminaire.world_from_luminaire;
     sources_.push_back(
-        {glm::vec3(luminaire.position_m), glm::vec3(-luminaire.world_from_luminaire[2]),
-         glm::mat3(glm::transpose(luminaire.world_from_luminaire)), glm::vec3(half_m),
-         static_cast<float>(glm::length(half_m)), static_cast<float>(luminaire.flux_scale),
-         entry->second, luminaire.channel});
+        {glm::vec3(luminaire.position_m), glm::vec3(axes[0]), glm::vec3(axes[1]),
+         glm::vec3(axes[2]), glm::vec3(half_m), static_cast<float>(glm::length(half_m)),
+         static_cast<float>(luminaire.flux_scale), entry->second, luminaire.channel});
   }
 }
 
@@ -41,11 +40,13 @@ LuminaireChoice::Lobe LuminaireChoice::lobe_of(const PhotometricWeb& web, bool i
   if (web.axis() != TableAxis::vertical) return lobe;
   const std::vector<double>& gamma = web.gamma_rad();
   const std::size_t planes = web.c_rad().size();
-  for (std::size_t band = 0; band < kBands; ++band) {
+  for (std::size_t band = 0; band < choice_terms::kChoiceBands; ++band) {
     const auto edge = [](std::size_t k) {
-      return calc::acos(std::clamp(1.0 - 2.0 * static_cast<double>(k) / kBands, -1.0, 1.0));
+      return calc::acos(
+          std::clamp(1.0 - 2.0 * static_cast<double>(k) / choice_terms::kChoiceBands, -1.0, 1.0));
     };
-    const double from = edge(band > 0 ? band - 1 : 0), to = edge(std::min(band + 2, kBands));
+    const double from = edge(band > 0 ? band - 1 : 0),
+                 to = edge(std::min(band + 2, choice_terms::kChoiceBands));
     // Interpolated between the entries before and behind.
     const auto behind = std::lower_bound(gamma.begin(), gamma.end(), to);
     const auto before = std::upper_bound(gamma.begin(), gamma.end(), from);
@@ -67,43 +68,6 @@ LuminaireChoice::Lobe LuminaireChoice::lobe_of(const PhotometricWeb& web, bool i
   return lobe;
 }
 
-float LuminaireChoice::most_lx(const Source& source, const glm::vec3& position_m,
-                               const glm::vec3& normal) const {
-  const glm::vec3 way = source.position_m - position_m;
-  const float height_m = glm::dot(normal, way) + source.reach_m;
-  const float centre2 = glm::dot(way, way);
-  const float distance2 = centre2 + source.reach_m * source.reach_m;
-  if (!(height_m > 0.0f) || !(distance2 > 0.0f)) return 0.0f;
-  if (centre2 < 4.0f * source.reach_m * source.reach_m) return most_nearby_lx(source, way);
-  const float cosine = -glm::dot(source.axis, way) / std::sqrt(std::max(centre2, 1e-30f));
-  const float place = (1.0f - cosine) * (0.5f * static_cast<float>(kBands));
-  const auto band =
-      static_cast<std::size_t>(std::clamp(place, 0.0f, static_cast<float>(kBands - 1)));
-  return source.scale * lobes_[source.lobe].most_cd[band] * height_m /
-         (distance2 * std::sqrt(distance2));
-}
-
-// Nearer than the opening is long: the intensity of as much of each side as is about as near as the
-// nearest place, at that distance. Where that is next to 0 it is four luminances.
-float LuminaireChoice::most_nearby_lx(const Source& source, const glm::vec3& way) const {
-  const glm::vec3 at = glm::abs(source.luminaire_from_world * way);
-  constexpr float kLeast = 1e-6f;  // of half the diagonal: a line has no width
-  const float distance_m =
-      std::max(glm::length(glm::max(at - source.half_m, 0.0f)), kLeast * source.reach_m);
-  const glm::vec3& half = source.half_m;
-  const float shortest = std::min({half.x, half.y, half.z});
-  float share_per_m2 = 1.0f;
-  bool is_shortest_left_out = false;  // of three sides the two longer ones count
-  for (glm::length_t axis = 0; axis < 3; ++axis) {
-    if (!is_shortest_left_out && half[axis] == shortest) {
-      is_shortest_left_out = true;
-    } else {
-      share_per_m2 /= std::max(half[axis], distance_m);
-    }
-  }
-  return source.scale * lobes_[source.lobe].largest_cd * share_per_m2;
-}
-
 std::optional<LuminaireChoice::Choice> LuminaireChoice::choose(const glm::dvec3& position_m,
                                                                const glm::dvec3& normal,
                                                                double u) const {
@@ -115,7 +79,7 @@ std::optional<LuminaireChoice::Choice> LuminaireChoice::choose(const glm::dvec3&
   channel_weight.assign(channels_, 0.0);
   const glm::vec3 at(position_m), facing(normal);
   for (std::size_t l = 0; l < sources_.size(); ++l) {
-    weight[l] = most_lx(sources_[l], at, facing);
+    weight[l] = choice_terms::choice_most_lx(sources_[l], lobes_[sources_[l].lobe], at, facing);
     channel_weight[sources_[l].channel] += static_cast<double>(weight[l]);
   }
   double all = 0.0;

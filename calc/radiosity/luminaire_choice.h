@@ -1,14 +1,14 @@
 #pragma once
 // Which luminaire a surface point asks for its light, when it asks one for all.
 
+#include "calc/radiosity/choice_terms.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace calc {
@@ -20,6 +20,9 @@ namespace calc {
 // one sample is never more than twice the sum of what all could send.  [METHOD, 2.4]
 class LuminaireChoice {
  public:
+  using Lobe = choice_terms::ChoiceLobe;
+  using Source = choice_terms::ChoiceSource;
+
   // The scene must outlive it.
   explicit LuminaireChoice(const PreparedScene& scene);
 
@@ -31,23 +34,12 @@ class LuminaireChoice {
   std::optional<Choice> choose(const glm::dvec3& position_m, const glm::dvec3& normal,
                                double u) const;
 
+  // What it goes by, for devices: [luminaire], and the lobes that they name.
+  std::span<const Source> sources() const { return sources_; }
+  std::span<const Lobe> lobes() const { return lobes_; }
+
  private:
-  static constexpr std::size_t kBands = 32;  // of equal solid angle
-  struct Lobe {
-    std::array<float, kBands> most_cd;  // over the band and its neighbours
-    float largest_cd;
-  };
-  struct Source {
-    glm::vec3 position_m, axis;
-    glm::mat3 luminaire_from_world;
-    glm::vec3 half_m;  // half sizes of its opening along its axes
-    float reach_m;     // half the diagonal of its opening
-    float scale;
-    std::uint32_t lobe, channel;
-  };
   static Lobe lobe_of(const PhotometricWeb& web, bool is_extended);
-  float most_lx(const Source& source, const glm::vec3& position_m, const glm::vec3& normal) const;
-  float most_nearby_lx(const Source& source, const glm::vec3& way) const;
 
   std::vector<Source> sources_;
   std::vector<Lobe> lobes_;

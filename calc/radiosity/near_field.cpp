@@ -25,8 +25,6 @@ namespace {
 // within 2 %]
 constexpr double kKappa = 0.01;
 constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; never a result
-// Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
-constexpr std::uint32_t kFarDraws = 4;
 
 // Chains of short rays are short, but between surfaces that reflect everything.
 constexpr std::uint64_t kHitsPerLookAtTheClock = 1024;
@@ -95,12 +93,49 @@ double receiver_geometry(const Receiver& receiver, const SurfaceHit& hit) {
                              hit.position_m - receiver.position_m);
 }
 
-// Light of one short ray's hit, and of further short rays from there.
-std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKey ray_key,
-                      double weight, double* sums, std::size_t stride) {
+// A chain of short rays at one of the places that it meets.
+struct Chain {
+  SurfaceHit at;
+  double g;       // geometry term between it and the place before
+  double weight;  // of its light
+};
+
+// Light at a chain's place, and one more ray from there to the next; false: the chain ends. Of the
+// first step shaders/hit_bounds.glsl and those after it do the same.
+bool add_step(const NearField& field, RandomKey ray_key, std::uint64_t depth, Chain& chain,
+              double* sums, std::size_t stride, std::uint64_t& rays) {
   const Tracer& tracer = field.tracer;
+  const SurfaceHit at = chain.at;
+  const double rho = tracer.scene().reflectance[at.triangle];
+  if (rho <= 0.0 || chain.g <= field.bound.smallest()) return false;
+  const RandomKey key = ray_key.with(depth);
+  // Roulette with survival probability `factor`, so that the weight stays; the first step is always
+  // taken, and weighs less.
+  const double roulette = depth == 0 ? 0.0 : key.with(0).uniform();
+  // To find the bound takes rays, and it is no smaller than the smallest.
+  if (roulette >= (1.0 - field.bound.smallest() / chain.g) * rho) return false;
+  const double missing = 1.0 - field.bound.at(at.position_m, at.normal) / chain.g;
+  if (missing <= 0.0) return false;
+  const double factor = missing * rho;
+  if (roulette >= factor) return false;
+  if (depth == 0) chain.weight *= factor;
+  rays += add_direct_draw(field, at, key.with(1), chain.weight, sums, stride);
+  rays += add_far_draws(field, at, key.with(2).uniform(), chain.weight, sums, stride);
+  ++rays;
+  if (!tracer.closest_hit(tracer.lift(at.position_m, at.normal),
+                          cosine_direction(at.normal, key.with(3).uniform(), key.with(4).uniform()),
+                          field.bound.reach_m(), chain.at)) {
+    return false;
+  }
+  chain.g = geometry_term(at.position_m, at.normal, chain.at.position_m, chain.at.normal);
+  return true;
+}
+
+// Light of a chain from one of its places on.
+std::uint64_t add_chain(const NearField& field, Chain chain, std::uint64_t first_depth,
+                        RandomKey ray_key, double* sums, std::size_t stride) {
   std::uint64_t rays = 0;
-  for (std::uint64_t depth = 0;; ++depth) {
+  for (std::uint64_t depth = first_depth;; ++depth) {
     if (depth >= kMostReflections) {
       if (field.has_endless_chain != nullptr) *field.has_endless_chain = true;
       break;
@@ -108,31 +143,55 @@ std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKe
     if (depth % kHitsPerLookAtTheClock == kHitsPerLookAtTheClock - 1 && is_past(field.deadline_s)) {
       break;
     }
-    const double rho = tracer.scene().reflectance[hit.triangle];
-    if (rho <= 0.0 || g <= field.bound.smallest()) break;
-    const double missing = 1.0 - field.bound.at(hit.position_m, hit.normal) / g;
-    if (missing <= 0.0) break;
-
-    const RandomKey key = ray_key.with(depth);
-    const double factor = missing * rho;
-    if (depth == 0) {
-      weight *= factor;
-    } else if (key.with(0).uniform() >= factor) {
-      break;  // roulette with survival probability `factor`: the weight stays
-    }
-    rays += add_direct_draw(field, hit, key.with(1), weight, sums, stride);
-    rays += add_far_draws(field, hit, key.with(2).uniform(), weight, sums, stride);
-    const glm::dvec3 position = hit.position_m;
-    const glm::dvec3 normal = hit.normal;
-    ++rays;
-    if (!tracer.closest_hit(tracer.lift(position, normal),
-                            cosine_direction(normal, key.with(3).uniform(), key.with(4).uniform()),
-                            field.bound.reach_m(), hit)) {
-      break;
-    }
-    g = geometry_term(position, normal, hit.position_m, hit.normal);
+    if (!add_step(field, ray_key, depth, chain, sums, stride, rays)) break;
   }
   return rays;
+}
+
+// What a device found of light from afar; returns the rays it traced.
+std::uint64_t add_found_draws(const NearField& field, const HitLight& light, double* sums,
+                              std::size_t stride) {
+  std::uint64_t rays = 0;
+  for (const HitLight::Draw& draw : light.draws) {
+    if (draw.which == HitLight::kNothing) continue;
+    ++rays;
+    if (draw.which == HitLight::kHidden) continue;
+    std::uint32_t channel = draw.which;
+    float lm_per_m2 = draw.value;
+    if (draw.bounded_per_m2 > 0.0f) {
+      const LightVertex& v = field.tree.vertices()[draw.which];
+      channel = v.channel;
+      lm_per_m2 =
+          draw.value * v.flux_lm * field.vertex_bounds.limited(draw.which, draw.bounded_per_m2);
+    }
+    sums[channel * stride] += light.weight * static_cast<double>(lm_per_m2) / kPi;
+  }
+  return field.tracer.has_shadows() ? rays : 0;
+}
+
+// A chain whose first step a device did.
+std::uint64_t add_found(const NearField& field, const HitLight& light, RandomKey ray_key,
+                        double* sums, std::size_t stride) {
+  if (!(light.weight > 0.0)) return 0;
+  std::uint64_t rays = 1;  // the further one
+  const Tracer& tracer = field.tracer;
+  const auto hit = [&] {
+    return tracer.surface_hit(light.triangle_and_side, light.place.u, light.place.v);
+  };
+  if (light.luminaire == HitLight::kLeft) {
+    rays += add_direct_draw(field, hit(), ray_key.with(0).with(1), light.weight, sums, stride);
+  } else if (light.luminaire != HitLight::kNothing) {
+    rays += tracer.has_shadows() ? 1 : 0;
+    if (light.luminaire != HitLight::kHidden) {
+      sums[tracer.scene().luminaires[light.luminaire].channel * stride] += light.direct_lx;
+    }
+  }
+  rays += add_found_draws(field, light, sums, stride);
+  if (light.next_triangle_and_side == HitLight::kNothing) return rays;
+  const SurfaceHit at = hit(), next = tracer.surface_hit(light.next_triangle_and_side,
+                                                         light.next_place.u, light.next_place.v);
+  const double g = geometry_term(at.position_m, at.normal, next.position_m, next.normal);
+  return rays + add_chain(field, {next, g, light.weight}, 1, ray_key, sums, stride);
 }
 
 double sum_of_channels(const double* sums, std::size_t stride, std::size_t channels) {
@@ -159,27 +218,32 @@ GeometryBound::GeometryBound(const Tracer& tracer, const Emitter& emitter, std::
   }
 }
 
+GeometryBound::Terms GeometryBound::terms() const {
+  const auto luminaires = static_cast<double>(tracer_.scene().luminaires.size());
+  return {smallest_, vertices_per_lumen_, ambient_per_m2_,
+          (smallest_ - ambient_per_m2_) / vertices_per_lumen_,
+          smallest_ / (vertices_per_lumen_ * luminaires)};
+}
+
+// shaders/hit_bounds.glsl does the same.
 double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const {
   const auto& luminaires = tracer_.scene().luminaires;
-  // Without a single ray: could all luminaires together lift the bound above the smallest one?
-  const double needed_lx = (smallest_ - ambient_per_m2_) / vertices_per_lumen_;
+  const auto [smallest, vertices_per_lumen, ambient_per_m2, needed_lx, least_lx] = terms();
+  // Without a single ray.
   double most_lx = 0.0;
   for (const PlacedLuminaire& luminaire : luminaires)
     most_lx += most_of(luminaire, position_m, normal);
-  if (most_lx <= needed_lx) return smallest_;
-  // A luminaire that could not lift the bound by its share of the smallest one is not worth a look.
-  const double smallest_lx =
-      smallest_ / (vertices_per_lumen_ * static_cast<double>(luminaires.size()));
+  if (most_lx <= needed_lx) return smallest;
   double direct_lx = 0.0;
   for (const PlacedLuminaire& luminaire : luminaires) {
-    if (most_of(luminaire, position_m, normal) < smallest_lx) continue;
+    if (most_of(luminaire, position_m, normal) < least_lx) continue;
     const double lx = point_illuminance_lx(luminaire, luminaire.position_m, {position_m, normal});
-    if (lx < smallest_lx) continue;
+    if (lx < least_lx) continue;
     const glm::dvec3 source =
         lifted_source_m(luminaire, luminaire.position_m, position_m, tracer_.offset_m());
     if (!tracer_.is_blocked(position_m, source, kHitToSource)) direct_lx += lx;
   }
-  return std::max(smallest_, vertices_per_lumen_ * direct_lx + ambient_per_m2_);
+  return std::max(smallest, vertices_per_lumen * direct_lx + ambient_per_m2);
 }
 
 double near_reach_m(const SurfaceSummary& surfaces) {
@@ -188,26 +252,23 @@ double near_reach_m(const SurfaceSummary& surfaces) {
 }
 
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
-                             const FirstHit* first_hits, double* sums, std::size_t stride,
-                             float& largest) {
-  const ScrambledSobol sobol(request.key);
-  const double ray_weight = 1.0 / request.rays;
+                             std::optional<std::span<const HitLight>> found, double* sums,
+                             std::size_t stride, float& largest) {
   std::uint64_t rays = request.rays;
-  const auto add = [&](std::uint32_t k, const SurfaceHit& hit, double weight) {
+  const auto add = [&](const auto& add_ray) {  // which adds one ray's light
     const double before = sum_of_channels(sums, stride, field.channels);
-    rays += add_hit(field, hit, receiver_geometry(request.receiver, hit), request.key.with(k),
-                    weight, sums, stride);
+    rays += add_ray();
     const double added = sum_of_channels(sums, stride, field.channels) - before;
     largest = std::max(largest, static_cast<float>(added));
   };
-  if (first_hits != nullptr) {
-    for (std::uint32_t k = 0; k < request.rays; ++k) {
-      if (first_hits[k].triangle_and_side == FirstHit::kNothing) continue;
-      const FirstRay ray = first_ray(field.tracer, request.receiver, sobol.sample_pair(k, 0));
-      add(k, field.tracer.surface_hit(first_hits[k]), ray_weight * ray.weight);
+  if (found) {
+    for (const HitLight& light : *found) {
+      add([&] { return add_found(field, light, request.key.with(light.ray), sums, stride); });
     }
     return rays;
   }
+  const ScrambledSobol sobol(request.key);
+  const double ray_weight = 1.0 / request.rays;
   // A point may lie in a surface that it does not look out of: that surface is not in its way.
   const auto least_m = static_cast<float>(field.tracer.offset_m());
   const auto most_m = static_cast<float>(field.bound.reach_m());
@@ -224,7 +285,10 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
     std::uint32_t hits = field.tracer.closest_hits(packet, least_m, most_m, hit);
     for (; hits != 0; hits &= hits - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(hits));
-      add(first + k, hit[k], weight[k]);
+      add([&] {
+        return add_chain(field, {hit[k], receiver_geometry(request.receiver, hit[k]), weight[k]}, 0,
+                         request.key.with(first + k), sums, stride);
+      });
     }
   }
   return rays;

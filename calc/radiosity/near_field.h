@@ -18,6 +18,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace calc {
@@ -43,6 +44,17 @@ class GeometryBound {
   double at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const;
   // No bound is smaller.
   double smallest() const { return smallest_; }
+  // What at_lifted() goes by besides the scene, for devices.
+  struct Terms {
+    double smallest_per_m2 = 1.0;
+    double vertices_per_lumen = 0.0;  // kappa N / Phi
+    double ambient_per_m2 = 0.0;      // kappa N E_amb / Phi
+    // What all luminaires together have to send to lift the bound above the smallest one.
+    double needed_lx = 0.0;
+    // What is left out of one: it could not lift the bound by its share of the smallest one.
+    double least_lx = 0.0;
+  };
+  Terms terms() const;
   // Beyond this distance no geometry term exceeds any bound.
   double reach_m() const { return reach_m_; }
 
@@ -83,10 +95,10 @@ double near_reach_m(const SurfaceSummary& surfaces);
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
 // where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the
 // pool and E_near(y) one more ray, ended by roulette on its weight. largest: raised to the largest
-// single ray's contribution. Returns the rays traced. first_hits: of a ShortRayCaster, one per ray;
-// null: they are traced here.
+// single ray's contribution. Returns the rays traced. found: of a ShortRayCaster, this
+// request's; none: the rays are traced here.
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
-                             const FirstHit* first_hits, double* sums, std::size_t stride,
-                             float& largest);
+                             std::optional<std::span<const HitLight>> found, double* sums,
+                             std::size_t stride, float& largest);
 
 }  // namespace calc

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace calc {
 namespace {
@@ -126,14 +127,21 @@ std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatc
                          {sums.lx.data(), tile.point.size(), sums.largest_lx.data()});
 }
 
-// First hits of short rays of some tiles; there are none if add_near_field() traces them itself.
+// Light at hits of short rays of some tiles, request by request, as far as a device found it.
 struct PlaneWork::ShortRays {
-  std::vector<FirstHit> hits;
-  std::vector<std::size_t> first_hit{};  // per tile
-  std::size_t last_tile = 0;             // the first that is not among them
+  bool is_found = false;      // else add_near_field() traces them itself
+  std::size_t last_tile = 0;  // the first that is not among them
+  std::vector<HitLight> lights{};
+  std::uint32_t next_request = 0;
+  std::size_t next_light = 0;
 
-  const FirstHit* of(std::size_t tile) const {
-    return hits.empty() ? nullptr : hits.data() + first_hit[tile];
+  // Of the next request.
+  std::optional<std::span<const HitLight>> next() {
+    if (!is_found) return std::nullopt;
+    const std::size_t first = next_light;
+    while (next_light < lights.size() && lights[next_light].request == next_request) ++next_light;
+    ++next_request;
+    return std::span<const HitLight>(lights).subspan(first, next_light - first);
   }
 };
 
@@ -148,12 +156,19 @@ NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t 
           short_rays_per_point(draws, clear_m, reach_m_, sums_.short_ray_factor[i])};
 }
 
+NearField PlaneWork::near_field(const VertexBatch& batch) const {
+  return {tracer_,    *batch.near_bound, batch.luminaires,
+          batch.tree, batch.bounds,      batch.global_cut,
+          channels(), batch.deadline_s,  batch.has_endless_chain};
+}
+
 // Of all these tiles, or of so many that their rays fill a cast: hits take memory on every thread.
 PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                                                 const VertexBatch& batch) const {
   ShortRays result;
   result.last_tile = last_tile;
-  if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return result;
+  result.is_found = batch.short_rays != nullptr && reach_m_ > 0.0;
+  if (!result.is_found) return result;
   std::vector<NearFieldRequest> requests;
   std::vector<std::size_t> first_ray{0};  // of each request
   for (std::size_t t = first_tile; t < last_tile; ++t) {
@@ -161,7 +176,6 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
       result.last_tile = t;
       break;
     }
-    result.first_hit.push_back(first_ray.back());
     for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
       const NearFieldRequest request = near_request(tiles_[t], k, batch);
       if (request.rays == 0) continue;
@@ -169,34 +183,32 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
       first_ray.push_back(first_ray.back() + request.rays);
     }
   }
-  result.hits.assign(first_ray.back(), {FirstHit::kNotDone});
+  const NearField field = near_field(batch);
   for (std::size_t first = 0, last = 0; first < requests.size(); first = last) {
     for (last = first + 1; last < requests.size(); ++last) {
       if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
     }
-    batch.short_rays->cast(
-        tracer_, static_cast<float>(tracer_.offset_m()),
-        static_cast<float>(batch.near_bound->reach_m()),
-        std::span(requests).subspan(first, last - first),
-        std::span(result.hits).subspan(first_ray[first], first_ray[last] - first_ray[first]));
+    const std::size_t before = result.lights.size();
+    batch.short_rays->find_light(field, std::span(requests).subspan(first, last - first),
+                                 result.lights);
+    for (std::size_t k = before; k < result.lights.size(); ++k) {
+      result.lights[k].request += static_cast<std::uint32_t>(first);
+    }
   }
   return result;
 }
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
-                                  const FirstHit* first_hits, TileSums& sums) const {
-  const NearField field{tracer_,    *batch.near_bound, batch.luminaires,
-                        batch.tree, batch.bounds,      batch.global_cut,
-                        channels(), batch.deadline_s,  batch.has_endless_chain};
+                                  ShortRays& short_rays, TileSums& sums) const {
+  const NearField field = near_field(batch);
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
     const NearFieldRequest request = near_request(tile, k, batch);
     if (request.rays == 0) continue;
     const double drawn_lx = sums.all_channels_lx(k, tile.point.size());
-    rays += add_near_field(field, request, first_hits, &sums.lx[k], tile.point.size(),
+    rays += add_near_field(field, request, short_rays.next(), &sums.lx[k], tile.point.size(),
                            sums.largest_lx[k]);
     sums.near_lx[k] = sums.all_channels_lx(k, tile.point.size()) - drawn_lx;
-    if (first_hits != nullptr) first_hits += request.rays;
   }
   return rays;
 }
@@ -232,12 +244,12 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
       connection_rays += connect_tiles(range.begin(), range.end(), batch, gatherer, sums);
       const double middle_s = now_s();
       for (std::size_t first = range.begin(); first < range.end();) {
-        const ShortRays short_rays = cast_short_rays(first, range.end(), batch);
+        ShortRays short_rays = cast_short_rays(first, range.end(), batch);
         for (std::size_t t = first; t < short_rays.last_tile; ++t) {
           TileSums& sum = sums[t - range.begin()];
           if (is_past(batch.deadline_s)) return;
           if (reach_m_ > 0.0) {
-            near_rays += add_near(tiles_[t], batch, short_rays.of(t - first), sum);
+            near_rays += add_near(tiles_[t], batch, short_rays, sum);
           }
           store(tiles_[t], batch, sum);
         }

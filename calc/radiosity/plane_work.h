@@ -120,10 +120,11 @@ class PlaneWork {
                                 const VertexBatch& batch) const;
   struct ShortRays;
   std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const;
+  NearField near_field(const VertexBatch& batch) const;
   ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                             const VertexBatch& batch) const;
-  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch,
-                         const FirstHit* first_hits, TileSums& sums) const;
+  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch, ShortRays& short_rays,
+                         TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
   void share_short_rays(std::uint64_t batch_paths);
   double possible_sample_lx(std::size_t point) const;

@@ -48,10 +48,15 @@ SurfaceHit Tracer::surface_hit(const TriangleHit& hit, const glm::dvec3& directi
 }
 
 SurfaceHit Tracer::surface_hit(const FirstHit& first) const {
-  const std::uint32_t triangle = first.triangle_and_side & ~FirstHit::kFromBehind;
+  return surface_hit(first.triangle_and_side, static_cast<double>(first.u),
+                     static_cast<double>(first.v));
+}
+
+SurfaceHit Tracer::surface_hit(std::uint32_t triangle_and_side, double u, double v) const {
+  const std::uint32_t triangle = triangle_and_side & ~FirstHit::kFromBehind;
   const glm::dvec3& normal = triangle_normal_[triangle];
-  return {triangle, point_on(triangle, static_cast<double>(first.u), static_cast<double>(first.v)),
-          (first.triangle_and_side & FirstHit::kFromBehind) == 0 ? normal : -normal};
+  return {triangle, point_on(triangle, u, v),
+          (triangle_and_side & FirstHit::kFromBehind) == 0 ? normal : -normal};
 }
 
 std::uint32_t Tracer::closest_hits(const RayPacket& packet, float least_m, float most_m,

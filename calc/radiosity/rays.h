@@ -134,6 +134,7 @@ class Tracer {
 
   // What a ShortRayCaster found: a + u (b - a) + v (c - a) for the triangle's corners a, b, c.
   SurfaceHit surface_hit(const FirstHit& first) const;
+  SurfaceHit surface_hit(std::uint32_t triangle_and_side, double u, double v) const;
 
   // Distance from a point to the nearest surface that reaches in front of the plane through it with
   // this unit normal (0 = all around); most_m if there is none within. Never too large.

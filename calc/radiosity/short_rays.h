@@ -1,15 +1,19 @@
 #pragma once
-// The seam between the near field and whatever finds what the first short rays meet: CPU in
-// near_field.cpp, point by point, or OpenGL in gpu/, many points at once.
+// The seam between the near field and whatever finds what the first short rays meet, and the light
+// there: CPU in near_field.cpp, point by point, or OpenGL in gpu/, many points at once.
 
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace calc {
+
+struct NearField;
 
 // One point's near-field part for one batch of light vertices.
 struct NearFieldRequest {
@@ -30,7 +34,45 @@ struct FirstHit {
 };
 static_assert(sizeof(FirstHit) == 12);
 
-// Rays of one call to ShortRayCaster::cast(): enough for a large device, 12 MiB of hits.
+// Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
+inline constexpr std::uint32_t kFarDraws = 4;
+
+// What a first ray's hit gave: the first step of its chain (see add_near_field()), but for what
+// only the CPU can finish. Words of 4 bytes, as devices write them, each kNotDone before.
+struct HitLight {
+  // In place of a number: nothing, without a ray; a ray, but something stood between.
+  static constexpr std::uint32_t kNothing = FirstHit::kNothing, kNotDone = FirstHit::kNotDone;
+  static constexpr std::uint32_t kHidden = 0xffff'fffd;
+  // The CPU has to ask the luminaire: too near for a device.
+  static constexpr std::uint32_t kLeft = 0xffff'fffc;
+
+  // One of the vertices that the hit's light from afar is drawn from.
+  struct Draw {
+    std::uint32_t which;  // the vertex's channel, or the vertex; kNothing, kHidden
+    float value;          // lm / m2 of the vertex with its weight; or Connection::weight
+    float
+        bounded_per_m2;  // 0; or the geometry term, above the lowest bound: the CPU has to find it
+  };
+
+  // On a triangle, as in FirstHit, but not rounded: what hangs on it is compared with the CPU's.
+  struct Place {
+    double u, v;
+  };
+
+  std::uint32_t triangle_and_side;  // as FirstHit's
+  std::uint32_t request, ray;       // the request's number in the call, the ray's of the request
+  std::uint32_t luminaire;          // asked for direct light; kNothing, kHidden, kLeft
+  Place place;
+  double weight;     // of all light from there; 0: none, and nothing below is said
+  double direct_lx;  // from that luminaire, with the weight
+  // What the further ray meets; kNothing: the chain ends.
+  Place next_place;
+  std::uint32_t next_triangle_and_side;
+  std::array<Draw, kFarDraws + 1> draws;  // one more: rounding may let it in
+};
+static_assert(sizeof(HitLight) == 128);
+
+// Rays of one call to ShortRayCaster: enough for a large device, 12 MiB of hits.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 20;
 
 class ShortRayCaster {
@@ -43,6 +85,12 @@ class ShortRayCaster {
   // several threads at once. May throw BackendFailure.
   virtual void cast(const Tracer& tracer, float least_m, float most_m,
                     std::span<const NearFieldRequest> requests, std::span<FirstHit> hits) = 0;
+
+  // The same rays within the reach of the field's bound, and the light at their hits: appends those
+  // that may give any, in the order of rays. Each is a function of its ray alone. Past the field's
+  // deadline what is there is worth nothing.
+  virtual void find_light(const NearField& field, std::span<const NearFieldRequest> requests,
+                          std::vector<HitLight>& found) = 0;
 };
 
 }  // namespace calc

@@ -12,15 +12,8 @@ struct ChunkSum {
 
 void add_sample(inout ChunkSum sum, Lamp lamp, View view, Point point, vec3 from_m, double s,
                 double t, double weight) {
-  const OpeningPoint source = opening_point(lamp, view, s, t);
-  double lx = point_illuminance_lx(lamp, source.position_m, point);
   vec3 to_m;
-  if (lamp.shape < SHAPE_BOX) {
-    to_m = vec3(lifted_source_m(lamp, source.position_m, point.position_m));
-  } else {
-    lx *= view_weight(lamp, view, source, normalize(point.position_m - source.position_m));
-    to_m = vec3(source.position_m + offset_of_rays_m() * source.normal);
-  }
+  const double lx = opening_lx(lamp, view, point, s, t, to_m);
   if (!(lx > DBL(0.0))) return;
   sum.flags |= CHUNK_IS_LIT;
   if (has_shadows != 0u) {
@@ -54,7 +47,7 @@ ChunkSum sampled(uvec4 chunk, uint replicate) {
     const uint samples = cell_samples(at);
     const uint after = before + samples * (last_round - first_round);
     const uvec2 cell_key = key_with(key, cell);
-    const uint scramble_s = key_with(cell_key, 0u).y, scramble_t = key_with(cell_key, 1u).y;
+    const uint scramble_s = key_with(cell_key, PART_0).y, scramble_t = key_with(cell_key, PART_1).y;
     const double weight = at.cell.size_s * at.cell.size_t / double(samples);
     for (uint j = max(begin, before); j < min(end, after); ++j) {
       const uint i = first_round * samples + (j - before);

@@ -32,8 +32,8 @@ double sample_of_lamp(uint index, Point point, double sum_lx, double wanted_lx, 
     const bool is_last = !go_on(place);
     if (!is_last && !(sum_lx > wanted_lx)) continue;
     if (!(rest_lx > DBL(0.0))) return DBL(0.0);
-    return weight_lx / rest_lx * rest_at_lx(lamp, point, part, fraction_of(key_with(key, 1u)),
-                                            fraction_of(key_with(key, 2u)));
+    return weight_lx / rest_lx * rest_at_lx(lamp, point, part, fraction_of(key_with(key, PART_1)),
+                                            fraction_of(key_with(key, PART_2)));
   }
   is_cut = true;
   return DBL(0.0);
@@ -51,7 +51,7 @@ double round_lx(uint p, Point point, uint channel, uvec2 key, uint samples, doub
     for (; k < samples; ++k) {
       if (wanted_lx < DBL(0.0)) {
         sample_key = key_with(key, k);
-        wanted_lx = (double(k) + fraction_of(key_with(sample_key, 0u))) / double(samples) * rest_lx;
+        wanted_lx = (double(k) + fraction_of(key_with(sample_key, PART_0))) / double(samples) * rest_lx;
       }
       if (!(up_to_lx > wanted_lx) && up_to_lx < rest_lx) break;
       sum_lx += sample_of_lamp(lamp, point, passed_lx, wanted_lx, rest_lx / double(samples),
@@ -87,8 +87,8 @@ void main() {
   if (rest_lx > DBL(0.0)) {
     const Point point = point_of(p);
     uvec2 key = key_with(point.key, replicate);
-    key = key_with(key, 4u);  // "rest", as calc::RandomKey::with() takes words
-    key = key_with(key_with(key_with(key_with(key, 114u), 101u), 115u), 116u);
+    key = key_with(key, PART_4);  // "rest", as calc::RandomKey::with() takes words
+    key = key_with(key_with(key_with(key_with(key, PART_114), PART_101), PART_115), PART_116);
     key = key_with(key, channel);
     const uint samples = rest_samples(rest_lx, known_sum_lx[known_at]);
     for (uint number = first_round; number < last_round; ++number) {

@@ -1,8 +1,7 @@
-// Direct light of a luminaire at a calculation point: calc::point_illuminance_lx() and
+// Direct light of a luminaire at a point: calc::point_illuminance_lx() and
 // calc::PhotometricWeb::intensity_cd() in double, calc::WebSketch in float, from the tables of
 // lamp_tables.h.
 
-layout(std430, binding = 2) readonly buffer Points { uvec4 point_words[]; };
 layout(std430, binding = 5) readonly buffer Sketches { float sketch_cd[]; };
 
 const double kPi = DBL(0.5) * kTwoPi;
@@ -12,17 +11,6 @@ struct Point {
   uint kernel;
   uvec2 key;  // low, high
 };
-
-Point point_of(uint p) {
-  const uvec4 a = point_words[4u * p], b = point_words[4u * p + 1u], c = point_words[4u * p + 2u],
-              d = point_words[4u * p + 3u];
-  Point point;
-  point.position_m = dvec3(packDouble2x32(a.xy), packDouble2x32(a.zw), packDouble2x32(b.xy));
-  point.axis = dvec3(packDouble2x32(b.zw), packDouble2x32(c.xy), packDouble2x32(c.zw));
-  point.kernel = d.x;
-  point.key = d.yz;
-  return point;
-}
 
 // calc::Tracer::lift()
 dvec3 lifted_point_m(Point point) {
@@ -35,9 +23,6 @@ struct Lamp {
   uint shape, channel, web, at;
   double flux_scale;
 };
-
-// Whether this pass asks for it.
-bool is_asked(uint lamp) { return word[ASKED_AT + lamp] != 0u; }
 
 uint channel_of(uint lamp) { return uint(entry[LAMPS_AT + LAMP_SIZE * lamp + 16u]); }
 

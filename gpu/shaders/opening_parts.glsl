@@ -287,6 +287,20 @@ double view_weight(Lamp lamp, View view, OpeningPoint at, dvec3 direction) {
   return view.outline_m2 / outline_of(lamp, in_lamp(lamp, direction)) * leaving / facing;
 }
 
+// Light of one of its points with all of the luminaire's light in it, and where shadow rays to it
+// end: add_opening_point() of direct.cpp.
+double opening_lx(Lamp lamp, View view, Point point, double s, double t, out vec3 to_m) {
+  const OpeningPoint source = opening_point(lamp, view, s, t);
+  double lx = point_illuminance_lx(lamp, source.position_m, point);
+  if (lamp.shape < SHAPE_BOX) {
+    to_m = vec3(lifted_source_m(lamp, source.position_m, point.position_m));
+  } else {
+    lx *= view_weight(lamp, view, source, normalize(point.position_m - source.position_m));
+    to_m = vec3(source.position_m + offset_of_rays_m() * source.normal);
+  }
+  return lx;
+}
+
 struct CellExtent {
   dvec3 centre_m;
   double diameter_m, length_s_m, length_t_m;
@@ -338,6 +352,7 @@ bool go_on(View view, inout Walk walk) {
 struct CellAt {
   Cell cell;
   bool is_leaf;
+  dvec3 centre_m;
   double diameter_m, distance_m;
 };
 
@@ -345,6 +360,7 @@ CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
   CellAt result;
   if (view.size_m <= view.distance_m) {
     result.cell = kWholeOpening;
+    result.centre_m = lamp.centre_m;
     result.diameter_m = view.size_m;
     result.distance_m = view.distance_m;
     result.is_leaf = true;
@@ -358,6 +374,7 @@ CellAt cell_at(Lamp lamp, View view, dvec3 point_m, Walk walk) {
     result.cell = half_of(result.cell, extent.length_s_m >= ALIKE_SIDES * extent.length_t_m,
                           is_second_half(walk.place, step));
   }
+  result.centre_m = extent.centre_m;
   result.diameter_m = extent.diameter_m;
   result.distance_m = length(extent.centre_m - point_m);
   result.is_leaf = result.diameter_m <= result.distance_m;

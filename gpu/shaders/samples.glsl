@@ -25,7 +25,10 @@ uvec2 mix_bits(uvec2 x) {
   return folded(x, 31u);
 }
 
-uvec2 key_with(uvec2 key, uint part) { return mix_bits(key ^ mix_bits(uvec2(part, 0u))); }
+// mixed: PART_3 for a part that is the literal 3. Mesa 22.3 leaves the high word of umulExtended() out
+// where it works out constants.
+uvec2 key_with(uvec2 key, uvec2 mixed) { return mix_bits(key ^ mixed); }
+uvec2 key_with(uvec2 key, uint part) { return key_with(key, mix_bits(uvec2(part, 0u))); }
 
 // In [0, 1), 53 bits.
 double fraction_of(uvec2 key) {

@@ -11,13 +11,18 @@ bool is_met_in_front(uint triangle, vec3 along) {
              dvec3(along)) < DBL(0.0);
 }
 
-// Towards the side that the ray came from. By sign bits, which zeros have too: cosine_direction()
-// looks at them.
-dvec3 facing_normal(uint triangle, vec3 along) {
-  const uint flip = is_met_in_front(triangle, along) ? 0u : 0x80000000u;
+// On one of the triangle's sides. By sign bits, which zeros have too: cosine_direction() looks at
+// them.
+dvec3 normal_of(uint triangle, bool is_front) {
+  const uint flip = is_front ? 0u : 0x80000000u;
   const uvec4 a = surface[2u * triangle], b = surface[2u * triangle + 1u];
   return dvec3(packDouble2x32(uvec2(a.x, a.y ^ flip)), packDouble2x32(uvec2(a.z, a.w ^ flip)),
                packDouble2x32(uvec2(b.x, b.y ^ flip)));
+}
+
+// Towards the side that the ray came from.
+dvec3 facing_normal(uint triangle, vec3 along) {
+  return normal_of(triangle, is_met_in_front(triangle, along));
 }
 
 dvec3 position_on(uint triangle, dvec2 share) {

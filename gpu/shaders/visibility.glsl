@@ -201,3 +201,14 @@ bool is_blocked_between(vec3 from, vec3 to, out bool is_cut) {
   const float margin = margin_of(along);
   return is_crossed_by_any(from, along, margin, 1.0 - margin, is_cut);
 }
+
+// from: a hit of a ray, lifted, to: a light vertex (calc::kHitToVertex).
+bool is_blocked_from_hit(vec3 from, vec3 to, out bool is_cut) {
+  return is_crossed_by_any(from, to - from, 0.0, 1.0, is_cut);
+}
+
+// from: the same, to: a place of a luminaire (calc::kHitToSource).
+bool is_blocked_from_hit_to_source(vec3 from, vec3 to, out bool is_cut) {
+  const vec3 along = to - from;
+  return is_crossed_by_any(from, along, 0.0, 1.0 - margin_of(along), is_cut);
+}

@@ -1,5 +1,5 @@
-// Speed of light paths and short rays by CPU and by OpenGL, and the processor time that the
-// device's work costs outside the device: what a fast GPU would wait for.
+// Speed of light paths, short rays and the light at their hits by CPU and by OpenGL, and the
+// processor time that the device's work costs outside the device: what a fast GPU would wait for.
 //   bench_gpu_stages [paths] [rays per point]
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/near_field.h"
@@ -7,6 +7,7 @@
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "tests/support/lamp_shop.h"
+#include "tests/support/near_points.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -16,6 +17,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -104,5 +107,34 @@ int main(int argc, char** argv) {
         }
       },
       [&] { short_rays->cast(tracer, least_m, most_m, requests, hits); });
+
+  const test_support::NearScene scene(hall.scene, 4096);
+  const std::vector<calc::NearFieldRequest> points = test_support::points_in_hall(2048, rays);
+  std::vector<calc::HitLight> found;
+  std::uint64_t near_rays = 0;
+  const auto add = [&](bool is_found) {
+    near_rays = 0;
+    std::size_t first = 0;
+    for (std::size_t r = 0; r < points.size(); ++r) {
+      double sums[2] = {};
+      float largest = 0.0f;
+      std::size_t last = first;
+      while (is_found && last < found.size() && found[last].request == r) ++last;
+      std::optional<std::span<const calc::HitLight>> own;
+      if (is_found) own = std::span<const calc::HitLight>(found).subspan(first, last - first);
+      near_rays += calc::add_near_field(scene.near(), points[r], own, sums, 1, largest);
+      first = last;
+    }
+  };
+  measure(
+      "near field", *device, static_cast<double>(points.size() * rays), [&] { add(false); },
+      [&] {
+        found.clear();
+        short_rays->find_light(scene.near(), points, found);
+        add(true);
+      });
+  fmt::print("  {:.3f} hits and {:.2f} rays per short ray\n",
+             static_cast<double>(found.size()) / static_cast<double>(points.size() * rays),
+             static_cast<double>(near_rays) / static_cast<double>(points.size() * rays));
   return 0;
 }

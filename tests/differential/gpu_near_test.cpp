@@ -4,6 +4,7 @@
 #include "calc/radiosity/path_terms.h"
 #include "calc/radiosity/phase_timer.h"
 #include "tests/support/lamp_shop.h"
+#include "tests/support/near_points.h"
 #include "tests/support/opengl.h"
 #include "tests/support/scenes.h"
 
@@ -24,31 +25,6 @@ namespace {
 
 using namespace test_support;
 using ::testing::HasSubstr;
-
-// Points of all kinds in a hall, some of them in the plane of a floor or wall.
-std::vector<calc::NearFieldRequest> points_in_hall(std::size_t count, std::uint32_t rays) {
-  std::vector<calc::NearFieldRequest> requests;
-  for (std::size_t i = 0; i < count; ++i) {
-    const calc::RandomKey key = calc::RandomKey(23).with(i);
-    const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
-    const auto kernel = static_cast<calc::ReceiverKernel>(i % 5);
-    glm::dvec3 axis = glm::normalize(glm::dvec3(u(3) - 0.5, u(4) - 0.5, u(5) - 0.5));
-    glm::dvec3 position(7.6 * u(0) - 3.8, 5.6 * u(1) - 2.8, 0.1 + 3.3 * u(2));
-    if (i % 15 == 0) {
-      position.z = 0.0;
-      axis = {0, 0, 1};
-    }
-    if (i % 15 == 5) {
-      position.x = -4.0;
-      axis = {1, 0, 0};
-    }
-    if (kernel == calc::ReceiverKernel::semicylindrical && i % 15 != 5) {
-      axis = glm::normalize(glm::dvec3(axis.x, axis.y, 0.0));
-    }
-    requests.push_back({{position, axis, kernel}, key.with(9), rays});
-  }
-  return requests;
-}
 
 struct Cast {
   bool is_hit;

@@ -6,6 +6,7 @@
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
 #include "gpu/shader_text.h"
+#include "gpu/tile_words.h"
 #include "tests/support/opengl.h"
 #include "tests/support/scenes.h"
 

@@ -1,0 +1,90 @@
+// Light at hits, stage 1: the geometry bound there, calc::GeometryBound::at(), and with it the
+// weight of the hit's light; what the next stages need to know of the place.
+
+layout(local_size_x = GROUP_SIZE) in;
+
+layout(std430, binding = 6) readonly buffer Hits { uint hit[]; };
+layout(std430, binding = 7) readonly buffer List { uvec2 list[]; };
+layout(std430, binding = 8) readonly buffer Order { uint triangle_of[]; };
+layout(std430, binding = 10) readonly buffer Field { double field[]; };
+// As draw_arrays.glsl reads them: four words of a DrawReceiver.
+layout(std430, binding = 14) writeonly buffer Receivers { uvec4 receiver_word[]; };
+
+uniform uint first_hit;  // of the piece, in the list
+uniform uint luminaire_count, has_shadows;
+
+// Illuminance if the luminaire sent its largest intensity here and nothing stood between.
+double most_of(uint lamp, dvec3 position_m, dvec3 normal) {
+  const uint at = LAMPS_AT + LAMP_SIZE * lamp;
+  const dvec3 way_m = triple(at) - position_m;
+  const double height_m = dot(normal, way_m);
+  if (!(height_m > DBL(0.0))) return DBL(0.0);
+  const double d2 = dot(way_m, way_m);
+  return entry[at + 19u] * entry[at + 18u] * height_m / (d2 * sqrt(d2));
+}
+
+// position_m: lifted.
+double bound_at(dvec3 position_m, dvec3 normal) {
+  double most_lx = DBL(0.0);
+  uint index = 0u;
+  for (; index < luminaire_count; ++index) most_lx += most_of(index, position_m, normal);
+  if (index < luminaire_count) is_cut = true;
+  if (most_lx <= field[FIELD_NEEDED]) return field[FIELD_SMALLEST];
+  const Point point = Point(position_m, normal, KERNEL_PLANAR, uvec2(0u));
+  double direct_lx = DBL(0.0);
+  index = 0u;
+  for (; index < luminaire_count; ++index) {
+    if (most_of(index, position_m, normal) < field[FIELD_LEAST]) continue;
+    const Lamp lamp = lamp_of(index);
+    const double lx = point_illuminance_lx(lamp, lamp.centre_m, point);
+    if (lx < field[FIELD_LEAST]) continue;
+    if (has_shadows != 0u) {
+      bool is_left_early;
+      const bool is_hidden = is_blocked_from_hit_to_source(
+          vec3(position_m), vec3(lifted_source_m(lamp, lamp.centre_m, position_m)), is_left_early);
+      if (is_left_early) is_cut = true;
+      if (is_hidden) continue;
+    }
+    direct_lx += lx;
+  }
+  if (index < luminaire_count) is_cut = true;
+  return max(field[FIELD_SMALLEST], field[FIELD_PER_LUMEN] * direct_lx + field[FIELD_AMBIENT]);
+}
+
+void main() {
+  if (gl_GlobalInvocationID.x >= item_count) return;
+  const uint i = first_item + gl_GlobalInvocationID.x;
+  const uvec2 at = list[first_hit + i];
+  const Request request = request_at(at.x);
+  const uint ray = LIT_HIT_SIZE * (request.first_ray + at.y);
+  const uint triangle = hit[ray] & ~HIT_FROM_BEHIND, side = hit[ray] & HIT_FROM_BEHIND;
+  const dvec2 share = dvec2(packDouble2x32(uvec2(hit[ray + 1u], hit[ray + 2u])),
+                            packDouble2x32(uvec2(hit[ray + 3u], hit[ray + 4u])));
+  HitPlace place;
+  place.position_m = position_on(triangle, share);
+  place.normal = normal_of(triangle, side == 0u);
+  place.key = key_with(request.key, at.y);
+  const double g = connection_geometry(request.kernel, request.axis, place.normal,
+                                       place.position_m - request.position_m);
+  const dvec3 lifted_m = place.position_m + offset_of_rays_m() * place.normal;
+  const double missing = DBL(1.0) - bound_at(lifted_m, place.normal) / g;
+  place.weight = DBL(0.0);
+  if (missing > DBL(0.0)) {
+    place.weight = ray_weight(request, at.y) * (missing * reflectance_of(triangle));
+  }
+  store(i, place);
+  const bool is_wanted = !is_cut && place.weight > DBL(0.0);
+  receiver_word[4u * i] = uvec4(floatBitsToUint(vec3(place.position_m)), 0u);
+  receiver_word[4u * i + 1u] = uvec4(floatBitsToUint(vec3(place.normal)), 0u);
+  receiver_word[4u * i + 2u] = uvec4(floatBitsToUint(vec3(lifted_m)), 0u);
+  receiver_word[4u * i + 3u] =
+      uvec4(is_wanted ? TILE_OF_ALL : TILE_OF_NOTHING, KERNEL_PLANAR,
+            unpackDouble2x32(fraction_of(key_with(key_with(place.key, PART_0), PART_2))));
+  if (is_cut) return;  // not done
+  write_light(i, LIGHT_TRIANGLE, triangle_of[triangle] | side);
+  write_light(i, LIGHT_PLACE, share.x);
+  write_light(i, LIGHT_PLACE + 2u, share.y);
+  write_light(i, LIGHT_REQUEST, at.x);
+  write_light(i, LIGHT_RAY, at.y);
+  write_light(i, LIGHT_WEIGHT, place.weight);
+}

@@ -1,0 +1,46 @@
+// Hits of short rays that may give light, a piece of the list: where they are, and what is found
+// there, calc::HitLight. Both buffers have the piece's hits alone.
+
+layout(std430, binding = 12) buffer Lights { uint light_word[]; };
+layout(std430, binding = 13) buffer Places { uvec4 place_words[]; };
+
+uniform uint first_item, item_count;  // of this dispatch
+
+struct HitPlace {
+  dvec3 position_m, normal;
+  double weight;  // of its light
+  uvec2 key;      // of its ray
+};
+
+HitPlace place_at(uint i) {
+  const uvec4 a = place_words[4u * i], b = place_words[4u * i + 1u], c = place_words[4u * i + 2u],
+              d = place_words[4u * i + 3u];
+  return HitPlace(dvec3(packDouble2x32(a.xy), packDouble2x32(a.zw), packDouble2x32(b.xy)),
+                  dvec3(packDouble2x32(b.zw), packDouble2x32(c.xy), packDouble2x32(c.zw)),
+                  packDouble2x32(d.xy), d.zw);
+}
+
+void store(uint i, HitPlace place) {
+  place_words[4u * i] =
+      uvec4(unpackDouble2x32(place.position_m.x), unpackDouble2x32(place.position_m.y));
+  place_words[4u * i + 1u] =
+      uvec4(unpackDouble2x32(place.position_m.z), unpackDouble2x32(place.normal.x));
+  place_words[4u * i + 2u] =
+      uvec4(unpackDouble2x32(place.normal.y), unpackDouble2x32(place.normal.z));
+  place_words[4u * i + 3u] = uvec4(unpackDouble2x32(place.weight), place.key);
+}
+
+void write_light(uint i, uint what, uint value) { light_word[LIGHT_SIZE * i + what] = value; }
+
+void write_light(uint i, uint what, double value) {
+  const uvec2 words = unpackDouble2x32(value);
+  write_light(i, what, words.x);
+  write_light(i, what + 1u, words.y);
+}
+
+// Whether anything is still to be found there: false, too, where the bound was not done.
+bool is_lit(uint i) {
+  const uint at = LIGHT_SIZE * i + LIGHT_WEIGHT;
+  const double weight = packDouble2x32(uvec2(light_word[at], light_word[at + 1u]));
+  return weight > DBL(0.0);
+}

@@ -1,0 +1,432 @@
+// Light at the hits of short rays by OpenGL against the CPU's, point by point.
+#include "calc/radiosity/cut.h"
+#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/near_field.h"
+#include "calc/radiosity/vertex_tree.h"
+#include "tests/support/lamp_shop.h"
+#include "tests/support/near_points.h"
+#include "tests/support/opengl.h"
+#include "tests/support/scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+using calc::HitLight;
+using calc::NearFieldRequest;
+using calc::OpeningShape;
+using calc::ReceiverKernel;
+using ::testing::HasSubstr;
+
+// One device for all tests that need no other: drivers compile for seconds.
+class GlHits : public ::testing::Test {
+ protected:
+  static void TearDownTestSuite() { device_.reset(); }
+
+  static std::shared_ptr<gpu::DeviceThread> device() {
+    if (!device_) device_ = gl_device();
+    return device_;
+  }
+  static std::unique_ptr<calc::ShortRayCaster> caster() {
+    return gpu::make_gl_short_rays(device());
+  }
+
+ private:
+  inline static std::shared_ptr<gpu::DeviceThread> device_;
+};
+
+// Of each request: light by channels, largest ray, rays.
+struct Sums {
+  std::vector<double> lx;
+  std::vector<float> largest;
+  std::vector<std::uint64_t> rays;
+};
+
+Sums sums_of(const NearScene& field, const std::vector<NearFieldRequest>& requests,
+             const std::vector<HitLight>* found) {
+  const std::size_t channels = field.scene.channels.size();
+  Sums sums{
+      std::vector<double>(channels * requests.size()), std::vector<float>(requests.size()), {}};
+  std::size_t first = 0;
+  for (std::size_t r = 0; r < requests.size(); ++r) {
+    std::optional<std::span<const HitLight>> own;
+    if (found != nullptr) {
+      std::size_t last = first;
+      while (last < found->size() && (*found)[last].request == r) ++last;
+      own = std::span<const HitLight>(*found).subspan(first, last - first);
+      first = last;
+    }
+    sums.rays.push_back(calc::add_near_field(field.near(), requests[r], own, &sums.lx[channels * r],
+                                             1, sums.largest[r]));
+  }
+  EXPECT_TRUE(found == nullptr || first == found->size());
+  return sums;
+}
+
+std::vector<HitLight> find(calc::ShortRayCaster& gl, const NearScene& field,
+                           const std::vector<NearFieldRequest>& requests) {
+  std::vector<HitLight> found;
+  gl.find_light(field.near(), requests, found);
+  return found;
+}
+
+// What the device was asked for, so that no test is about nothing.
+struct Kinds {
+  std::size_t hits = 0, without_light = 0, direct = 0, hidden = 0, unlit = 0, left = 0, next = 0;
+  std::size_t draws = 0, hidden_draws = 0, bounded = 0;
+  std::vector<std::size_t> of_luminaire;
+};
+
+Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
+  Kinds kinds;
+  kinds.of_luminaire.resize(field.scene.luminaires.size());
+  for (const HitLight& light : found) {
+    ++kinds.hits;
+    if (!(light.weight > 0.0)) {
+      ++kinds.without_light;
+      continue;
+    }
+    kinds.left += light.luminaire == HitLight::kLeft ? 1 : 0;
+    kinds.hidden += light.luminaire == HitLight::kHidden ? 1 : 0;
+    kinds.unlit += light.luminaire == HitLight::kNothing ? 1 : 0;
+    if (light.luminaire < kinds.of_luminaire.size()) {
+      ++kinds.direct;
+      ++kinds.of_luminaire[light.luminaire];
+    }
+    kinds.next += light.next_triangle_and_side != HitLight::kNothing ? 1 : 0;
+    for (const HitLight::Draw& draw : light.draws) {
+      kinds.draws += draw.which < HitLight::kLeft ? 1 : 0;
+      kinds.hidden_draws += draw.which == HitLight::kHidden ? 1 : 0;
+      kinds.bounded += draw.which < HitLight::kLeft && draw.bounded_per_m2 > 0.0f ? 1 : 0;
+    }
+  }
+  std::printf(
+      "%zu hits, %zu without light; direct: %zu, hidden %zu, none %zu, left %zu; from afar: "
+      "%zu, hidden %zu, bounded %zu; %zu chains go on\n",
+      kinds.hits, kinds.without_light, kinds.direct, kinds.hidden, kinds.unlit, kinds.left,
+      kinds.draws, kinds.hidden_draws, kinds.bounded, kinds.next);
+  return kinds;
+}
+
+// A ray that grazes an edge, or a draw at the border of two, changes all of what hangs on it.
+constexpr double kRounding = 1e-6;
+
+// grazed: values that may differ by more than rounding; returns what the device did.
+Kinds expect_same(const NearScene& field, const std::vector<NearFieldRequest>& requests,
+                  calc::ShortRayCaster& gl, double grazed) {
+  const Sums cpu = sums_of(field, requests, nullptr);
+  const std::vector<HitLight> found = find(gl, field, requests);
+  const Sums device = sums_of(field, requests, &found);
+  std::size_t lit = 0, differing = 0;
+  double largest = 0.0, cpu_lx = 0.0, device_lx = 0.0;
+  for (std::size_t i = 0; i < cpu.lx.size(); ++i) {
+    const double a = cpu.lx[i], b = device.lx[i];
+    cpu_lx += a;
+    device_lx += b;
+    if (a == 0.0 && b == 0.0) continue;
+    ++lit;
+    const double difference = std::abs(a - b) / std::max(a, b);
+    if (difference > kRounding) {
+      ++differing;
+    } else {
+      largest = std::max(largest, difference);
+    }
+  }
+  std::size_t unlike = 0;
+  std::uint64_t cpu_rays = 0, device_rays = 0;
+  for (std::size_t r = 0; r < requests.size(); ++r) {
+    cpu_rays += cpu.rays[r];
+    device_rays += device.rays[r];
+    const bool is_same =
+        cpu.rays[r] == device.rays[r] && std::abs(cpu.largest[r] - device.largest[r]) <=
+                                             static_cast<float>(kRounding) * cpu.largest[r];
+    if (!is_same) ++unlike;
+  }
+  std::printf(
+      "%zu of %zu values differ by more than %.0e, the others by %.2g; sums by %.2g; %zu of "
+      "%zu points in rays or the largest\n",
+      differing, lit, kRounding, largest, std::abs(device_lx / cpu_lx - 1.0), unlike,
+      requests.size());
+  const double most = grazed * static_cast<double>(requests.size());
+  EXPECT_GT(lit, requests.size() / 4);
+  EXPECT_LE(static_cast<double>(differing), most);
+  EXPECT_LE(static_cast<double>(unlike), most);
+  EXPECT_NEAR(device_lx / cpu_lx, 1.0, 1e-4);
+  EXPECT_NEAR(static_cast<double>(device_rays), static_cast<double>(cpu_rays),
+              1e-3 * static_cast<double>(cpu_rays));
+  return kinds_of(field, found);
+}
+
+// Bodies, panels and points in two channels, walls of reflectance 0, points of all kernels.
+TEST_F(GlHits, GiveTheLightOfTheCpu) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  const NearScene field(hall.scene, 512);
+  const auto gl = caster();
+  const Kinds kinds = expect_same(field, points_in_hall(600, 64), *gl, 0.01);
+  EXPECT_GT(kinds.hits, 2000u);
+  EXPECT_GT(kinds.hidden, 100u);
+  EXPECT_GT(kinds.unlit, 100u);
+  EXPECT_GT(kinds.next, 100u);
+  EXPECT_GT(kinds.draws, 4000u);
+  EXPECT_GT(kinds.hidden_draws, 100u);
+  for (const std::size_t count : kinds.of_luminaire) EXPECT_GT(count, 10u);
+}
+
+// Two spots beside a wall raise bounds there; so many vertices around that some draws come near.
+TEST_F(GlHits, GiveItBesideBrightSpots) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = isotropic_web(100.0), other = lambert_web(80.0, 9);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}};
+  add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.7);
+  add_box(scene, {0.3, 1.0, 0}, {0.5, 1.0, 1.4}, 0.5);
+  add_luminaire(scene, web, {0.03, 1.5, 1.5});
+  add_luminaire(scene, other, {0.2, 1.2, 1.5});
+  set_extent(scene);
+  const NearScene field(scene, 4096);
+  std::vector<NearFieldRequest> requests;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const calc::RandomKey key = calc::RandomKey(31).with(i);
+    const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
+    const glm::dvec3 at(0.002 + 0.1 * u(0), 0.8 + 1.4 * u(1), 0.8 + 1.4 * u(2));
+    requests.push_back(
+        {{at, {0, 0, i % 2 == 0 ? 1 : -1}, ReceiverKernel::planar}, key.with(9), 64});
+  }
+  const auto gl = caster();
+  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  EXPECT_GT(kinds.without_light, 100u);  // where the bound is as large as the geometry term
+  EXPECT_GT(kinds.bounded, 10u);
+  EXPECT_GT(kinds.direct, 1000u);
+}
+
+// Many luminaires, one channel among them weak and one dark.
+TEST_F(GlHits, ChooseTheLuminaireOfTheCpu) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb panel = lambert_web(1000, 9, {OpeningShape::rectangle, 1.2, 0.3, 0.0});
+  const calc::PhotometricWeb spot = lambert_web(30, 18);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}, {"dark", 1.0}, {"weak", 1.0}};
+  add_box(scene, {0, 0, 0}, {10, 8, 2.8}, 0.5);
+  add_box(scene, {4, 3, 0}, {1.6, 0.8, 1.5}, 0.4);
+  for (int k = 0; k < 40; ++k) {
+    add_luminaire(scene, k % 5 == 0 ? spot : panel,
+                  {0.7 + 1.2 * (k % 8), 0.8 + 1.6 * (k / 8), 2.8});
+    scene.luminaires.back().channel = k % 5 == 0 ? 2u : 0u;
+    if (k % 3 == 0) scene.luminaires.back().world_from_luminaire = tilted_axes(0.4 * k, 0.5);
+  }
+  set_extent(scene);
+  const NearScene field(scene, 512);
+  std::vector<NearFieldRequest> requests;
+  for (std::size_t i = 0; i < 150; ++i) {
+    const calc::RandomKey key = calc::RandomKey(37).with(i);
+    requests.push_back({{{10.0 * key.with(0).uniform(), 0.02 + 0.2 * key.with(1).uniform(),
+                          0.1 + 2.6 * key.with(2).uniform()},
+                         {0, 0, i % 3 == 0 ? -1 : 1},
+                         ReceiverKernel::planar},
+                        key.with(9),
+                        64});
+  }
+  const auto gl = caster();
+  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  EXPECT_GT(std::count_if(kinds.of_luminaire.begin(), kinds.of_luminaire.end(),
+                          [](std::size_t count) { return count > 0; }),
+            30);
+}
+
+// A sheet slopes down from a panel: where it touches, that falls into more parts than a shader
+// visits; farther down into several, of which one is drawn.
+TEST_F(GlHits, LeaveWhatIsTooNearToTheCpu) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb panel = lambert_web(1e4, 18, {OpeningShape::rectangle, 2.0, 1.6, 0.0});
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}};
+  add_box(scene, {0, 0, 0}, {8, 8, 3}, 0.5);
+  add_luminaire(scene, panel, {4, 4, 2.0});
+  add_quad(scene, {3, 3, 1.99}, {2, 0, -1.6}, {0, 2, 0}, 0.6);
+  set_extent(scene);
+  const NearScene field(scene, 512);
+  std::vector<NearFieldRequest> requests;
+  for (std::size_t i = 0; i < 100; ++i) {
+    const calc::RandomKey key = calc::RandomKey(41).with(i);
+    const double along = 2.0 * key.with(0).uniform();
+    requests.push_back({{{3.0 + along, 3.0 + 2.0 * key.with(1).uniform(), 2.1 - 0.8 * along},
+                         {0, 0, -1},
+                         ReceiverKernel::planar},
+                        key.with(9),
+                        32});
+  }
+  const auto gl = caster();
+  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  EXPECT_GT(kinds.left, 100u);
+  EXPECT_GT(kinds.direct, 100u);
+}
+
+// A convex room: nothing is in the way. One luminaire, and no vertex at all.
+TEST_F(GlHits, GiveItWithoutShadowsAndWithoutVertices) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = lambert_web(100.0, 9);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}};
+  add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.5);
+  add_luminaire(scene, web, {2, 1.5, 2.4});
+  set_extent(scene);
+  std::vector<NearFieldRequest> requests;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const calc::RandomKey key = calc::RandomKey(43).with(i);
+    requests.push_back({{{0.05, 3.0 * key.with(0).uniform(), 0.1 + key.with(1).uniform()},
+                         {0, 0, 1},
+                         ReceiverKernel::planar},
+                        key.with(9),
+                        32});
+  }
+  const auto gl = caster();
+  NearScene field(scene, 256);
+  field.tracer.leave_out_shadows();
+  const Kinds free = expect_same(field, requests, *gl, 0.0);
+  EXPECT_EQ(free.hidden + free.hidden_draws, 0u);
+  NearScene none(scene, 1);
+  none.tree = calc::VertexTree({}, 1);
+  none.cut = calc::Cut();
+  const Kinds dark = expect_same(none, requests, *gl, 0.0);
+  EXPECT_EQ(dark.draws, 0u);
+  EXPECT_GT(dark.direct, 100u);
+}
+
+bool are_same_bits(const std::vector<HitLight>& a, const std::vector<HitLight>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    // Words that are not said may be anything.
+    const HitLight &x = a[k], &y = b[k];
+    if (x.triangle_and_side != y.triangle_and_side || x.request != y.request || x.ray != y.ray ||
+        x.weight != y.weight || std::memcmp(&x.place, &y.place, sizeof x.place) != 0) {
+      return false;
+    }
+    if (!(x.weight > 0.0)) continue;
+    if (x.luminaire != y.luminaire || x.direct_lx != y.direct_lx ||
+        x.next_triangle_and_side != y.next_triangle_and_side ||
+        std::memcmp(x.draws.data(), y.draws.data(), sizeof x.draws) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST_F(GlHits, HowWorkIsCutChangesNoBit) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  const NearScene field(hall.scene, 256), other(hall.scene, 128);
+  const auto whole = caster();
+  const std::vector<NearFieldRequest> requests = points_in_hall(100, 32);
+  const std::vector<HitLight> expected = find(*whole, field, requests);
+  const std::vector<HitLight> elsewhere = find(*whole, other, requests);
+  EXPECT_GT(expected.size(), 200u);
+  EXPECT_FALSE(are_same_bits(expected, elsewhere));
+  EXPECT_TRUE(are_same_bits(
+      expected, find(*gpu::make_gl_short_rays(device(), gpu::HitLimits{37}), field, requests)));
+  EXPECT_TRUE(are_same_bits(expected,
+                            find(*gl_short_rays(gpu::Fault::no_buffer_storage), field, requests)));
+  // Some requests at a time, into one list.
+  std::vector<HitLight> parts;
+  for (std::size_t first = 0; first < requests.size(); first += 13) {
+    const std::size_t before = parts.size();
+    whole->find_light(
+        field.near(),
+        std::span(requests).subspan(first, std::min<std::size_t>(13, requests.size() - first)),
+        parts);
+    for (std::size_t k = before; k < parts.size(); ++k) {
+      parts[k].request += static_cast<std::uint32_t>(first);
+    }
+  }
+  EXPECT_TRUE(are_same_bits(expected, parts));
+  std::vector<char> is_same(12);
+  tbb::parallel_for(std::size_t{0}, is_same.size(), [&](std::size_t k) {
+    is_same[k] = k % 2 == 0 ? are_same_bits(expected, find(*whole, field, requests))
+                            : are_same_bits(elsewhere, find(*whole, other, requests));
+  });
+  EXPECT_EQ(std::count(is_same.begin(), is_same.end(), 1), 12);
+}
+
+TEST_F(GlHits, FailuresAreNoResults) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  const NearScene field(hall.scene, 64);
+  const std::vector<NearFieldRequest> requests = points_in_hall(30, 32);
+  for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
+                                    {gpu::Fault::context_lost, "reset"},
+                                    {gpu::Fault::fence_lost, "has not answered"},
+                                    {gpu::Fault::results_lost, "did not finish"}}) {
+    const auto gl = gpu::make_gl_short_rays(gl_device(fault), gpu::HitLimits{37});  // in pieces
+    for (int k = 0; k < 2; ++k) {  // not only the first time
+      try {
+        find(*gl, field, requests);
+        ADD_FAILURE() << text;
+      } catch (const calc::BackendFailure& failure) {
+        EXPECT_THAT(failure.what(), HasSubstr(text));
+      }
+    }
+  }
+}
+
+// Numbers of hits of the cast before lie where those that do not come should be.
+TEST_F(GlHits, TakeNoEarlierHits) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  const NearScene field(hall.scene, 64);
+  const std::vector<NearFieldRequest> requests = points_in_hall(30, 32);
+  const auto gl = gl_short_rays(gpu::Fault::results_lost);
+  EXPECT_GT(find(*gl, field, requests).size(), 37u);
+  EXPECT_THROW(find(*gl, field, requests), calc::BackendFailure);
+}
+
+// A driver that leaves long loops early must not look like a free view: the lamp's light passes by
+// slivers one above the other.
+TEST_F(GlHits, DoNotTakeALoopCutShortForAnAnswer) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = isotropic_web(1e6);
+  calc::PreparedScene pile;
+  add_quad(pile, {200, 200, 0}, {100, 0, 0}, {0, 100, 0}, 0.5);  // floor
+  for (int k = 0; k < 70'000; ++k) {  // slivers along a diagonal: boxes are large, areas are not
+    const double z = 3.0 + 1e-3 * k;
+    add_triangle(pile, {-300, 300, z}, {300, -300, z}, {-300, 300.01, z}, 0.0);
+  }
+  add_luminaire(pile, web, {252, 251, 90});
+  set_extent(pile);
+  const NearScene field(pile, 16);
+  const std::vector<NearFieldRequest> requests{
+      {{{250, 250, 0.2}, {0, 0, -1}, ReceiverKernel::planar}, calc::RandomKey(1), 64}};
+  const auto gl = caster();
+  try {
+    const std::vector<HitLight> found = find(*gl, field, requests);
+    EXPECT_FALSE(device()->device().is_software);
+    const Sums cpu = sums_of(field, requests, nullptr), own = sums_of(field, requests, &found);
+    EXPECT_GT(found.size(), 10u);
+    EXPECT_NEAR(own.lx[0] / cpu.lx[0], 1.0, 0.01);
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_TRUE(device()->device().is_software);
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+  }
+}
+
+TEST_F(GlHits, PastTheDeadlineThereIsNothing) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  NearScene field(hall.scene, 64);
+  field.deadline_s = 1e-9;
+  EXPECT_TRUE(find(*caster(), field, points_in_hall(30, 32)).empty());
+}
+
+}  // namespace
