@@ -10,12 +10,12 @@ namespace {
 
 // --- what the CPU does beside the device, nanoseconds of one thread ------------------------------
 // [measured on one core of a shared AMD Zen 5 by bench_gpu and bench_gpu_stages]
-constexpr double kBesideConnection_ns = 20.0;  // groups, packing
-constexpr double kBesideOpening_ns = 2.0;      // reading what is proved of it, listing samples
-constexpr double kBesidePath_ns = 400.0;       // all by the thread that owns the device
+constexpr double kBesideReceiver_ns = 100.0;  // packing, adding what comes back
+constexpr double kBesideOpening_ns = 2.0;     // reading what is proved of it, listing samples
+constexpr double kBesidePath_ns = 400.0;      // all by the thread that owns the device
 constexpr double kBesideShortRay_ns = 5.0;
 constexpr double kSortVertex_ns = 45.0;
-constexpr double kPackVertex_ns = 15.0;     // by one thread
+constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
 constexpr double kPackTriangle_ns = 300.0;  // the device's own tree, by one thread
 // What a first short ray costs the CPU without the light at its end.
 constexpr double kFirstShortRay_ns = 75.0;
@@ -25,14 +25,15 @@ constexpr double kRaysPerHit = 5.0;  // of a first step
 constexpr double kBesideHit_ns = 100.0;
 
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------
-constexpr double kVertexUp_bytes = 90.0;  // with its share of the tree
+constexpr double kVertexUp_bytes = 168.0;  // with its two groups
 constexpr double kVertexDown_bytes = 48.0;
 constexpr double kReceiverUp_bytes = 64.0, kReceiverDown_bytes = 32.0;
 constexpr double kHitDown_bytes = 128.0;
 constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its share of the tree
 
 // --- the device ----------------------------------------------------------------------------------
-// Weights and the search for a draw's vertex, beside a connection that is given. Assumed.
+// Groups, their weights and the search for a draw's vertex, beside a connection that is given.
+// Assumed.
 constexpr double kDrawnOverGiven = 1.5;
 // Of an opening: a ray with its photometry; a proof. In any-hit rays. Assumed.
 constexpr double kRaysPerDirectRay = 3.0, kRaysPerProof = 10.0;
@@ -78,7 +79,7 @@ struct Weigher {
            work.receivers * (kReceiverUp_bytes / rates.up_bytes_per_s +
                              kReceiverDown_bytes / rates.down_bytes_per_s) +
            kTripsPerPiece * rates.round_trip_s * trips(work.receivers, kReceiversPerPiece) +
-           thread_s * kBesideConnection_ns * work.work.connection_rays;
+           thread_s * kBesideReceiver_ns * work.receivers;
   }
   double near_field() const {
     const double first = work.work.near_rays / kRaysPerShortRay;

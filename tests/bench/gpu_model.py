@@ -32,6 +32,9 @@ DEVICES = {
                      l2=5.0e12, pcie=32e9, source=ADA),
 }
 
+# Rounds: of the largest cuts; beside them what they take is the CPU's wait, not the device's work.
+ROUNDS = 60.0
+
 # --- assumed --------------------------------------------------------------------------------------
 ASSUMED = {
     "rays_lanes": (0.35, "share of a warp's lanes that a divergent traversal keeps busy"),
@@ -43,6 +46,12 @@ ASSUMED = {
     "l1_miss": (0.15, "share of node and triangle reads that L1 does not hold (50 kB of tree and triangles)"),
     "occupancy": (0.5, "share of the threads of an SM that registers leave room for"),
     "in_flight": (3.0, "pieces on the device at a time (gpu/draw_queue), if reads do not block; of direct light 1"),
+    "round_s": (1.5e-6, "of a round in which a tile opens groups of light vertices: four barriers and a read that nothing hides"),
+    "rounds": (ROUNDS, "rounds of a tile's cut, counted on the CPU in that office: 30 to 70 for 128 to 1024 groups"),
+    "lit_share": (0.105, "hits of first short rays that may give light, of all first short rays"),
+    "hit_nodes": (128.0, "groups that a hit's light from afar is drawn from"),
+    "bounds": (2.0, "luminaires whose photometry a hit's bound asks for, with a shadow ray each"),
+    "later_steps": (0.25, "light at hits that stays on the CPU: later steps of chains"),
     "launch_s": (5e-6, "of a dispatch or an upload, processor and driver"),
     "read_s": (3e-5, "of a blocking read, beside its bytes"),
     "pcie_share": (0.5, "share of the published PCIe rate that plain buffers reach"),
@@ -84,6 +93,12 @@ COUNTED = {
     # weigh.glsl of one receiver and node: 50 of node_terms.glsl, two exact quotients of 25 + F and an
     # exact root of 25 + F, 15 of addresses; reads 80 bytes, of which neighbours share most; writes 4
     "weight": (50 + 3 * (25 + F) + 15, 0, 4 + 80 / 32),
+    # choose.glsl, one node seen from a tile: behind 14, distance 5 and an exact root of 25 + F, faces away 17, bound 2,
+    # error 13 and two exact quotients of 25 + F, step 7, slot 9; reads four vectors
+    "node seen": (67 + 3 * (25 + F), 0, 64),
+    # one slot in a round: two looks of 6; of the sort, one comparison with its exchange
+    "slot looked at": (12, 0, 0),
+    "slot compared": (25, 0, 0),
     # share.glsl of one: two sums over it, one in float, a store
     "share": (10, 4, 4 + 4 + 4 + 8),
     # add.glsl: one of a draw
@@ -97,6 +112,11 @@ COUNTED = {
     # short_rays.glsl beside its ray: request search 12 steps; two samples; direction; place_on
     "short ray": (12 * 6 + 2 * 32 * 5 + 30, 85 + 107 + 8 + 5 * D, 64 + 12),
 
+    # hit_bounds, hit_direct, hit_further of one hit, beside photometry, rays, weights and draws: places and keys; the bound
+    # asks what each of 12 luminaires may give most (17 + d), the choice twice what it is likely to give (60 and three exact
+    # quotients or roots); direction and place of the further ray 85 + 5 d and 107
+    "hit": (600 + 2 * 12 * (60 + 3 * (25 + F)), 250 + 12 * (17 + D) + 192 + 5 * D, 96 + 3 * 64 + 2 * 128),
+
     # --- direct light. key_with: twice mix_bits of 4 + 3 * 6 + 2 * 6, and 2 = 70 (mix: 34)
     # lamps.glsl point_illuminance_lx and intensity_cd. Way 3, response 6, length 5 + d, direction 3 + d, in_table 15,
     # quotient 4 + d; across 3 + d; angle_of twice: radius 3 + d, two quotients, conversions 3, turns 1 + d,
@@ -107,14 +127,15 @@ COUNTED = {
     # classified() of a point opening beside its photometry and ray: lamp and point 33 and 3, reach 6, lifts 20; one word
     "point pair": (60, 30, 64 + 5 + 4),
     # One pair with a proof, beside its rays and nodes: lamp, point and corners 95, four distances 9 + d, pyramid 5 half
-    # spaces, edges 18, bounds and margins 40, conversions 12; patch_of 41 + 3 d. Lamps are read once by a warp.
-    "proof": (120, 95 + 4 * (9 + D) + half_spaces(5) + 70 + 41 + 3 * D, 64 + 5 + 4),
-    # boxes_met_by: of each child 6 planes of 6 and 3; 6 comparisons, and where they hold 5 half spaces of 7 (choice of the
-    # corner) and 8. The loop as of a ray, and slots_of 12
-    "proof node visit": (50 + A["children"] * (41 + A["in_box"] * 35), A["children"] * (24 + A["in_box"] * 40), 80),
-    # meets_triangle: conversions 9; three planes of 19 where one separates, else all five and half of 19 axes of
-    # cross 9, 8 dots of 5, 12 min/max, 6 to decide
-    "proof triangle": (40, 9 + (1 - A["axes"]) * 3 * 19 + A["axes"] * (5 * 19 + 9.5 * 67), 48),
+    # spaces, edges 18, bounds and margins 40, conversions 12, the same in float 30 and 40; patch_of 41 + 3 d. Lamps are
+    # read once by a warp.
+    "proof": (160, 30 + 95 + 4 * (9 + D) + half_spaces(5) + 70 + 41 + 3 * D, 64 + 5 + 4),
+    # boxes_met_by, in float: of each child 6 planes of 6; 6 differences, 12 comparisons, and where they hold 5 half spaces of
+    # 3 (choice of the corner) and 6. The loop as of a ray, slots_of 12, rounding 9
+    "proof node visit": (59 + A["children"] * (54 + A["in_box"] * 45), 0, 80),
+    # is_outside, in float: rounding 12, differences 9, three planes of 20 where one separates, else five; then
+    # meets_triangle: conversions 9, five planes of 19 and half of 19 axes of cross 9, 8 dots of 5, 12 min/max, 6 to decide
+    "proof triangle": (40 + 21 + (1 - A["axes"]) * 3 * 20 + A["axes"] * 5 * 20, A["axes"] * (9 + 5 * 19 + 9.5 * 67), 48),
     # is_covered by two triangles: 2 + 1 + 8 half spaces and some 25 places held against them, 6 each
     "hidden": (100, half_spaces(11) + 150, 4 * 48),
     # direct_seen.glsl beside places: lamp and point; patch_of 41 + 3 d; six curves of 6; unseen light 17 + d; mean 8, rest 6
@@ -138,10 +159,10 @@ COUNTED = {
 # --- the processor beside it: one thread, measured ------------------------------------------------
 CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
           "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
-BESIDE_NS = {"connection": 20.0, "path": 400.0, "vertex": 45.0 + 15.0, "short_ray": 5.0, "pair": 2.0}
+BESIDE_NS = {"receiver": 100.0, "path": 400.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
-VERTEX_UP, VERTEX_DOWN = 90, 48
+VERTEX_UP, VERTEX_DOWN = 168, 48
 # llvmpipe: floats of a vector of 256 bits, vectors a clock and clocks for a word of a buffer (both
 # assumed), clocks a second (measured)
 SOFTWARE = dict(lanes=8, per_clock=2.0, word_clocks=5.0, clock=2.46e9)
@@ -250,7 +271,7 @@ def phase(limits, others):
     """The device's largest limit, and what comes before and after it, one after the other."""
     name = max(limits, key=limits.get)
     whole = {name: limits[name], **others}
-    return sum(whole.values()), max(whole, key=whole.get), limits
+    return sum(whole.values()), max(whole, key=whole.get), limits, others
 
 
 def direct_phase(device, limits, pairs, points, pieces, bytes_down, launches, reads, list_bytes=0.0):
@@ -331,6 +352,18 @@ def panels_cpu_s(points, threads):
         CPU_NS["direct_ray"] * p["sampled"] * pairs * p["samples"] * p["replicates"])
 
 
+def choose_items(work):
+    """Cuts of all tiles: two nodes are seen for each that is opened; slots are half full on average, and sorted twice."""
+    items = {"node seen": 0.0, "slot looked at": 0.0, "slot compared": 0.0}
+    for draws in work.drawn:
+        tiles, cut = work.receivers / 32, cut_nodes(draws)
+        width = math.ceil(math.log2(cut))
+        items["node seen"] += 2 * cut * tiles
+        items["slot looked at"] += A["rounds"] * cut / 2 * tiles
+        items["slot compared"] += 2 * width * (width + 1) / 2 * cut / 2 * tiles
+    return [(count, kind) for kind, count in items.items()]
+
+
 def predict(device, work, visits, threads):
     ns = 1e-9 / threads
     phases = {"direct": direct_of_points(device, work.direct_rays, work.points, visits)}
@@ -354,26 +387,37 @@ def predict(device, work, visits, threads):
     pieces = sum(math.ceil(work.receivers / receivers_per_piece(n, work, threads)) for n in work.drawn)
     vertices = work.pool_rays / work.replicates / 2  # of the largest batch
     limits = added(
+        device.limits(choose_items(work), A["code_lanes"], 0.0, 128 * vertices, threads=2 * per_piece),
         device.limits([(nodes, "weight"), (nodes, "share")], A["code_lanes"], 0.0,
                       per_piece * cut_nodes(work.draws) * 12),
         device.limits(ray_items(work.connections, visits["connections"]), A["rays_lanes"], still,
                       threads=per_piece * work.draws),
         device.limits([(draws, "draw"), (draws, "sum")], A["code_lanes"], 0.0, 64 * vertices,
                       threads=per_piece * work.draws))
-    up = VERTEX_UP * work.pool_rays + work.receivers * sum(64 + 4 * cut_nodes(n) / 32 for n in work.drawn)
+    receivers = work.receivers * work.looks
     phases["connections"] = phase(limits, {
-        "CPU beside": ns * BESIDE_NS["connection"] * work.connections,
-        "PCIe": device.pcie_s(up + 32 * work.looks * work.receivers),
-        "launches": pieces * (12 * A["launch_s"] + A["read_s"])})
+        "CPU beside": ns * BESIDE_NS["receiver"] * receivers,
+        "PCIe": device.pcie_s(VERTEX_UP * work.pool_rays + receivers * (64 + 48 / 32 + 32)),
+        "rounds": pieces * A["rounds"] * A["round_s"],
+        "launches": pieces * (14 * A["launch_s"] + A["read_s"])})
 
     first = work.near_rays / RAYS_PER_SHORT_RAY
-    limits = device.limits([(first, "short ray"), *ordered(first, visits["near_field"])],
-                           A["rays_lanes"], still, threads=1 << 18)
-    rest_ns = CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first
+    hits = A["lit_share"] * first
+    light_ns = CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first
+    shadow_rays = hits * (A["bounds"] + 1 + 4)
+    limits = added(
+        device.limits([(first, "short ray"), *ordered(first, visits["near_field"])],
+                      A["rays_lanes"], still, threads=1 << 18),
+        device.limits([(hits, "hit"), ((A["bounds"] + 1) * hits, "photometry"),
+                       *ray_items(shadow_rays, visits["connections"]), *ordered(hits, visits["near_field"])],
+                      A["rays_lanes"], still, threads=1 << 16, pieces=1),
+        device.limits([(A["hit_nodes"] * hits, "weight"), (A["hit_nodes"] * hits, "share"), (4 * hits, "draw")],
+                      A["code_lanes"], 0.0, 64 * vertices, threads=1 << 16, pieces=1))
+    casts = math.ceil(first / (1 << 20))
     phases["near field"] = phase(limits, {
-        "CPU": ns * (rest_ns + BESIDE_NS["short_ray"] * first),
-        "PCIe": device.pcie_s(12 * first),
-        "launches": math.ceil(first / (1 << 20)) * (6 * A["launch_s"] + A["read_s"])})
+        "CPU": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
+        "PCIe": device.pcie_s(96 * work.receivers * work.looks + 128 * hits),
+        "launches": casts * (24 * A["launch_s"] + 3 * A["read_s"])})
     return phases
 
 
@@ -411,9 +455,9 @@ def predictions(counts, visits, threads):
                          *(number(s) for s in on_cpu.values()), number(cpu_s), "", ""])
             for name in DEVICES:
                 phases = predict(Device(name), work, visits, threads)
-                whole = sum(s for s, _, _ in phases.values())
+                whole = sum(s for s, *_ in phases.values())
                 best = sum(min(phases[what][0], on_cpu[what]) for what in phases)
-                rows.append(["", name, *(f"{number(s)} ({why})" for s, why, _ in phases.values()),
+                rows.append(["", name, *(f"{number(s)} ({why})" for s, why, *_ in phases.values()),
                              number(whole), number(cpu_s / whole), number(cpu_s / best)])
     return table(["points, error", "by", "direct, s", "light paths, s", "connections, s",
                   "near field, s", "all, s", "CPU / all", "CPU / best stages"], rows)
@@ -426,7 +470,7 @@ def panel_table(visits, threads):
         rows.append([str(points), f"{threads} threads", number(cpu_s), "", "", "", "", "", ""])
         for name in DEVICES:
             device = Device(name)
-            whole, why, limits = direct_of_panels(device, points, visits)
+            whole, why, limits, _ = direct_of_panels(device, points, visits)
             _, stages = panel_stages(device, points, visits)
             most = max(limits, key=limits.get)
             rows.append(["", name, f"{number(whole)} ({why})", *(number(s[most]) for s in stages.values()),
@@ -435,37 +479,28 @@ def panel_table(visits, threads):
                   "CPU beside, s", "gain"], rows)
 
 
-def next_steps(counts, visits, threads):
-    """The largest run, by best stages: what becomes of it as work moves from the CPU to the device."""
+def what_is_left(counts, visits, threads):
+    """The largest run, by best stages: what it takes the device, and what the CPU still does."""
     points = max(look["points"] for look in counts["looks"])
     work = Work(best_look(counts["looks"], points), 0.001)
     on_cpu, rows = cpu_phases(work, threads), []
-    ns, still = 1e-9 / threads, 1.0 - A["l1_miss"]
-    first = work.near_rays / RAYS_PER_SHORT_RAY
     for name in DEVICES:
         device = Device(name)
         phases = predict(device, work, visits, threads)
         best = {what: min(phases[what][0], on_cpu[what]) for what in phases}
-        # The CPU keeps a tenth of what it does beside; the device weighs two groups more for each of a tile's cut.
-        groups = ns * BESIDE_NS["connection"] * work.connections
-        weighed = 2 / 32 * work.connections / 0.9 * cut_nodes(work.draws) / work.draws
-        kept = dict(best, connections=best["connections"] - 0.9 * groups + max(device.limits(
-            [(weighed, "weight")], A["code_lanes"], still).values()))
-        # Shadow rays with photometry, and rays that go on.
-        lit_s = max(device.limits([(work.near_rays - first, "photometry"),
-                                   *ray_items(work.near_rays - first, visits["connections"])],
-                                  A["rays_lanes"], still).values())
-        rest_s = ns * (CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first)
-        lit = min(best["near field"], phases["near field"][0] - rest_s + lit_s)
-        cpu_s = sum(on_cpu.values())
-        gains = [cpu_s / sum(b.values()) for b in
-                 (best, kept, {**best, "near field": lit}, {**kept, "near field": lit})]
-        device_s = [max(phases[what][2].values()) for what in ("connections", "near field")]
-        rows.append([name, number(groups), number(rest_s), *(number(s) for s in device_s), number(lit_s),
-                     *(number(g) for g in gains)])
-    return table(["device", "groups on the CPU, s", "light at hits on the CPU, s", "device: connections, s",
-                  "short rays, s", "light at hits, s", "gain now", "groups moved", "light at hits moved",
-                  "both moved"], rows)
+        taken = [phases[what] for what in phases if phases[what][0] <= on_cpu[what]]
+        device_s = sum(max(limits.values()) for _, _, limits, _ in taken)
+        other = {}
+        for _, _, _, others in taken:
+            for what, s in others.items():
+                what = "CPU beside" if what == "CPU" else what
+                other[what] = other.get(what, 0.0) + s
+        left = sum(on_cpu[what] for what in phases if phases[what][0] > on_cpu[what])
+        rows.append([name, number(sum(best.values())), number(device_s),
+                     *(number(other.get(what, 0.0)) for what in ("CPU beside", "PCIe", "rounds", "launches")),
+                     number(left), number(sum(on_cpu.values()) / sum(best.values()))])
+    return table(["device", "all, s", "device, s", "CPU beside, s", "PCIe, s", "rounds, s", "launches, s",
+                  "stages that stay on the CPU, s", "gain"], rows)
 
 
 def kernel_rates(counts, visits):
@@ -476,7 +511,7 @@ def kernel_rates(counts, visits):
     for name in DEVICES:
         device, row = Device(name), [name]
         for what in ("light paths", "connections", "near field"):
-            _, _, limits = predict(device, work, visits, 1)[what]
+            _, _, limits, _ = predict(device, work, visits, 1)[what]
             amount = {"light paths": work.pool_rays, "connections": work.connections,
                       "near field": work.near_rays / RAYS_PER_SHORT_RAY}[what]
             why = max(limits, key=limits.get)
@@ -558,7 +593,7 @@ def all_tables(counts, visits, threads):
     yield from ["", "## What would have to move", "",
                 f"{max(l['points'] for l in counts['looks'])} points to 0.1 %, each stage where it is faster, "
                 f"against {threads} threads.", ""]
-    yield from next_steps(counts, visits, threads)
+    yield from what_is_left(counts, visits, threads)
     yield from ["", "## The device alone", ""]
     yield from kernel_rates(counts, visits)
     yield from ["", "## Against the processor, predicted / measured on one thread", ""]

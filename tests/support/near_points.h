@@ -34,7 +34,7 @@ struct NearScene {
              of.channels.size()) {
     calc::ReceiverTile everywhere;
     everywhere.softening_m = static_cast<float>(0.1 * of.extent_m);
-    cut.build(tree, everywhere, 128, static_cast<float>(bound.smallest()), false);
+    cut.build(tree, everywhere, {128, static_cast<float>(bound.smallest()), false});
   }
 
   calc::NearField near() const {
