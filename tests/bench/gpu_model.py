@@ -32,9 +32,6 @@ DEVICES = {
                      l2=5.0e12, pcie=32e9, source=ADA),
 }
 
-# Rounds: of the largest cuts; beside them what they take is the CPU's wait, not the device's work.
-ROUNDS = 60.0
-
 # --- assumed --------------------------------------------------------------------------------------
 ASSUMED = {
     "rays_lanes": (0.35, "share of a warp's lanes that a divergent traversal keeps busy"),
@@ -47,7 +44,10 @@ ASSUMED = {
     "occupancy": (0.5, "share of the threads of an SM that registers leave room for"),
     "in_flight": (3.0, "pieces on the device at a time (gpu/draw_queue), if reads do not block; of direct light 1"),
     "round_s": (1.5e-6, "of a round in which a tile opens groups of light vertices: four barriers and a read that nothing hides"),
-    "rounds": (ROUNDS, "rounds of a tile's cut, counted on the CPU in that office: 30 to 70 for 128 to 1024 groups"),
+    "rounds": (90.0, "such rounds of a tile; counted in that office: 50 to 82 for 256 groups, 79 to 112 for 1024"),
+    "seen": (2.5, "groups that are looked at for each of a cut (counted: 2.3 to 2.8)"),
+    "slots": (0.3, "of a cut, groups that are there in a round, on average (counted: 0.26 to 0.4)"),
+    "sorts": (3.0, "of a tile's groups (counted: one, and one for each round that is cut short)"),
     "lit_share": (0.105, "hits of first short rays that may give light, of all first short rays"),
     "hit_nodes": (128.0, "groups that a hit's light from afar is drawn from"),
     "bounds": (2.0, "luminaires whose photometry a hit's bound asks for, with a shadow ray each"),
@@ -353,14 +353,14 @@ def panels_cpu_s(points, threads):
 
 
 def choose_items(work):
-    """Cuts of all tiles: two nodes are seen for each that is opened; slots are half full on average, and sorted twice."""
+    """Cuts of all tiles."""
     items = {"node seen": 0.0, "slot looked at": 0.0, "slot compared": 0.0}
     for draws in work.drawn:
         tiles, cut = work.receivers / 32, cut_nodes(draws)
         width = math.ceil(math.log2(cut))
-        items["node seen"] += 2 * cut * tiles
-        items["slot looked at"] += A["rounds"] * cut / 2 * tiles
-        items["slot compared"] += 2 * width * (width + 1) / 2 * cut / 2 * tiles
+        items["node seen"] += A["seen"] * cut * tiles
+        items["slot looked at"] += A["rounds"] * A["slots"] * cut * tiles
+        items["slot compared"] += A["sorts"] * width * (width + 1) / 2 * cut / 2 * tiles
     return [(count, kind) for kind, count in items.items()]
 
 
@@ -590,7 +590,7 @@ def all_tables(counts, visits, threads):
                 f"First round, {PANELS['replicates']} replicates, {PANELS['channels']} channel; stages by the limit "
                 "that is largest in all.", ""]
     yield from panel_table(visits, threads)
-    yield from ["", "## What would have to move", "",
+    yield from ["", "## What is left", "",
                 f"{max(l['points'] for l in counts['looks'])} points to 0.1 %, each stage where it is faster, "
                 f"against {threads} threads.", ""]
     yield from what_is_left(counts, visits, threads)
