@@ -50,8 +50,8 @@ struct HitLight {
   struct Draw {
     std::uint32_t which;  // the vertex's channel, or the vertex; kNothing, kHidden
     float value;          // lm / m2 of the vertex with its weight; or Connection::weight
-    float
-        bounded_per_m2;  // 0; or the geometry term, above the lowest bound: the CPU has to find it
+    // 0; or the geometry term, above the lowest bound: the CPU has to find the vertex's own.
+    float bounded_per_m2;
   };
 
   // On a triangle, as in FirstHit, but not rounded: what hangs on it is compared with the CPU's.
