@@ -413,7 +413,7 @@ def predict(device, work, visits, threads):
                       A["rays_lanes"], still, threads=1 << 16, pieces=1),
         device.limits([(A["hit_nodes"] * hits, "weight"), (A["hit_nodes"] * hits, "share"), (4 * hits, "draw")],
                       A["code_lanes"], 0.0, 64 * vertices, threads=1 << 16, pieces=1))
-    casts = math.ceil(first / (1 << 20))
+    casts = math.ceil(first / (1 << 18))  # kShortRaysPerCast
     phases["near field"] = phase(limits, {
         "CPU": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
         "PCIe": device.pcie_s(96 * work.receivers * work.looks + 128 * hits),
