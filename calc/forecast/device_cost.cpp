@@ -19,10 +19,11 @@ constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
 constexpr double kPackTriangle_ns = 300.0;  // the device's own tree, by one thread
 // What a first short ray costs the CPU without the light at its end.
 constexpr double kFirstShortRay_ns = 75.0;
-// Light at hits that stays on the CPU: of the later steps of chains.
-constexpr double kLaterSteps = 0.25;
-constexpr double kRaysPerHit = 5.0;  // of a first step
-constexpr double kBesideHit_ns = 100.0;
+// Light at hits that stays on the CPU: later steps of chains.  [5 to 6 of 100 hits go on, in three
+// rooms]
+constexpr double kLaterSteps = 0.06;
+constexpr double kRaysPerHit = 5.0;      // of a first step  [counted]
+constexpr double kBesideHit_ns = 100.0;  // assumed
 
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------
 constexpr double kVertexUp_bytes = 168.0;  // with its two groups
