@@ -101,7 +101,7 @@ struct Chain {
 };
 
 // Light at a chain's place, and one more ray from there to the next; false: the chain ends. Of the
-// first step shaders/hit_bounds.glsl and those after it do the same.
+// first step gpu/shaders/hit_bounds.glsl and those after it do the same.
 bool add_step(const NearField& field, RandomKey ray_key, std::uint64_t depth, Chain& chain,
               double* sums, std::size_t stride, std::uint64_t& rays) {
   const Tracer& tracer = field.tracer;
@@ -225,7 +225,7 @@ GeometryBound::Terms GeometryBound::terms() const {
           smallest_ / (vertices_per_lumen_ * luminaires)};
 }
 
-// shaders/hit_bounds.glsl does the same.
+// gpu/shaders/hit_bounds.glsl does the same.
 double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const {
   const auto& luminaires = tracer_.scene().luminaires;
   const auto [smallest, vertices_per_lumen, ambient_per_m2, needed_lx, least_lx] = terms();

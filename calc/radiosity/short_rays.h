@@ -72,8 +72,8 @@ struct HitLight {
 };
 static_assert(sizeof(HitLight) == 128);
 
-// Rays of one call to ShortRayCaster: enough for a large device, and where all of them meet what may
-// give light, in a corner, 32 MiB of HitLight for each thread.
+// Rays of one call to ShortRayCaster: enough for a large device, and where all of them meet what
+// may give light, in a corner, 32 MiB of HitLight for each thread.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 18;
 
 class ShortRayCaster {
