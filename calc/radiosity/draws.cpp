@@ -22,7 +22,7 @@ double share_among_channels(const Cut& cut, std::vector<float>& probability) {
   for (const Cut::ChannelRange& range : channels) {
     const double own = sum_of_range(range);
     const double even = total / static_cast<double>(channels.size());
-    if (!(own > 0.0)) continue;  // next to no flux: its weights are 0 in single precision
+    if (!(own > kLeastShare * total)) continue;  // next to no flux
     const auto factor = static_cast<float>(
         std::min(0.5 + 0.5 * even / own, static_cast<double>(std::numeric_limits<float>::max())));
     for (std::size_t c = range.begin; c < range.end; ++c) probability[c] *= factor;

@@ -19,6 +19,10 @@ struct Connection {
   float weight;            // 1 / expected number of times that the vertex is drawn, > 0
 };
 
+// Of all weight: what a channel must have to be raised to its share. Less may be a denormal number,
+// which devices take for 0 and processors do not: they would not draw the same.
+inline constexpr double kLeastShare = 1e-30;
+
 // Draws of one receiver, `draws` of them, spaced evenly in cumulated probability from the shift u
 // in [0, 1): systematic sampling, by importance among nodes and by flux within them. Appends to
 // `connections`. Where there are several channels, half of the draws go evenly to all of them, so

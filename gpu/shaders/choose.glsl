@@ -24,6 +24,7 @@ shared uint slots, taken, candidates, limit;
 shared int top;
 shared uint candidate_bits[MOST_CHOSEN / 32u];
 shared uint lit_ranges, last_range;
+shared uint is_cut;  // set by any invocation that notices
 
 struct View {
   vec3 centre_m, axis;
@@ -158,8 +159,13 @@ void write_tile(uint tile) {
       atomicMax(last_range, root);
     }
   }
+  // Mesa's llvmpipe leaves all loops of an invocation after 65535 turns together, without a word, and
+  // each one that comes later after its first turn: this one, too, if any before it.
+  uint turns = 0u;
+  for (; turns < children; ++turns) atomicMax(last_range, 0u);
+  if (turns < children) atomicOr(is_cut, 1u);
   barrier();
-  if (lane == 0u) {
+  if (lane == 0u && is_cut == 0u) {
     tile_word[at] = taken;
     tile_word[at + 1u] = lit_ranges;
     tile_word[at + 2u] = last_range;
@@ -173,6 +179,7 @@ void main() {
   if (lane == 0u) {
     slots = most_ranges;
     taken = 0u;
+    is_cut = 0u;
   }
   barrier();
   for (uint root = lane; root < most_ranges; root += GROUP_SIZE) {

@@ -47,7 +47,7 @@ double share_among_channels(uint row, Tile tile) {
     const uint begin = tile_word[at], end = tile_word[at + 1u];
     const double own = double(scaled_sum(row, begin, end, 1.0));
     precise double even = total / double(tile.ranges);
-    if (!(own > 0.0LF)) continue;  // none, or next to no flux: weights are 0 in single precision
+    if (!(own > LEAST_SHARE * total)) continue;  // none, or next to no flux
     precise double share = min(0.5LF + 0.5LF * even / own, double(3.402823466e38));
     shared_total = shared_total + double(scaled_sum(row, begin, end, float(share)));
   }

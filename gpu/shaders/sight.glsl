@@ -92,8 +92,8 @@ FloatPyramid in_float(Pyramid pyramid) {
   const vec3 size_m = abs(quick.point_m) + reach_m;
   quick.rounding_m = kFloatRounding * (size_m.x + size_m.y + size_m.z);
   for (int k = 0; k < 5; ++k) {
-    quick.normal[k] = vec3(pyramid.plane[k].normal);
-    // A plane that is none has no normal: then nothing is beyond.
+    // Beyond a plane that is none lies nothing.
+    quick.normal[k] = pyramid.plane[k].is_none ? vec3(0.0) : vec3(pyramid.plane[k].normal);
     quick.offset_m[k] = pyramid.plane[k].is_none
                               ? 0.0
                               : float(above(pyramid.plane[k], pyramid.place[0]) -

@@ -237,6 +237,36 @@ TEST(GlDirect, AddsTheBodiesOfTheCpu) {
   EXPECT_NEAR(same.sum_b_lx / same.sum_a_lx, 1.0, 1e-5);
 }
 
+// Their pyramids are flat: all of what float says of a plane that is none would be wrong.
+TEST(GlDirect, AddsTheLinesOfTheCpu) {
+  LUXGATE_NEEDS_OPENGL();
+  Hall hall;
+  hall.scene.channels = {{"a", 1.0}};
+  add_box(hall.scene, {0, 0, 0}, {6, 4, 2.8}, 0.5);
+  add_box(hall.scene, {2, 1, 0.7}, {1.6, 0.8, 0.05}, 0.4);
+  for (int k = 0; k < 6; ++k) {
+    hall.add(lambert_web(1000, 9, {OpeningShape::rectangle, 0.0, 1.2, 0.0}),
+             {1.0 + 2.0 * (k % 3), k < 3 ? 1.0 : 3.0, 2.7});
+  }
+  set_extent(hall.scene);
+  const calc::Tracer tracer(hall.scene);
+  const auto gl = gl_direct();
+  const std::vector<calc::Receiver> points = points_in({0, 0, 0}, {6, 4, 2.6}, 300);
+  const std::vector<RandomKey> keys = keys_of(points.size());
+  const calc::DirectBatch batch{tracer, points, {}, 0.0};
+  const calc::OpeningRounds rounds{0, 1, 2, 1.0};
+  const Sums cpu = by_cpu(batch, keys, rounds), device = by_gl(*gl, batch, keys, rounds);
+  const Comparison same = compare(cpu, device);
+  EXPECT_LE(same.differing, same.values / 300);
+  std::uint64_t cpu_rays = 0, device_rays = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    cpu_rays += cpu.rays[k].traced;
+    device_rays += device.rays[k].traced;
+  }
+  EXPECT_NEAR(static_cast<double>(device_rays), static_cast<double>(cpu_rays),
+              0.002 * static_cast<double>(cpu_rays));
+}
+
 // Under a luminous ceiling.
 TEST(GlDirect, ADeviceLeavesWhatIsTooNearToTheCpu) {
   LUXGATE_NEEDS_OPENGL();
