@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/radiosity/draws.h"
 
 #include <algorithm>
 #include <map>
@@ -83,15 +84,14 @@ std::optional<LuminaireChoice::Choice> LuminaireChoice::choose(const glm::dvec3&
     channel_weight[sources_[l].channel] += static_cast<double>(weight[l]);
   }
   double all = 0.0;
-  int lit_channels = 0;
-  for (const double w : channel_weight) {
-    all += w;
-    lit_channels += w > 0.0 ? 1 : 0;
-  }
+  for (const double w : channel_weight) all += w;
   if (!(all > 0.0)) return std::nullopt;
+  const double least = kLeastShare * all;
+  const auto lit_channels = std::count_if(channel_weight.begin(), channel_weight.end(),
+                                          [&](double w) { return w > least; });
   // Of luminaire l: weight[l] * share[channel].
   for (double& w : channel_weight) {
-    w = w > 0.0 ? 0.5 / all + 0.5 / (lit_channels * w) : 0.0;
+    w = 0.5 / all + (w > least ? 0.5 / (static_cast<double>(lit_channels) * w) : 0.0);
   }
   double left = u;
   std::size_t chosen = sources_.size();

@@ -43,19 +43,21 @@ Choice choose(uint i, vec3 at_m, vec3 normal, double u) {
   }
   if (channel < channel_count || lamp < luminaire_count) is_cut = true;
   precise double all = DBL(0.0);
-  double lit_channels = DBL(0.0);
   for (channel = 0u; channel < channel_count; ++channel) {
-    const double weight = channel_weight[channel * row + i];
-    all = all + weight;
-    if (weight > DBL(0.0)) lit_channels += DBL(1.0);
+    all = all + channel_weight[channel * row + i];
   }
   Choice chosen = Choice(0u, DBL(0.0));
   if (!(all > DBL(0.0))) return chosen;
+  precise double least = LEAST_SHARE * all;
+  double lit_channels = DBL(0.0);
+  for (channel = 0u; channel < channel_count; ++channel) {
+    if (channel_weight[channel * row + i] > least) lit_channels += DBL(1.0);
+  }
   for (channel = 0u; channel < channel_count; ++channel) {
     const uint at = channel * row + i;
     const double weight = channel_weight[at];
-    precise double share = DBL(0.0);
-    if (weight > DBL(0.0)) share = DBL(0.5) / all + DBL(0.5) / (lit_channels * weight);
+    precise double share = DBL(0.5) / all;
+    if (weight > least) share = share + DBL(0.5) / (lit_channels * weight);
     channel_weight[at] = share;
   }
   precise double left = u;
