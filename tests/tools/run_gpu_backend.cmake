@@ -29,7 +29,7 @@ string(JSON renderer GET "${out}" opengl_devices 0 renderer)
 
 # The same work by both backends.
 set(cornell ${EXAMPLES}/03-cornell-box/project.xml)
-set(work check --quiet --max-paths 512 --goal accuracy --tolerance 0.1%)
+set(work check --quiet --max-paths 128 --goal accuracy --tolerance 0.1%)
 file(MAKE_DIRECTORY ${WORK})
 execute_process(COMMAND ${LUXGATE} ${work} ${cornell} --backend cpu --format points-csv=${WORK}/cpu.csv)
 foreach(jobs 1 2 8)
