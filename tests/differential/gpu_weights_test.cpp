@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -175,6 +176,12 @@ struct Pool {
   Normals normals;
   std::uint32_t channels;
   double crowding = 1.0;
+
+  // Names of tests are made of it.
+  friend void PrintTo(const Pool& pool, std::ostream* to) {
+    *to << pool.vertices << " vertices of kind " << static_cast<int>(pool.normals) << ", "
+        << pool.channels << " channels, crowding " << pool.crowding;
+  }
 };
 
 class GlCuts : public ::testing::TestWithParam<Pool> {};

@@ -68,7 +68,7 @@ expect_in("${out}" "gpu stages: near-field")
 # The same verdicts, whatever the project.
 file(GLOB projects ${EXAMPLES}/*/project.xml)
 foreach(backend cpu gpu)
-  execute_process(COMMAND ${LUXGATE} check --quiet --no-config --max-paths 256 ${projects} --backend ${backend} --format csv
+  execute_process(COMMAND ${LUXGATE} check --quiet --no-config --max-paths 128 ${projects} --backend ${backend} --format csv
     OUTPUT_VARIABLE table RESULT_VARIABLE code_${backend})
   string(REGEX MATCHALL ",(pass|fail|undecided)," verdicts_${backend} "${table}")
 endforeach()
