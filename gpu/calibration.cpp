@@ -214,7 +214,7 @@ class Calibration {
         });
         if (std::find(results.begin(), results.begin() + static_cast<std::ptrdiff_t>(count),
                       kNotDone) != results.begin() + static_cast<std::ptrdiff_t>(count)) {
-          throw calc::BackendFailure("the device did not finish its work");
+          throw_not_done();
         }
       });
     };

@@ -1,9 +1,9 @@
 #include "gpu/direct_pass.h"
 
-#include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/phase_timer.h"
 #include "gpu/gl_error.h"
 #include "gpu/lamp_tables.h"
+#include "gpu/number_table.h"
 #include "gpu/path_shader_text.h"
 #include "gpu/shader_text.h"
 
@@ -63,12 +63,7 @@ std::vector<GpuPoint> gpu_points(const DirectPiece& piece) {
 
 // Direction numbers of two dimensions, then what is asked.
 std::vector<std::uint32_t> words_of(const DirectPiece& piece) {
-  std::vector<std::uint32_t> words;
-  for (int dimension = 0; dimension < 2; ++dimension) {
-    for (int bit = 0; bit < 32; ++bit) {
-      words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
-    }
-  }
+  std::vector<std::uint32_t> words = sobol_words(2);
   words.insert(words.end(), piece.is_asked.begin(), piece.is_asked.end());
   return words;
 }
@@ -80,10 +75,6 @@ void dispatch(std::size_t invocations) {
 }
 
 std::size_t channels_of(const DirectPiece& piece) { return piece.tracer->scene().channels.size(); }
-
-[[noreturn]] void throw_not_done() {
-  throw calc::BackendFailure("the device did not finish its work");
-}
 
 bool is_done(double value) { return std::bit_cast<std::uint64_t>(value) != ~std::uint64_t{0}; }
 

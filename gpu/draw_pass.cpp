@@ -30,6 +30,7 @@ void set_common(const GlProgram& program, const DrawPiece& piece) {
   program.set("most_nodes", piece.most_nodes);
   program.set("most_ranges", piece.most_ranges);
   program.set("draws", piece.batch->draws);
+  program.set("two", 2u);
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ void DrawPass::choose(DeviceState& device, const DevicePool& pool, const Slot& s
   choose_->set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
   choose_->set("wanted_nodes", word(cut.nodes));
   choose_->set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
-  choose_->set("children", 2u);
+  choose_->set("two", 2u);
   pool.bind_nodes();
   slot.views.bind(4);
   slot.tiles.bind(5);

@@ -1,6 +1,7 @@
 #include "gpu/draw_piece.h"
 
 #include "calc/radiosity/phase_timer.h"
+#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 #include "gpu/tile_words.h"
 
@@ -48,10 +49,6 @@ std::vector<std::uint32_t> channels_of(const calc::VertexTree& tree) {
 std::uint32_t most_nodes(const calc::DrawBatch& batch) {
   return static_cast<std::uint32_t>(
       std::min(std::max(batch.cut.nodes, batch.tree.roots().size()), batch.tree.vertices().size()));
-}
-
-[[noreturn]] void throw_not_done() {
-  throw calc::BackendFailure("the device did not finish its work");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "gpu/gl_error.h"
 
+#include "calc/radiosity/gatherer.h"
+
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -32,6 +34,8 @@ void check_gl(const std::string& doing) {
   }
   throw GlError(fmt::format("{} while {}", name_of(error), doing));
 }
+
+void throw_not_done() { throw calc::BackendFailure("the device did not finish its work"); }
 
 void forget_gl_errors() {
   // A lost context may report for ever.

@@ -20,6 +20,9 @@ class OutOfMemory : public GlError {
 // Throws if a GL call since the last check failed. doing: "tracing shadow rays".
 void check_gl(const std::string& doing);
 
+// Throws calc::BackendFailure: what a device left undone is no result.
+[[noreturn]] void throw_not_done();
+
 // Throws away what earlier failures left behind.
 void forget_gl_errors();
 

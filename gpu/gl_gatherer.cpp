@@ -3,6 +3,7 @@
 #include "gpu/draw_piece.h"
 #include "gpu/draw_queue.h"
 #include "gpu/gather_pass.h"
+#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
   std::uint64_t rays = 0;
   for (std::size_t i = 0; i < connections.size(); ++i) {
     if (results[i] == kNoRay) continue;
-    if (results[i] == kNotDone) throw calc::BackendFailure("the device did not finish its work");
+    if (results[i] == kNotDone) throw_not_done();
     ++rays;
     if (results[i] == kAddsNothing) continue;
     const calc::Connection& connection = connections[i];

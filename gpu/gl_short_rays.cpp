@@ -3,13 +3,14 @@
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
+#include "gpu/gl_error.h"
 #include "gpu/gl_read_back.h"
 #include "gpu/hit_pass.h"
 #include "gpu/short_ray_pass.h"
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <optional>
@@ -21,23 +22,20 @@ namespace {
 
 constexpr const char* kDoing = "tracing short rays";
 
-[[noreturn]] void throw_not_done() {
-  throw calc::BackendFailure("the device did not finish its work");
-}
-
+// kNotDone makes a double that is no number, too.
 bool is_done(const calc::HitLight& light) {
-  constexpr std::uint64_t kNotDone =
-      (std::uint64_t{calc::HitLight::kNotDone} << 32) | calc::HitLight::kNotDone;
-  const auto is_number = [](double value) {
-    return std::bit_cast<std::uint64_t>(value) != kNotDone;
-  };
-  if (light.ray == calc::HitLight::kNotDone || !is_number(light.weight)) return false;
+  if (light.ray == calc::HitLight::kNotDone || std::isnan(light.weight)) return false;
   if (!(light.weight > 0.0)) return true;
-  return light.luminaire != calc::HitLight::kNotDone && is_number(light.direct_lx) &&
+  return light.luminaire != calc::HitLight::kNotDone && !std::isnan(light.direct_lx) &&
          light.next_triangle_and_side != calc::HitLight::kNotDone &&
          std::none_of(light.draws.begin(), light.draws.end(), [](const calc::HitLight::Draw& draw) {
            return draw.which == calc::HitLight::kNotDone;
          });
+}
+
+// Whoever takes them goes by it: one in another place would be lost.
+bool are_in_order(const calc::HitLight& a, const calc::HitLight& b) {
+  return a.request < b.request || (a.request == b.request && a.ray < b.ray);
 }
 
 class GlShortRays : public calc::ShortRayCaster {
@@ -92,6 +90,7 @@ class GlShortRays : public calc::ShortRayCaster {
     for (std::size_t k = before; k < found.size(); ++k) {
       if (!has_far_light) found[k].draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
       if (!is_done(found[k])) throw_not_done();
+      if (k > before && !are_in_order(found[k - 1], found[k])) throw_not_done();
     }
   }
 

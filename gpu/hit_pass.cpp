@@ -163,7 +163,7 @@ std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job)
   counts_back_.copy(0, std::as_writable_bytes(std::span(counts)));
   std::uint32_t hits = 0;
   for (std::uint32_t& count : counts) {
-    if (count == kNotDone) throw calc::BackendFailure("the device did not finish its work");
+    if (count == kNotDone) throw_not_done();
     const std::uint32_t first = hits;
     hits += count;
     count = first;
@@ -200,6 +200,7 @@ void HitPass::start(const GlProgram& program, const Piece& piece) const {
   program.set("most_nodes", word(field.cut.size()));
   program.set("most_ranges", word(field.tree.roots().size()));
   program.set("draws", calc::kFarDraws);
+  program.set("two", 2u);
   program.set("smallest_bound_per_m2", static_cast<float>(field.bound.smallest()));
   program.set("bounded_from_per_m2", std::min(field.vertex_bounds.lowest_per_m2(), FLT_MAX));
 }

@@ -1,10 +1,12 @@
 #pragma once
-// Arrays of double for shaders, put together piece by piece.
+// Arrays of numbers for shaders, put together piece by piece.
 
+#include "calc/radiosity/low_discrepancy.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace gpu {
@@ -15,6 +17,17 @@ inline void add(std::vector<double>& table, const glm::dvec3& v) {
 
 inline void add(std::vector<double>& table, const std::vector<double>& values) {
   table.insert(table.end(), values.begin(), values.end());
+}
+
+// The 32 direction numbers of each of the first dimensions, as samples.glsl reads them.
+inline std::vector<std::uint32_t> sobol_words(int dimensions) {
+  std::vector<std::uint32_t> words;
+  for (int dimension = 0; dimension < dimensions; ++dimension) {
+    for (int bit = 0; bit < 32; ++bit) {
+      words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
+    }
+  }
+  return words;
 }
 
 // Where a luminaire is, and what shines: position, three axes, half sizes, calc::OpeningShape; 16

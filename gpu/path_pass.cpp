@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/phase_timer.h"
 #include "gpu/gl_error.h"
+#include "gpu/number_table.h"
 #include "gpu/path_shader_text.h"
 #include "gpu/path_tables.h"
 #include "gpu/shader_text.h"
@@ -50,8 +51,6 @@ void run_groups(std::size_t invocations) {
   glDispatchCompute(static_cast<GLuint>((invocations + kGroupSize - 1) / kGroupSize), 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
-
-[[noreturn]] void throw_not_done() { throw GlError("the device did not finish its work"); }
 
 }  // namespace
 
@@ -124,12 +123,7 @@ std::uint32_t PathPass::reflections_left(const PathJob& job) const {
 }
 
 void PathPass::start(std::span<PathJob* const> jobs) {
-  std::vector<std::uint32_t> words;
-  for (int dimension = 0; dimension < calc::kSobolDimensions; ++dimension) {
-    for (int bit = 0; bit < 32; ++bit) {
-      words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
-    }
-  }
+  std::vector<std::uint32_t> words = sobol_words(calc::kSobolDimensions);
   chunk_.clear();
   slot_.assign(1, 0);
   for (std::size_t j = 0; j < jobs.size(); ++j) {

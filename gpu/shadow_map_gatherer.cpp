@@ -1,5 +1,6 @@
 #include "gpu/shadow_map_gatherer.h"
 
+#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 #include "gpu/shadow_map_pass.h"
 
@@ -74,7 +75,7 @@ class ShadowMapGatherer : public calc::Gatherer {
                           std::vector<std::uint32_t>& pairs) {
     for (std::size_t k = 0; k < results.size(); ++k) {
       if (results[k] == kNoRay) continue;
-      if (results[k] == kNotDone) throw calc::BackendFailure("the device did not finish its work");
+      if (results[k] == kNotDone) throw_not_done();
       const std::size_t receiver = first_receiver + k;
       ++pairs[receiver];
       if (results[k] == kAddsNothing) continue;

@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/phase_timer.h"
+#include "gpu/number_table.h"
 #include "gpu/path_shader_text.h"
 #include "gpu/shader_text.h"
 
@@ -46,13 +47,7 @@ ShortRayPass::ShortRayPass(const ProgramCache& programs)
       requests_("calculation points"),
       hits_("hits of short rays", BufferUse::by_device),
       pacer_({kFewestRays, kMostRays, kFirstRays}) {
-  std::vector<std::uint32_t> words;
-  for (int dimension = 0; dimension < 2; ++dimension) {
-    for (int bit = 0; bit < 32; ++bit) {
-      words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
-    }
-  }
-  words_.assign(words);
+  words_.assign(sobol_words(2));
 }
 
 const GlProgram& ShortRayPass::program(bool has_light) {

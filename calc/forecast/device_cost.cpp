@@ -42,7 +42,7 @@ constexpr double kRaysPerDirectRay = 3.0, kRaysPerProof = 10.0;
 // too.
 constexpr double kRaysPerHitRay = 3.0;
 constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32, the fewest
-constexpr double kTripsPerPiece = 3.0;         // uploads, four dispatches, one read
+constexpr double kTripsPerPiece = 3.0;         // uploads, five dispatches, one read
 constexpr double kPathsPerTrip = 16384.0;      // a round of a bundle of batches
 constexpr double kTripsPerCast = 3.0;  // of short rays: how many hits, their list, their light
 

@@ -50,7 +50,7 @@ void main() {
   const uint row = r * places();
   const uint head = r * (4u + 2u * most_ranges);
   const Tile tile = tile_of(r);
-  is_cut = tile.is_chosen ? 0u : 1u;
+  is_cut = tile.is_chosen && spacing[r] >= 0.0 ? 0u : 1u;
   barrier();
   uint rays = 0u, bounded = 0u, undone = 0u, largest = 0u;
   uint first = 0u;

@@ -12,7 +12,6 @@ layout(std430, binding = 9) readonly buffer NodeAxes { uvec4 node_axis[]; };   /
 
 uniform float smallest_bound_per_m2;
 uniform uint wanted_nodes, leave_out_hidden;
-uniform uint children;  // 2: a loop that compilers cannot write out
 
 const uint NO_NODE = 0xffffffffu;
 const int HIDDEN = -2, NOTHING_TO_OPEN = -1;
@@ -71,7 +70,7 @@ void put(uint slot, uint n, int step) {
 void open_slot(View tile, uint slot) {
   const uint child = node_axis[slot_node[slot]].w;
   uint kept = 0u;
-  for (uint k = 0u; k < children; ++k) {
+  for (uint k = 0u; k < two; ++k) {
     const int step = step_of(tile, child + k);
     if (step == HIDDEN) continue;
     put(kept == 0u ? slot : atomicAdd(slots, 1u), child + k, step);
@@ -159,11 +158,7 @@ void write_tile(uint tile) {
       atomicMax(last_range, root);
     }
   }
-  // Mesa's llvmpipe leaves all loops of an invocation after 65535 turns together, without a word, and
-  // each one that comes later after its first turn: this one, too, if any before it.
-  uint turns = 0u;
-  for (; turns < children; ++turns) atomicMax(last_range, 0u);
-  if (turns < children) atomicOr(is_cut, 1u);
+  if (is_loop_left()) atomicOr(is_cut, 1u);
   barrier();
   if (lane == 0u && is_cut == 0u) {
     tile_word[at] = taken;

@@ -3,6 +3,7 @@
 
 shared float part[GROUP_SIZE];
 shared double sum_before[GROUP_SIZE];
+shared uint is_cut;  // set by any invocation that notices
 
 // calc::sum_of() of values begin..end of this receiver's row after they were multiplied: 16 lanes,
 // each by an invocation of its own.
@@ -62,6 +63,7 @@ void main() {
   const uint row = r * most_nodes;
   const uint lane = gl_LocalInvocationID.x;
   const Tile tile = tile_of(r);
+  if (lane == 0u) is_cut = 0u;
   const double total = share_among_channels(row, tile);
   memoryBarrierBuffer();
   barrier();
@@ -86,4 +88,7 @@ void main() {
     at = at + double(weight[row + c]);
     cumulated[row + c] = at;
   }
+  if (is_loop_left()) atomicOr(is_cut, 1u);
+  barrier();
+  if (lane == 0u && is_cut != 0u) spacing[r] = -1.0;  // not done
 }

@@ -179,7 +179,7 @@ struct Sums {
 };
 
 Sums gather(const Batch& batch, calc::Gatherer& gatherer, std::uint32_t draws,
-            bool has_shadows = true, double deadline_s = 0.0) {
+            bool has_shadows = true, double deadline_s = 0.0, std::size_t nodes = 200) {
   Sums sums;
   for (const auto& tile : batch.receivers) {
     sums.lx.emplace_back(2 * tile.size(), 1.0);
@@ -194,7 +194,7 @@ Sums gather(const Batch& batch, calc::Gatherer& gatherer, std::uint32_t draws,
   sums.rays = gatherer.draw_and_gather({batch.tracer,
                                         *batch.tree,
                                         batch.bounds,
-                                        {200, 0.5f, true},
+                                        {nodes, 0.5f, true},
                                         draws,
                                         has_shadows,
                                         deadline_s,
@@ -327,6 +327,24 @@ TEST(GlDraws, DoNotTakeALoopCutShortForAnAnswer) {
     const Sums b = gather(batch, *gpu::make_gl_gatherer(device), kDraws, false);
     const Sums a = gather(batch, *calc::make_cpu_gatherer(), kDraws, false);
     for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(b.lx[0][k], a.lx[0][k], 1e-5 * a.lx[0][k]);
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_TRUE(device->device().is_software) << failure.what();
+    EXPECT_STREQ(failure.what(), "the device did not finish its work");
+  }
+}
+
+// The same of weights: more groups than a group of invocations has turns for.
+TEST(GlDraws, DoNotTakeSumsOfWeightsCutShortForThem) {
+  LUXGATE_NEEDS_OPENGL();
+  constexpr std::size_t kNodes = 700'000;
+  Batch batch(std::numeric_limits<double>::infinity(), kNodes + 10'000);
+  batch.receivers.resize(1);
+  batch.shifts.resize(1);
+  const auto device = gl_device();
+  try {
+    const Sums b = gather(batch, *gpu::make_gl_gatherer(device), 1000, false, 0.0, kNodes);
+    const Sums a = gather(batch, *calc::make_cpu_gatherer(), 1000, false, 0.0, kNodes);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(b.lx[0][k], a.lx[0][k], 1e-4 * a.lx[0][k]);
   } catch (const calc::BackendFailure& failure) {
     EXPECT_TRUE(device->device().is_software) << failure.what();
     EXPECT_STREQ(failure.what(), "the device did not finish its work");

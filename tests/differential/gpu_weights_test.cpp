@@ -71,7 +71,7 @@ std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
   program.set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
   program.set("wanted_nodes", static_cast<std::uint32_t>(cut.nodes));
   program.set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
-  program.set("children", 2u);
+  program.set("two", 2u);
   glDispatchCompute(static_cast<unsigned>(piece.tile_count), 1, 1);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   tiles.read(0, std::as_writable_bytes(std::span(words)));
