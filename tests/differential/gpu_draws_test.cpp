@@ -336,10 +336,11 @@ TEST(GlDraws, DoNotTakeALoopCutShortForAnAnswer) {
 // The same of weights: more groups than a group of invocations has turns for.
 TEST(GlDraws, DoNotTakeSumsOfWeightsCutShortForThem) {
   LUXGATE_NEEDS_OPENGL();
-  constexpr std::size_t kNodes = 700'000;
+  constexpr std::size_t kNodes = 500'000;
   Batch batch(std::numeric_limits<double>::infinity(), kNodes + 10'000);
   batch.receivers.resize(1);
   batch.shifts.resize(1);
+  batch.receivers[0][0].kernel = calc::ReceiverKernel::scalar;  // sees both channels
   const auto device = gl_device();
   try {
     const Sums b = gather(batch, *gpu::make_gl_gatherer(device), 1000, false, 0.0, kNodes);
