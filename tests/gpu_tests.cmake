@@ -39,8 +39,10 @@ endif()
 # Differences and speed of both backends, project by project.
 add_executable(bench_gpu bench/bench_gpu.cpp)
 target_link_libraries(bench_gpu PRIVATE gpu calc_radiosity)
-add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp)
-target_link_libraries(bench_gpu_stages PRIVATE gpu calc_radiosity TBB::tbb fmt::fmt)
+add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp bench/gl_clock.cpp)
+target_include_directories(bench_gpu_stages SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
+target_link_libraries(bench_gpu_stages PRIVATE
+  gpu calc_radiosity TBB::tbb fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
 add_executable(bench_gpu_traversal
   bench/bench_gpu_traversal.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
 target_include_directories(bench_gpu_traversal SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})

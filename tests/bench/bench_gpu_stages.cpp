@@ -1,18 +1,20 @@
 // Speed of light paths, short rays and the light at their hits by CPU and by OpenGL, and the
 // processor time that the device's work costs outside the device: what a fast GPU would wait for.
+// Of the thread that owns the context, which all others wait for, and of the caller's, of which
+// there may be many. What llvmpipe fills and copies inside OpenGL's calls a GPU would do itself;
+// what a GPU's driver costs there is not known.
 //   bench_gpu_stages [paths] [rays per point]
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/phase_timer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
+#include "tests/bench/gl_clock.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/near_points.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-
-#include <ctime>
 
 #include <cstdint>
 #include <cstdlib>
@@ -24,31 +26,40 @@
 
 namespace {
 
-double thread_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+// Mesa traces on threads of its own.
+struct Busy {
+  double caller_s, device_s, opengl_s;  // device_s: but for OpenGL
 
-// Of the caller's thread and of the one that owns the context. Mesa traces on threads of its own.
-double busy_s(gpu::DeviceThread& device) {
-  double device_s = 0.0;
-  device.run([&](gpu::DeviceState&) { device_s = thread_s(); });
-  return device_s + thread_s();
-}
+  static Busy so_far(gpu::DeviceThread& device) {
+    Busy busy{bench::thread_s(), 0.0, 0.0};
+    device.run([&](gpu::DeviceState&) {
+      const bench::OpenGlTime opengl = bench::opengl_time();
+      busy.device_s = bench::thread_s() - opengl.calls_s - opengl.clock_s;
+      busy.opengl_s = opengl.calls_s;
+    });
+    return busy;
+  }
+};
 
 void measure(const char* name, gpu::DeviceThread& device, double items,
              const std::function<void()>& cpu, const std::function<void()>& gl) {
   const double begin_s = calc::now_s();
   cpu();
   const double cpu_s = calc::now_s() - begin_s;
-  gl();  // the driver compiles
-  const double busy_before_s = busy_s(device), gl_begin_s = calc::now_s();
+  // The driver compiles, and memory to read back grows, of which there is more than one.
+  for (int k = 0; k < 3; ++k) gl();
+  const Busy before = Busy::so_far(device);
+  const double gl_begin_s = calc::now_s();
   gl();
   const double gl_s = calc::now_s() - gl_begin_s;
-  fmt::print("{}: cpu, one thread {:.3g} /s; {} {:.3g} /s; {:.3g} us each outside the device\n",
-             name, items / cpu_s, device.device().name(), items / gl_s,
-             1e6 * (busy_s(device) - busy_before_s) / items);
+  const Busy after = Busy::so_far(device);
+  const auto us_each = [&](double s) { return 1e6 * s / items; };
+  fmt::print("{}: cpu, one thread {:.3g} /s; {} {:.3g} /s\n", name, items / cpu_s,
+             device.device().name(), items / gl_s);
+  fmt::print(
+      "  us each: the caller's thread {:.3g}, the device's {:.3g}, its OpenGL calls {:.3g}\n",
+      us_each(after.caller_s - before.caller_s), us_each(after.device_s - before.device_s),
+      us_each(after.opengl_s - before.opengl_s));
 }
 
 }  // namespace
