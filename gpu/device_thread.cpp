@@ -39,21 +39,36 @@ DeviceThread::~DeviceThread() {
 }
 
 void DeviceThread::run(const Work& work) {
-  Piece piece{&work, false, false, ""};
-  wait_for(piece);
-  if (!piece.problem.empty()) throw calc::BackendFailure(piece.problem);
+  const std::string problem = wait_for(work, false);
+  if (!problem.empty()) throw calc::BackendFailure(problem);
 }
 
-void DeviceThread::clean_up(const Work& work) {
-  Piece piece{&work, true, false, ""};
-  wait_for(piece);
+void DeviceThread::start(Work work, AtEnd at_end) {
+  add({std::move(work), std::move(at_end), false});
 }
 
-void DeviceThread::wait_for(Piece& piece) {
+void DeviceThread::clean_up(const Work& work) { wait_for(work, true); }
+
+std::string DeviceThread::wait_for(const Work& work, bool is_clean_up) {
+  std::string problem;
+  bool is_done = false;
+  add({work,
+       [&](const std::string& what) {
+         const std::scoped_lock lock(mutex_);
+         problem = what;
+         is_done = true;
+         changed_.notify_all();
+       },
+       is_clean_up});
   std::unique_lock lock(mutex_);
-  queue_.push_back(&piece);
+  changed_.wait(lock, [&] { return is_done; });
+  return problem;
+}
+
+void DeviceThread::add(Piece piece) {
+  const std::scoped_lock lock(mutex_);
+  queue_.push_back(std::move(piece));
   wanted_.notify_one();
-  changed_.wait(lock, [&] { return piece.is_done; });
 }
 
 void DeviceThread::live() {
@@ -78,45 +93,37 @@ void DeviceThread::live() {
                     pools_,
                     {},
                     {}};
-  while (Piece* piece = next()) {
-    run_piece(state, *piece);
-    {
-      const std::scoped_lock lock(mutex_);
-      piece->is_done = true;
-    }
-    changed_.notify_all();
-  }
+  while (const std::optional<Piece> piece = next()) piece->at_end(run_piece(state, *piece));
   pools_.clear();  // while the context is there
 }
 
-// Null: the end.
-DeviceThread::Piece* DeviceThread::next() {
+// Nothing: the end.
+std::optional<DeviceThread::Piece> DeviceThread::next() {
   std::unique_lock lock(mutex_);
   wanted_.wait(lock, [this] { return is_ending_ || !queue_.empty(); });
-  if (queue_.empty()) return nullptr;
-  Piece* piece = queue_.front();
+  if (queue_.empty()) return std::nullopt;
+  std::optional<Piece> piece = std::move(queue_.front());
   queue_.pop_front();
   return piece;
 }
 
-void DeviceThread::run_piece(DeviceState& state, Piece& piece) {
-  if (!loss_.empty() && !piece.is_clean_up) {
-    piece.problem = loss_;
-    return;
-  }
+std::string DeviceThread::run_piece(DeviceState& state, const Piece& piece) {
+  if (!loss_.empty() && !piece.is_clean_up) return loss_;
   try {
-    (*piece.work)(state);
+    piece.work(state);
   } catch (const OutOfMemory& error) {
     // What is kept for later may be what leaves no room.
     state.scenes.clear();
     state.pools.clear();
     state.pictures.clear();
-    piece.problem = error.what();
+    return error.what();
   } catch (const std::bad_alloc&) {
-    piece.problem = "the program is out of memory";
+    return "the program is out of memory";
   } catch (const std::exception& error) {
-    piece.problem = loss_ = error.what();
+    loss_ = error.what();
+    return loss_;
   }
+  return "";
 }
 
 }  // namespace gpu

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -41,6 +42,7 @@ struct DeviceState {
 class DeviceThread {
  public:
   using Work = std::function<void(DeviceState&)>;
+  using AtEnd = std::function<void(const std::string& problem)>;
 
   // Null if the device gives no context; `problem` then says why in words, for the user.
   static std::shared_ptr<DeviceThread> open(const DeviceRequest& request, std::string& problem);
@@ -57,27 +59,31 @@ class DeviceThread {
   // the device may be used again; after anything else it is lost, and every further run() throws
   // the same text.
   void run(const Work& work);
+  // The same without waiting. at_end, which must not throw, is called on the context's thread after
+  // the work, or in its place on a lost device: with the text that run() would throw, or "".
+  void start(Work work, AtEnd at_end);
   // For handing back what earlier work made: runs on a lost device too; `work` must not throw.
   void clean_up(const Work& work);
 
  private:
   struct Piece {
-    const Work* work;
+    Work work;
+    AtEnd at_end;
     bool is_clean_up;
-    bool is_done;
-    std::string problem;
   };
 
   explicit DeviceThread(const DeviceRequest& request);
   void live();
-  Piece* next();
-  void run_piece(DeviceState& state, Piece& piece);
-  void wait_for(Piece& piece);
+  std::optional<Piece> next();
+  // Returns what went wrong.
+  std::string run_piece(DeviceState& state, const Piece& piece);
+  void add(Piece piece);
+  std::string wait_for(const Work& work, bool is_clean_up);
 
   const DeviceRequest request_;
   std::mutex mutex_;
   std::condition_variable wanted_, changed_;
-  std::deque<Piece*> queue_;
+  std::deque<Piece> queue_;
   bool is_open_ = false, is_ending_ = false;
   std::string problem_;  // why there is no context
   std::string loss_;     // of the context's thread alone

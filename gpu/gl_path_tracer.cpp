@@ -1,13 +1,14 @@
 #include "gpu/gl_path_tracer.h"
 
 #include "calc/radiosity/gatherer.h"
-#include "gpu/gl_error.h"
 #include "gpu/path_pass.h"
+#include "gpu/path_rounds.h"
 
 #include <algorithm>
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,45 +39,59 @@ class PathQueue {
   std::uint32_t most_paths() const { return most_paths_; }
 
   // Waits for the results. Throws calc::BackendFailure.
-  void run(PathJob& job) {
-    Entry entry{&job, false, ""};
-    {
-      const std::scoped_lock lock(mutex_);
-      waiting_.push_back(&entry);
+  void run(PathJob& job, RoundCollector& rounds) {
+    PathInbox inbox;
+    job.take = [&](PathRound round) { inbox.put(std::move(round)); };
+    hand_in({&job, &inbox});
+    std::exception_ptr failure;
+    while (const std::optional<PathRound> round = inbox.next()) {
+      if (failure) continue;  // the device waits for the rest, too
+      try {
+        rounds.add(*round);
+      } catch (...) {
+        failure = std::current_exception();
+      }
     }
-    try {
-      thread_->run([&](DeviceState& device) {
-        while (!entry.is_done) run_bundle(device);  // nothing to do if another's bundle had it
-      });
-    } catch (const calc::BackendFailure&) {
-      const std::scoped_lock lock(mutex_);
-      std::erase(waiting_, &entry);
-      throw;
-    }
-    if (!entry.problem.empty()) throw calc::BackendFailure(entry.problem);
+    if (!inbox.problem().empty()) throw calc::BackendFailure(inbox.problem());
+    if (failure) std::rethrow_exception(failure);
   }
 
  private:
   struct Entry {
     PathJob* job;
-    bool is_done;
-    std::string problem;
+    PathInbox* inbox;
   };
 
+  // There are never fewer pieces of work on their way to the device than jobs that wait, and each
+  // takes one at least.
+  void hand_in(const Entry& entry) {
+    {
+      const std::scoped_lock lock(mutex_);
+      waiting_.push_back(entry);
+    }
+    try {
+      thread_->start([this](DeviceState& device) { run_bundle(device); },
+                     [this](const std::string& problem) { end_bundle(problem); });
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      // Another's piece may have taken it already.
+      const auto is_this = [&](const Entry& other) { return other.inbox == entry.inbox; };
+      if (std::erase_if(waiting_, is_this) > 0) throw;
+    }
+  }
+
   // The first that waits, and those of the same emitter that wait directly behind it and fit.
-  std::vector<Entry*> next_bundle() {
-    std::vector<Entry*> bundle;
+  void take_bundle() {
     const std::scoped_lock lock(mutex_);
     std::uint32_t paths = 0;
-    while (!waiting_.empty() && bundle.size() < PathPass::kMostJobs) {
-      const PathJob& job = *waiting_.front()->job;
+    while (!waiting_.empty() && under_way_.size() < PathPass::kMostJobs) {
+      const PathJob& job = *waiting_.front().job;
       paths += whole_chunks(job.last - job.first);
       if (paths > most_paths_) break;
-      if (!bundle.empty() && !is_same_source(job, *bundle.front()->job)) break;
-      bundle.push_back(waiting_.front());
+      if (!under_way_.empty() && !is_same_source(job, *under_way_.front().job)) break;
+      under_way_.push_back(waiting_.front());
       waiting_.pop_front();
     }
-    return bundle;
   }
 
   static bool is_same_source(const PathJob& a, const PathJob& b) {
@@ -85,44 +100,34 @@ class PathQueue {
   }
 
   void run_bundle(DeviceState& device) {
-    const std::vector<Entry*> bundle = next_bundle();
+    take_bundle();
+    if (under_way_.empty()) return;  // another's piece had it
     std::vector<PathJob*> jobs;
-    for (Entry* entry : bundle) {
-      jobs.push_back(entry->job);
-      entry->is_done = true;
-    }
-    try {
-      if (!pass_) pass_ = std::make_unique<PathPass>(most_paths_, device.programs);
-      pass_->run(device, jobs);
-    } catch (const std::exception& error) {
+    for (const Entry& entry : under_way_) jobs.push_back(entry.job);
+    if (!pass_) pass_ = std::make_unique<PathPass>(most_paths_, device.programs);
+    pass_->run(device, jobs);
+  }
+
+  // Whoever waits may be gone as soon as it is told. What waits for another bundle may yet do
+  // better, unless the device had been lost before and nothing was run.
+  void end_bundle(const std::string& problem) {
+    if (!problem.empty()) {
       pass_.reset();  // what it kept may be what left no room
-      for (Entry* entry : bundle) entry->problem = error.what();
-      throw;
+      const std::scoped_lock lock(mutex_);
+      if (under_way_.empty()) under_way_.swap(waiting_);
     }
+    for (const Entry& entry : under_way_) entry.inbox->end(problem);
+    under_way_.clear();
   }
 
   const std::shared_ptr<DeviceThread> thread_;
   const std::uint32_t most_paths_;
   std::mutex mutex_;
-  std::deque<Entry*> waiting_;
-  std::unique_ptr<PathPass> pass_;  // of the device's thread alone
+  std::deque<Entry> waiting_;
+  // Of the device's thread alone.
+  std::deque<Entry> under_way_;
+  std::unique_ptr<PathPass> pass_;
 };
-
-// Chunk by chunk, as the CPU orders them.
-void append_vertices(PathJob& job, calc::LightVertices& vertices) {
-  if (vertices.empty() && job.rounds.size() == 1) {
-    vertices = std::move(job.rounds.front().vertices);
-    return;
-  }
-  vertices.reserve(vertices.size() + job.vertices);
-  for (std::size_t c = 0; c + 1 < job.rounds.front().chunk_first.size(); ++c) {
-    for (const PathJob::Round& round : job.rounds) {
-      const auto begin = round.vertices.begin();
-      vertices.insert(vertices.end(), begin + static_cast<std::ptrdiff_t>(round.chunk_first[c]),
-                      begin + static_cast<std::ptrdiff_t>(round.chunk_first[c + 1]));
-    }
-  }
-}
 
 class GlPathTracer : public calc::PathTracer {
  public:
@@ -135,18 +140,22 @@ class GlPathTracer : public calc::PathTracer {
     for (std::uint32_t first = batch.first; first < batch.last;) {
       const std::uint32_t last = first + std::min(queue_.most_paths(), batch.last - first);
       PathJob job{tracer, emitter, batch, first, last, batch.most_vertices - vertices};
-      queue_.run(job);
+      RoundCollector rounds(traced.vertices,
+                            static_cast<double>(last - batch.first) / (batch.last - batch.first));
+      queue_.run(job, rounds);
       vertices += job.vertices;
       traced.rays += job.rays;
       traced.absorbed_lm += job.absorbed_lm;
       traced.escaped_lm += job.escaped_lm;
       traced.has_endless_path = job.has_endless_path;
       traced.has_too_many_vertices = job.has_too_many_vertices;
-      if (job.is_useless()) break;
-      append_vertices(job, traced.vertices);
+      if (job.is_useless()) {
+        traced.vertices.clear();
+        break;
+      }
+      rounds.finish();
       first = last;
     }
-    if (traced.has_endless_path || traced.has_too_many_vertices) traced.vertices.clear();
     return traced;
   }
 

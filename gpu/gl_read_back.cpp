@@ -14,23 +14,18 @@ namespace {
 
 constexpr std::size_t kSmallest = 4096;
 
-void fill(std::span<std::byte> bytes, std::uint32_t word) {
-  std::size_t k = 0;
-  for (; k + sizeof word <= bytes.size(); k += sizeof word) {
-    std::memcpy(bytes.data() + k, &word, sizeof word);
-  }
-  std::memcpy(bytes.data() + k, &word, bytes.size() - k);
-}
-
 }  // namespace
 
-GlReadBack::~GlReadBack() { release(); }
+GlReadBack::~GlReadBack() {
+  lender_.wait();
+  release();
+}
 
 void GlReadBack::release() {
   if (name_ != 0) glDeleteBuffers(1, &name_);  // ends the mapping too
   name_ = 0;
   mapped_ = nullptr;
-  bytes_ = 0;
+  bytes_ = ready_ = 0;
 }
 
 void GlReadBack::reserve(std::size_t bytes) {
@@ -59,20 +54,26 @@ void GlReadBack::reserve(std::size_t bytes) {
 void GlReadBack::start(const std::vector<Part>& parts, std::uint32_t not_done) {
   const EglContext& context = EglContext::current();
   fence_.wait("reading " + what_);  // of an earlier start() that nobody waited for
+  lender_.wait();
+  if (lent_ < wanted_ || not_done != not_done_) ready_ = 0;
+  wanted_ = lent_ = 0;
   const bool is_lost = context.fault() == Fault::results_lost && was_used_;
   was_used_ = true;
   sources_.clear();
+  fetched_.clear();
   not_done_ = not_done;
+  for (const Part& part : parts) wanted_ += part.bytes;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!context.has_buffer_storage()) {
     for (const Part& part : parts) {
       if (!is_lost) sources_.push_back({part.from.name(), part.offset, part.bytes});
     }
   } else {
-    std::size_t bytes = 0;
-    for (const Part& part : parts) bytes += part.bytes;
-    reserve(bytes);
-    fill({mapped_, bytes}, not_done);
+    reserve(wanted_);
+    if (wanted_ > ready_) {
+      fill_words({mapped_ + ready_, wanted_ - ready_}, not_done);
+      ready_ = wanted_;
+    }
     glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
     std::size_t at = 0;
     for (const Part& part : parts) {
@@ -95,7 +96,7 @@ void GlReadBack::copy(std::size_t offset, std::span<std::byte> to) const {
     std::memcpy(to.data(), mapped_ + offset, to.size());
     return;
   }
-  fill(to, not_done_);
+  fill_words(to, not_done_);
   std::size_t begin = 0;  // of the source
   for (const Source& source : sources_) {
     const std::size_t first = std::max(offset, begin);
@@ -107,6 +108,17 @@ void GlReadBack::copy(std::size_t offset, std::span<std::byte> to) const {
     }
     begin += source.bytes;
   }
+}
+
+LentBytes GlReadBack::lend(std::size_t offset, std::size_t bytes) {
+  if (offset + bytes > wanted_) throw GlError("more is lent than was fetched: " + what_);
+  if (mapped_ == nullptr && fetched_.empty()) {
+    fetched_.resize(wanted_);
+    copy(0, fetched_);
+  }
+  lent_ += bytes;
+  std::byte* const all = mapped_ != nullptr ? mapped_ : fetched_.data();
+  return lender_.lend({all + offset, bytes}, not_done_);
 }
 
 }  // namespace gpu

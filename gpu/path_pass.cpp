@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <numeric>
 #include <utility>
 
 namespace gpu {
@@ -71,7 +71,8 @@ PathPass::PathPass(std::uint32_t most_paths, const ProgramCache& programs)
       balances_("fluxes of light paths", BufferUse::by_device),
       states_{GlBuffer("light paths", BufferUse::by_device),
               GlBuffer("light paths", BufferUse::by_device)},
-      packed_back_("packed light vertices"),
+      sums_back_("sums of light paths"),
+      direction_numbers_(sobol_words(calc::kSobolDimensions)),
       pacer_(dispatch_size(most_paths)) {
   const std::size_t room =
       std::size_t{most_paths} * kReflectionsPerRound * sizeof(calc::LightVertex);
@@ -92,11 +93,14 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
     }
     trace(device, *jobs.front(), reflections);
     const std::vector<ChunkSum> sums = sum_up();
+    deliver(jobs);  // of the round before, which has long been there
     reflection_ += reflections;
     device.check("tracing light paths");
     pack(jobs, sums);
   }
-  fetch_balance(jobs);
+  start_balance();
+  deliver(jobs);
+  finish_balance(jobs);
   device.check("tracing light paths");
 }
 
@@ -123,7 +127,7 @@ std::uint32_t PathPass::reflections_left(const PathJob& job) const {
 }
 
 void PathPass::start(std::span<PathJob* const> jobs) {
-  std::vector<std::uint32_t> words = sobol_words(calc::kSobolDimensions);
+  std::vector<std::uint32_t> words = direction_numbers_;
   chunk_.clear();
   slot_.assign(1, 0);
   for (std::size_t j = 0; j < jobs.size(); ++j) {
@@ -150,6 +154,7 @@ void PathPass::start(std::span<PathJob* const> jobs) {
   balances_.fill(chunk_.size() * calc::kPathsPerChunk * sizeof(glm::dvec2), ~0u);  // NaN
   alive_.assign(jobs.size(), 1);
   reflection_ = 0;
+  on_its_way_ = nullptr;
 }
 
 void PathPass::emit(std::span<PathJob* const> jobs) {
@@ -196,7 +201,10 @@ std::vector<PathPass::ChunkSum> PathPass::sum_up() {
   sums_.bind(kPlaces);
   counts_.bind(kCounts);
   run_groups(chunk_.size());
-  sums_.read(0, std::as_writable_bytes(std::span(sums)));
+  const auto bytes = std::as_writable_bytes(std::span(sums));
+  sums_back_.start({{sums_, 0, bytes.size()}}, ~0u);
+  sums_back_.wait("adding up light paths");
+  sums_back_.copy(0, bytes);
   check_gl("adding up light paths");
   for (const ChunkSum& sum : sums) {
     if (sum.is_done != 1) throw_not_done();
@@ -217,12 +225,18 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
     PathJob& job = *jobs[j];
     if (job.vertices > job.most_vertices) job.has_too_many_vertices = true;
     if (reflections_left(job) == 0 && alive_[j] > 0) job.has_endless_path = true;
-    if (!job.is_useless()) job.rounds.emplace_back();
   }
 
+  on_its_way_ = &free_delivery();
+  std::vector<std::vector<std::uint32_t>>& chunk_vertices = on_its_way_->chunk_vertices;
+  chunk_vertices.assign(jobs.size(), {});
+  on_its_way_->share_alive.clear();
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    on_its_way_->share_alive.push_back(static_cast<double>(alive_[j]) /
+                                       (jobs[j]->last - jobs[j]->first));
+  }
   std::vector<glm::uvec4> places;
   std::vector<std::uint32_t> next_slot{0};
-  std::vector<std::uint32_t> job_vertices(jobs.size());
   std::uint32_t vertex = 0;
   for (std::size_t c = 0; c < chunk_.size(); ++c) {
     const std::size_t j = chunk_[c].job;
@@ -231,11 +245,8 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
                         0);
     next_slot.push_back(next_slot.back() + (is_wanted ? sums[c].alive : 0));
     if (!is_wanted) continue;
-    std::vector<std::size_t>& chunk_first = jobs[j]->rounds.back().chunk_first;
-    if (chunk_first.empty()) chunk_first.push_back(0);
-    chunk_first.push_back(chunk_first.back() + sums[c].vertices);
+    chunk_vertices[j].push_back(sums[c].vertices);
     vertex += sums[c].vertices;
-    job_vertices[j] += sums[c].vertices;
   }
   places_.assign(places);
   packed_.fill(vertex * sizeof(calc::LightVertex), ~0u);
@@ -251,38 +262,58 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
   counts_.bind(kCounts);
   run_groups(chunk_.size() * kGroupSize);  // a group for each chunk
   check_gl("packing light vertices");
-  packed_back_.start({{packed_, 0, vertex * sizeof(calc::LightVertex)}}, ~0u);
-  packed_back_.wait("packing light vertices");
-  std::size_t first = 0;
-  for (std::size_t j = 0; j < jobs.size(); ++j) {
-    if (jobs[j]->is_useless()) continue;
-    calc::LightVertices& vertices = jobs[j]->rounds.back().vertices;
-    vertices.resize(job_vertices[j]);
-    packed_back_.copy(first * sizeof(calc::LightVertex),
-                      std::as_writable_bytes(std::span(vertices)));
-    first += vertices.size();
-    for (const calc::LightVertex& v : vertices) {
-      if (std::bit_cast<std::uint32_t>(v.flux_lm) == ~0u) throw_not_done();
-    }
-  }
+  on_its_way_->back.start({{packed_, 0, vertex * sizeof(calc::LightVertex)}}, ~0u);
   now_ = 1 - now_;
   slot_ = std::move(next_slot);
 }
 
-void PathPass::fetch_balance(std::span<PathJob* const> jobs) {
+// One that nobody reads, the largest of them, so that no more grow than are needed at once; else
+// the one that was lent first.
+PathPass::Delivery& PathPass::free_delivery() {
+  auto best = deliveries_.begin();
+  for (auto one = deliveries_.begin(); one != deliveries_.end(); ++one) {
+    if (!one->back.has_all()) continue;
+    if (!best->back.has_all() || one->back.room_bytes() > best->back.room_bytes()) best = one;
+  }
+  deliveries_.splice(deliveries_.end(), deliveries_, best);
+  return deliveries_.back();
+}
+
+void PathPass::deliver(std::span<PathJob* const> jobs) {
+  if (on_its_way_ == nullptr) return;
+  Delivery& delivery = *std::exchange(on_its_way_, nullptr);
+  delivery.back.wait("packing light vertices");
+  std::size_t first = 0;
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    std::vector<std::uint32_t>& chunks = delivery.chunk_vertices[j];
+    const std::size_t bytes =
+        sizeof(calc::LightVertex) * std::accumulate(chunks.begin(), chunks.end(), std::size_t{0});
+    if (bytes == 0) continue;
+    jobs[j]->take({std::move(chunks), delivery.back.lend(first, bytes), delivery.share_alive[j]});
+    first += bytes;
+  }
+}
+
+void PathPass::start_balance() {
   std::vector<std::uint32_t> paths;
   for (const Chunk& chunk : chunk_) paths.push_back(chunk.paths);
   chunks_.assign(paths);
-  std::vector<glm::dvec2> sums(chunk_.size());
-  sums_.assign(sums.size() * sizeof(glm::dvec2), ~0u);
+  const std::size_t bytes = chunk_.size() * sizeof(glm::dvec2);
+  sums_.assign(bytes, ~0u);
   balance_program_.use();
   balance_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
   balances_.bind(0);
   chunks_.bind(1);
   sums_.bind(2);
   run_groups(chunk_.size());
-  sums_.read(0, std::as_writable_bytes(std::span(sums)));
   check_gl("adding up fluxes");
+  sums_back_.start({{sums_, 0, bytes}}, ~0u);
+}
+
+void PathPass::finish_balance(std::span<PathJob* const> jobs) {
+  sums_back_.wait("adding up fluxes");
+  std::vector<glm::dvec2> sums(chunk_.size());
+  sums_back_.copy(0, std::as_writable_bytes(std::span(sums)));
   for (std::size_t c = 0; c < chunk_.size(); ++c) {
     PathJob& job = *jobs[chunk_[c].job];
     if (job.is_useless()) continue;

@@ -8,10 +8,12 @@
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
 #include "gpu/gl_read_back.h"
+#include "gpu/path_rounds.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <span>
 #include <vector>
@@ -25,14 +27,11 @@ struct PathJob {
   const calc::PathBatch& batch;
   std::uint32_t first = 0, last = 0;  // of the batch's paths, by whole chunks
   std::uint64_t most_vertices = 0;    // for this job
+  // Gets the vertices, round after round, those of rounds before it was found useless too. On the
+  // device's thread, which waits in the end until they are back: to be handed on.
+  std::function<void(PathRound)> take{};
 
-  // Vertices of the reflections of one round: in order of chunks, then of reflections, then of
-  // paths.
-  struct Round {
-    calc::LightVertices vertices;
-    std::vector<std::size_t> chunk_first{};  // chunks + 1 entries
-  };
-  std::vector<Round> rounds{};
+  // After run():
   double absorbed_lm = 0.0, escaped_lm = 0.0;
   std::uint64_t vertices = 0, rays = 0;
   bool has_endless_path = false, has_too_many_vertices = false, is_late = false;
@@ -72,6 +71,12 @@ class PathPass {
   struct ChunkSum {
     std::uint32_t vertices, alive, rays, is_done;
   };
+  // Vertices of one round on their way. While their readers are at it, the next round has another.
+  struct Delivery {
+    GlReadBack back{"packed light vertices"};
+    std::vector<std::vector<std::uint32_t>> chunk_vertices{};  // [job]
+    std::vector<double> share_alive{};                         // [job]
+  };
 
   std::uint32_t reflections_left(const PathJob& job) const;
   // Of the next round.
@@ -82,14 +87,20 @@ class PathPass {
   void trace(DeviceState& device, const PathJob& job, std::uint32_t reflections);
   std::vector<ChunkSum> sum_up();
   void pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums);
-  void fetch_balance(std::span<PathJob* const> jobs);
+  Delivery& free_delivery();
+  // What pack() started last, if it has not been.
+  void deliver(std::span<PathJob* const> jobs);
+  void start_balance();
+  void finish_balance(std::span<PathJob* const> jobs);
   const GlBuffer& tables_of(const PathJob& job);
 
   const std::uint32_t most_paths_;
   GlProgram starts_program_, paths_program_, sums_program_, places_program_, balance_program_;
   GlBuffer words_, vertices_, packed_, counts_, chunks_, sums_, places_, balances_;
   std::array<GlBuffer, 2> states_;
-  GlReadBack packed_back_;
+  GlReadBack sums_back_;
+  std::list<Delivery> deliveries_{3};  // longest unused first
+  const std::vector<std::uint32_t> direction_numbers_;
   DispatchPacer pacer_;       // items: reflections of all paths
   std::list<Tables> tables_;  // latest use first
   // Of this run:
@@ -97,7 +108,8 @@ class PathPass {
   std::vector<std::uint32_t> slot_;   // first of each chunk; chunks + 1 entries
   std::vector<std::uint64_t> alive_;  // paths of each job; at least 1 before the first reflection
   std::uint32_t reflection_ = 0;      // done
-  std::size_t now_ = 0;               // which of states_ holds this round's, not the next one's
+  Delivery* on_its_way_ = nullptr;
+  std::size_t now_ = 0;  // which of states_ holds this round's, not the next one's
 };
 
 }  // namespace gpu

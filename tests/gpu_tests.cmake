@@ -17,7 +17,9 @@ luxgate_test(gpu_tests
     unit/gpu/egl_context_test.cpp
     unit/gpu/exact_arithmetic_test.cpp
     unit/gpu/gl_buffer_test.cpp
+    unit/gpu/lent_bytes_test.cpp
     unit/gpu/missing_device_test.cpp
+    unit/gpu/path_rounds_test.cpp
     unit/gpu/program_cache_test.cpp
     unit/gpu/traversal_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})

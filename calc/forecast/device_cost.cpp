@@ -12,7 +12,8 @@ namespace {
 // [measured on one core of a shared AMD Zen 5 by bench_gpu and bench_gpu_stages]
 constexpr double kBesideReceiver_ns = 100.0;  // packing, adding what comes back
 constexpr double kBesideOpening_ns = 2.0;     // reading what is proved of it, listing samples
-constexpr double kBesidePath_ns = 400.0;      // all by the thread that owns the device
+constexpr double kBesidePath_ns = 60.0;       // copying its vertices
+constexpr double kSendPath_ns = 10.0;         // by the one thread that owns the device
 constexpr double kBesideShortRay_ns = 5.0;
 constexpr double kSortVertex_ns = 45.0;
 constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
@@ -71,7 +72,8 @@ struct Weigher {
     return work.work.pool_rays / rates.path_rays_per_s +
            vertices * kVertexDown_bytes / rates.down_bytes_per_s +
            rates.round_trip_s * trips(work.work.light_paths, kPathsPerTrip) +
-           1e-9 * kBesidePath_ns * work.work.light_paths + thread_s * kSortVertex_ns * vertices;
+           1e-9 * kSendPath_ns * work.work.light_paths +
+           thread_s * (kBesidePath_ns * work.work.light_paths + kSortVertex_ns * vertices);
   }
   double connect() const {
     const double vertices = work.work.pool_rays;

@@ -15,7 +15,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -224,6 +226,69 @@ TEST(GlPathTracer, GivesTheSameBitsAgainAloneAndInBundles) {
   for (std::thread& thread : threads) thread.join();
 }
 
+// Of several passes with several rounds each: some threads copy what came back while the device is
+// at work for others.
+TEST(GlPathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.7);
+  const Source source(hall.scene);
+  const auto batch = [](std::size_t replicate) {
+    return calc::PathBatch{1, replicate, 256, replicate == 0 ? 9000u : 3000u};
+  };
+  std::vector<calc::TracedPaths> once;
+  for (const std::size_t thread_count : {1u, 2u, 5u}) {
+    const auto gl = gl_path_tracer();
+    std::vector<calc::TracedPaths> traced(5);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < thread_count; ++t) {
+      threads.emplace_back([&, t] {
+        for (std::size_t r = t; r < traced.size(); r += thread_count) {
+          traced[r] = source.gl(*gl, batch(r));
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    if (once.empty()) once = traced;
+    for (std::size_t r = 0; r < traced.size(); ++r) expect_same_bits(once[r], traced[r]);
+  }
+}
+
+// The device goes on while others read, but not over what they read.
+TEST(GlPathTracer, WaitsForSlowReaders) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.99);
+  const Source source(hall.scene);
+  const calc::PathBatch batch{1, 0, 0, 256};
+  const auto device = gl_device();
+  calc::LightVertices vertices;
+  std::size_t rounds = 0;
+  gpu::PathInbox inbox;
+  std::thread reader([&] {
+    gpu::RoundCollector collector(vertices, 1.0);
+    while (const std::optional<gpu::PathRound> round = inbox.next()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(++rounds == 1 ? 200 : 2));
+      collector.add(*round);
+    }
+    collector.finish();
+  });
+  gpu::PathJob job{
+      source.tracer, source.emitter, batch, 0, 256, calc::kMostVertices, [&](gpu::PathRound round) {
+        inbox.put(std::move(round));
+      }};
+  device->run([&](gpu::DeviceState& state) {
+    gpu::PathPass pass(256, state.programs);
+    pass.run(state, std::vector<gpu::PathJob*>{&job});
+  });
+  inbox.end("");
+  reader.join();
+  EXPECT_GT(rounds, 3u);  // more than can be under way
+  const calc::TracedPaths alone = source.gl(*gl_path_tracer(), batch);
+  ASSERT_EQ(vertices.size(), alone.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    ASSERT_TRUE(vertices[i] == alone.vertices[i]) << i;
+  }
+}
+
 TEST(GlPathTracer, ObeysItsLimits) {
   LUXGATE_NEEDS_OPENGL();
   const auto gl = gl_path_tracer();
@@ -284,8 +349,9 @@ TEST(GlPathTracer, BundlesMayHaveUnlikeLimits) {
   const calc::PathBatch brief = one_path(), longer{1, 0, 0, 512};
   const calc::TracedPaths alone = source.gl(*gl, longer);
   ASSERT_TRUE(source.gl(*gl, {1, 0, 0, 512, 0.0, calc::kMostVertices, kFew}).has_endless_path);
-  gpu::PathJob a{source.tracer, source.emitter, brief, 0, 1, calc::kMostVertices};
-  gpu::PathJob b{source.tracer, source.emitter, longer, 0, 512, calc::kMostVertices};
+  const auto drop = [](gpu::PathRound) {};
+  gpu::PathJob a{source.tracer, source.emitter, brief, 0, 1, calc::kMostVertices, drop};
+  gpu::PathJob b{source.tracer, source.emitter, longer, 0, 512, calc::kMostVertices, drop};
   gl_device()->run([&](gpu::DeviceState& state) {
     gpu::PathPass pass(1024, state.programs);
     pass.run(state, std::vector<gpu::PathJob*>{&a, &b});

@@ -9,9 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -127,6 +131,31 @@ TEST_P(Buffers, ComeBackInPartsBesideEachOther) {
   });
 }
 
+TEST_P(Buffers, AreLentToOtherThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  std::vector<std::thread> readers;
+  gl_device(GetParam())->run([&](gpu::DeviceState& device) {
+    gpu::GlBuffer buffer("numbers");
+    gpu::GlReadBack read_back("numbers");
+    for (std::uint32_t turn = 0; turn < 4; ++turn) {
+      buffer.assign(numbers(2000, 10'000 * turn));
+      read_back.start({{buffer, 0, 8000}}, ~0u);  // waits for those of the turn before
+      read_back.wait("testing");
+      for (const auto& [first, count] : {std::pair{0u, 500u}, {500u, 1500u}}) {
+        readers.emplace_back([expected = numbers(count, 10'000 * turn + first),
+                              lent = read_back.lend(4 * first, 4 * count)]() mutable {
+          const gpu::LentBytes own = std::move(lent);
+          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+          EXPECT_TRUE(std::ranges::equal(own.bytes(), std::as_bytes(std::span(expected))));
+        });
+      }
+    }
+    EXPECT_THROW(read_back.lend(4, 8000), gpu::GlError);
+    device.check("testing");
+  });
+  for (std::thread& reader : readers) reader.join();
+}
+
 INSTANTIATE_TEST_SUITE_P(ByDriver, Buffers, testing::Values(Fault::none, Fault::no_buffer_storage),
                          [](const auto& driver) {
                            return driver.param == Fault::none ? "OfToday" : "WithoutStorage";
@@ -154,6 +183,32 @@ TEST(ReadBack, DoesNotShowEarlierResults) {
     }
     device.check("testing");
     EXPECT_EQ(device.context.fault(), Fault::results_lost);
+  });
+}
+
+TEST(ReadBack, DoesNotShowWhatItLentEarlier) {
+  LUXGATE_NEEDS_OPENGL();
+  gl_device(Fault::results_lost)->run([&](gpu::DeviceState& device) {
+    gpu::GlBuffer buffer("numbers");
+    buffer.assign(numbers(5000, 1));
+    for (const std::size_t lent_bytes : {std::size_t{20'000}, std::size_t{8000}}) {
+      gpu::GlReadBack read_back("numbers");
+      std::vector<std::uint32_t> words(5000);
+      for (const std::size_t bytes : {20'000u, 10'000u, 20'000u}) {
+        words.resize(bytes / 4);
+        read_back.start({{buffer, 0, bytes}}, ~0u);
+        read_back.wait("testing");
+        read_back.copy(0, std::as_writable_bytes(std::span(words)));
+        if (words[0] == 1) {
+          EXPECT_EQ(words, numbers(5000, 1));
+          read_back.lend(0, lent_bytes);
+        } else {
+          EXPECT_THAT(words, Each(~0u));
+        }
+      }
+      EXPECT_EQ(words.size(), 5000u);
+    }
+    device.check("testing");
   });
 }
 

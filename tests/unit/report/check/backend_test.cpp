@@ -88,6 +88,20 @@ TEST(Backend, AutoTakesTheStagesThatAreFaster) {
   EXPECT_THAT(check::backend_line(choice), HasSubstr("gpu stages: connections"));
 }
 
+// What light paths cost the CPU beside a device is shared by its threads.
+TEST(Backend, AutoTakesAFastDeviceForLightPaths) {
+  calc::DeviceRates rates = calc::kAssumedRates;
+  rates.path_rays_per_s = 1e9;
+  rates.down_bytes_per_s = 2e10;
+  for (const int threads : {1, 16}) {
+    calc::DeviceWork some = work(10.0);
+    some.threads = threads;
+    const calc::DeviceCost cost = calc::weigh_device(some, rates, {});
+    EXPECT_TRUE(cost.stages.light_paths) << threads;
+    EXPECT_LT(cost.with_device.pool, 0.5 + 3.0 / threads);
+  }
+}
+
 // A second of measuring must be worth it; where no device could be, not even kept rates are read.
 TEST(Backend, AutoMeasuresForMuchWorkOnly) {
   int asked = 0;

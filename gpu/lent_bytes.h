@@ -1,0 +1,67 @@
+#pragma once
+// Memory of one thread that others read: lent in parts, and used again once all of them are back.
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <utility>
+
+namespace gpu {
+
+class Lender;
+
+// A part of it. Whoever destroys it, on any thread, gives it back, with every word "not done": what
+// is not overwritten then cannot pass for a result.
+class LentBytes {
+ public:
+  LentBytes() = default;
+  ~LentBytes();
+  LentBytes(LentBytes&& other) noexcept
+      : lender_(std::exchange(other.lender_, nullptr)),
+        bytes_(std::exchange(other.bytes_, {})),
+        not_done_(other.not_done_) {}
+  LentBytes& operator=(LentBytes&&) = delete;
+  LentBytes(const LentBytes&) = delete;
+  LentBytes& operator=(const LentBytes&) = delete;
+
+  std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  friend Lender;
+  LentBytes(Lender& lender, std::span<std::byte> bytes, std::uint32_t not_done)
+      : lender_(&lender), bytes_(bytes), not_done_(not_done) {}
+
+  Lender* lender_ = nullptr;
+  std::span<std::byte> bytes_;
+  std::uint32_t not_done_ = 0;
+};
+
+// Outlives what it lends: its destructor waits. The owner's thread alone must not hold any of it
+// then, nor in wait().
+class Lender {
+ public:
+  Lender() = default;
+  ~Lender() { wait(); }
+  Lender(const Lender&) = delete;
+  Lender& operator=(const Lender&) = delete;
+
+  LentBytes lend(std::span<std::byte> bytes, std::uint32_t not_done);
+  // Until all is back.
+  void wait();
+  bool has_all();
+
+ private:
+  friend LentBytes;
+  void take_back();
+
+  std::mutex mutex_;
+  std::condition_variable returned_;
+  std::size_t lent_ = 0;
+};
+
+// Every 4 bytes, the rest as far as it goes.
+void fill_words(std::span<std::byte> bytes, std::uint32_t word);
+
+}  // namespace gpu
