@@ -75,18 +75,7 @@ bool DevicePools::holds(std::uint64_t identity) const {
 
 std::shared_ptr<const PackedPool> DevicePools::pack_unless_held(const calc::VertexTree& tree) {
   if (holds(tree.identity())) return nullptr;
-  std::shared_ptr<Packing> packing;
-  {
-    const std::scoped_lock lock(packing_mutex_);
-    std::erase_if(packings_, [](const auto& known) { return known.second.expired(); });
-    packing = packings_[tree.identity()].lock();
-    if (!packing) {
-      packing = std::make_shared<Packing>();
-      packings_[tree.identity()] = packing;
-    }
-  }
-  std::call_once(packing->once, [&] { packing->packed = pack_pool(tree); });
-  return {packing, &packing->packed};
+  return packings_.get(tree.identity(), [&] { return pack_pool(tree); });
 }
 
 const DevicePool& DevicePools::find_or_send(const calc::VertexTree& tree,

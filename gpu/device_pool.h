@@ -4,13 +4,13 @@
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/vertex_tree.h"
 #include "gpu/gl_buffer.h"
+#include "gpu/pack_once.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <list>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -65,17 +65,11 @@ class DevicePools {
   void clear();
 
  private:
-  struct Packing {
-    std::once_flag once;
-    PackedPool packed;
-  };
-
   bool holds(std::uint64_t identity) const;
 
   mutable std::mutex mutex_;     // changes of the list, and reading it outside the context's thread
   std::list<DevicePool> pools_;  // latest use first
-  std::mutex packing_mutex_;
-  std::map<std::uint64_t, std::weak_ptr<Packing>> packings_;  // by VertexTree::identity()
+  PackOnce<std::uint64_t, PackedPool> packings_;  // by VertexTree::identity()
 };
 
 }  // namespace gpu

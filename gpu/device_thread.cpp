@@ -16,6 +16,13 @@ void DeviceState::check(const std::string& doing) const {
   if (const std::string loss = context.loss(); !loss.empty()) throw GlError(loss);
 }
 
+void DeviceState::clear() {
+  scenes.clear();
+  pools.clear();
+  points.clear();
+  pictures.clear();
+}
+
 std::shared_ptr<DeviceThread> DeviceThread::open(const DeviceRequest& request,
                                                  std::string& problem) {
   std::shared_ptr<DeviceThread> thread(new DeviceThread(request));
@@ -87,14 +94,12 @@ void DeviceThread::live() {
   }
   changed_.notify_all();
   if (!context) return;
-  DeviceState state{*context,
-                    request_.fault,
-                    {request_.program_folder, context->device().driver_key()},
-                    pools_,
-                    {},
-                    {}};
+  DeviceState state{
+      *context, request_.fault, {request_.program_folder, context->device().driver_key()},
+      pools_,   points_,        {},
+      {}};
   while (const std::optional<Piece> piece = next()) piece->at_end(run_piece(state, *piece));
-  pools_.clear();  // while the context is there
+  state.clear();  // while the context is there
 }
 
 // Nothing: the end.
@@ -112,10 +117,7 @@ std::string DeviceThread::run_piece(DeviceState& state, const Piece& piece) {
   try {
     piece.work(state);
   } catch (const OutOfMemory& error) {
-    // What is kept for later may be what leaves no room.
-    state.scenes.clear();
-    state.pools.clear();
-    state.pictures.clear();
+    state.clear();
     return error.what();
   } catch (const std::bad_alloc&) {
     return "the program is out of memory";

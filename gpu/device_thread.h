@@ -1,6 +1,7 @@
 #pragma once
 // A thread that owns an OpenGL context and does the device work of all other threads.
 
+#include "gpu/device_points.h"
 #include "gpu/device_pool.h"
 #include "gpu/device_scene.h"
 #include "gpu/egl_context.h"
@@ -31,9 +32,13 @@ struct DeviceState {
   const EglContext& context;
   Fault fault;
   ProgramCache programs;
-  DevicePools& pools;  // of the thread
+  DevicePools& pools;    // of the thread
+  DevicePoints& points;  // of the thread
   DeviceScenes scenes;
   PictureTools pictures;
+
+  // What is kept for later, which may be what leaves no room.
+  void clear();
 
   // Throws what the request's fault asks for, or that the context is lost.
   void check(const std::string& doing) const;
@@ -53,6 +58,7 @@ class DeviceThread {
   const Device& device() const { return device_; }
   // One upload for all stages. What needs the context is for work on its thread.
   DevicePools& pools() { return pools_; }
+  DevicePoints& points() { return points_; }
 
   // Runs the work on the context's thread and waits; any thread may ask, pieces run in the order
   // asked for. Throws calc::BackendFailure with the text of what the work threw. After OutOfMemory
@@ -89,6 +95,7 @@ class DeviceThread {
   std::string loss_;     // of the context's thread alone
   Device device_;
   DevicePools pools_;
+  DevicePoints points_;
   std::thread thread_;  // last: it uses all the others
 };
 

@@ -39,9 +39,15 @@ void DispatchPacer::Mark::wait(const std::string& doing) {
   least_s = most_s = calc::now_s();
 }
 
-void DispatchPacer::begin(const std::string& doing) {
+bool DispatchPacer::has_room_for(std::size_t items) const {
+  return under_way_.size() < kMostUnderWay ||
+         (under_way_.size() < kMostSmallUnderWay &&
+          items_under_way_ + items <= kMostUnderWay * size_.items());
+}
+
+void DispatchPacer::begin(std::size_t items, const std::string& doing) {
   while (look_at_oldest()) take_oldest();
-  if (under_way_.size() >= kMostUnderWay) {
+  while (!has_room_for(items)) {
     under_way_.front().before.wait(doing);
     under_way_.front().after.wait(doing);
     take_oldest();
@@ -51,6 +57,7 @@ void DispatchPacer::begin(const std::string& doing) {
 
 void DispatchPacer::end(std::size_t items) {
   under_way_.push_back({std::move(next_), Mark::set(), items});
+  items_under_way_ += items;
   while (look_at_oldest()) take_oldest();
 }
 
@@ -64,6 +71,7 @@ void DispatchPacer::take_oldest() {
   const UnderWay& oldest = under_way_.front();
   size_.learn(oldest.items, oldest.after.least_s - oldest.before.most_s,
               oldest.after.most_s - oldest.before.least_s);
+  items_under_way_ -= oldest.items;
   under_way_.pop_front();
 }
 

@@ -38,12 +38,13 @@ class DispatchPacer {
   // Waits until there is room, and sends what `dispatch` calls. Throws GlError.
   template <class Dispatch>
   void run(std::size_t items, const std::string& doing, const Dispatch& dispatch) {
-    begin(doing);
+    begin(items, doing);
     dispatch();
     end(items);
   }
 
-  static constexpr std::size_t kMostUnderWay = 2;
+  // Dispatches of items() each; or more, of smaller ones.
+  static constexpr std::size_t kMostUnderWay = 2, kMostSmallUnderWay = 32;
 
  private:
   // When the device got somewhere. Nobody may have looked just then.
@@ -60,13 +61,15 @@ class DispatchPacer {
     std::size_t items;
   };
 
-  void begin(const std::string& doing);
+  bool has_room_for(std::size_t items) const;
+  void begin(std::size_t items, const std::string& doing);
   void end(std::size_t items);
   bool look_at_oldest();
   void take_oldest();
 
   DispatchSize size_;
   std::deque<UnderWay> under_way_;
+  std::size_t items_under_way_ = 0;
   Mark next_;  // before the next
 };
 

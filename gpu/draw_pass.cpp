@@ -29,6 +29,8 @@ void set_common(const GlProgram& program, const DrawPiece& piece) {
   program.use();
   program.set("most_nodes", piece.most_nodes);
   program.set("most_ranges", piece.most_ranges);
+  program.set("first_receiver", word(piece.first_receiver));
+  program.set("first_tile", word(piece.first_tile));
   program.set("draws", piece.batch->draws);
   program.set("two", 2u);
 }
@@ -51,36 +53,54 @@ const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShap
   return *made;
 }
 
-void DrawPass::upload(Slot& slot, const DrawPiece& piece) {
-  const std::size_t receivers = piece.receivers.size();
-  const std::size_t places = receivers * piece.places_per_receiver();
-  const std::size_t weights = receivers * piece.most_nodes;
-  const std::size_t answer_bytes = receivers * piece.words_per_answer() * sizeof(std::uint32_t);
-  slot.receivers.assign(piece.receivers);
-  if (piece.has_views()) {
-    slot.views.assign(piece.views);
+// Small pieces leave large buffers to large ones.
+std::optional<std::size_t> DrawPass::take_slot(const DrawPiece& piece) {
+  const std::size_t wanted = piece.weights() * sizeof(float);
+  const auto fits_better = [&](const Slot& a, const Slot& b) {
+    const bool fits = a.weights.bytes() >= wanted, other_fits = b.weights.bytes() >= wanted;
+    if (fits != other_fits) return fits;
+    return fits ? a.weights.bytes() < b.weights.bytes() : a.weights.bytes() > b.weights.bytes();
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < kSlots; ++k) {
+    if (slot_[k].is_free && (!best || fits_better(slot_[k], slot_[*best]))) best = k;
+  }
+  if (best) slot_[*best].is_free = false;
+  return best;
+}
+
+void DrawPass::upload(const DrawTask& task) {
+  const DrawPiece& piece = *task.piece;
+  Slot& slot = slot_[task.slot];
+  const std::size_t answer_bytes =
+      piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t);
+  if (piece.chooses_nodes()) {
     slot.tiles.assign(piece.tile_count * piece.words_per_tile() * sizeof(std::uint32_t), kNotDone);
   } else {
     slot.sent_tiles.assign(piece.tiles);
   }
-  slot.weights.reserve(weights * sizeof(float));
-  slot.cumulated.reserve(weights * sizeof(double));
-  slot.spacings.reserve(receivers * sizeof(double));
+  slot.weights.reserve(piece.weights() * sizeof(float));
+  slot.cumulated.reserve(piece.weights() * sizeof(double));
+  slot.spacings.reserve(piece.receivers * sizeof(glm::dvec2));
   if (piece.shape.has_bound) {
-    slot.bounded.assign(sizeof(std::uint32_t) + places * sizeof(BoundedDraw), kNotDone);
+    slot.bounded.assign(sizeof(std::uint32_t) + piece.places() * sizeof(BoundedDraw), kNotDone);
     slot.bounded.fill(sizeof(std::uint32_t), 0);
   }
   // A device that silently stops must not look like darkness.
-  slot.results.assign(places * sizeof(std::uint32_t), kNotDone);
+  slot.results.assign(piece.places() * sizeof(std::uint32_t), kNotDone);
   slot.sums.assign(answer_bytes, kNotDone);
-  check_gl("sending calculation points");
+  check_gl("sending work");
 }
 
-void DrawPass::bind(const DevicePool& pool, const Slot& slot, const DrawPiece& piece) {
+void DrawPass::bind(DeviceState& device, const DrawTask& task) {
+  const calc::DrawBatch& batch = *task.piece->batch;
+  const Slot& slot = slot_[task.slot];
+  const DevicePool& pool = device.pools.find_or_send(batch.tree, task.pool);
   pool.bind_vertices();
   pool.bind_tree();
-  slot.receivers.bind(4);
-  (piece.has_views() ? slot.tiles : slot.sent_tiles).bind(5);
+  device.points.find_or_send(batch.tracer, batch.tiles, task.piece->block, task.points)
+      .receivers.bind(4);
+  (task.piece->chooses_nodes() ? slot.tiles : slot.sent_tiles).bind(5);
   slot.weights.bind(8);
   slot.cumulated.bind(9);
   slot.spacings.bind(10);
@@ -89,102 +109,146 @@ void DrawPass::bind(const DevicePool& pool, const Slot& slot, const DrawPiece& p
   slot.bounded.bind(14);
 }
 
+void DrawPass::send(DeviceState& device, std::span<const DrawTask> fresh,
+                    std::span<const DrawTask> drawn) {
+  for (const DrawTask& task : fresh) upload(task);
+  // Groups first: there are few, which wait for memory, round after round, beside many rays.
+  for (const DrawTask& task : fresh) choose(device, task);
+  trace(device, drawn);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  for (const DrawTask& task : fresh) weigh(device, task);
+  for (const DrawTask& task : drawn) add(device, task);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  for (const DrawTask& task : fresh) share(device, task);
+  for (const DrawTask& task : drawn) fetch(task);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  check_gl(kDoing);
+}
+
 // The nodes that each tile's receivers choose from.
-void DrawPass::choose(DeviceState& device, const DevicePool& pool, const Slot& slot,
-                      const DrawPiece& piece) {
+void DrawPass::choose(DeviceState& device, const DrawTask& task) {
+  const DrawPiece& piece = *task.piece;
+  const calc::DrawBatch& batch = *piece.batch;
+  if (!piece.chooses_nodes()) return;
   if (!choose_) choose_ = std::make_unique<GlProgram>("choose", choose_shader(), device.programs);
-  const calc::CutRequest& cut = piece.batch->cut;
   choose_->use();
   choose_->set("most_nodes", piece.most_nodes);
   choose_->set("most_ranges", piece.most_ranges);
-  choose_->set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
-  choose_->set("wanted_nodes", word(cut.nodes));
-  choose_->set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
+  choose_->set("first_tile", word(piece.first_tile));
+  choose_->set("smallest_bound_per_m2", batch.cut.smallest_bound_per_m2);
+  choose_->set("wanted_nodes", word(batch.cut.nodes));
+  choose_->set("leave_out_hidden", batch.cut.leave_out_hidden ? 1u : 0u);
   choose_->set("two", 2u);
-  pool.bind_nodes();
-  slot.views.bind(4);
-  slot.tiles.bind(5);
+  device.pools.find_or_send(batch.tree, task.pool).bind_nodes();
+  device.points.find_or_send(batch.tracer, batch.tiles, piece.block, task.points).views.bind(4);
+  slot_[task.slot].tiles.bind(5);
   glDispatchCompute(word(piece.tile_count), 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   check_gl("choosing groups of light vertices");
 }
 
-void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_number,
-                     DrawPiece& piece, const PackedPool* packed) {
-  Slot& slot = slot_[slot_number];
-  const calc::DrawBatch& batch = *piece.batch;
-  const DrawPrograms& program = programs(device, piece.shape);
-  const DevicePool& pool = pools.find_or_send(batch.tree, packed);
-  upload(slot, piece);
-  if (piece.has_views()) choose(device, pool, slot, piece);
-  bind(pool, slot, piece);
+void DrawPass::weigh(DeviceState& device, const DrawTask& task) {
+  const DrawPiece& piece = *task.piece;
+  const GlProgram& program = programs(device, piece.shape).weigh;
+  bind(device, task);
+  set_common(program, piece);
+  program.set("smallest_bound_per_m2", piece.batch->cut.smallest_bound_per_m2);
+  glDispatchCompute(groups(piece.most_nodes), word(piece.receivers), 1);
+  check_gl("weighing groups of light vertices");
+}
 
-  const std::size_t receivers = piece.receivers.size();
-  set_common(program.weigh, piece);
-  program.weigh.set("smallest_bound_per_m2", batch.cut.smallest_bound_per_m2);
-  glDispatchCompute(groups(piece.most_nodes), static_cast<unsigned>(receivers), 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  set_common(program.share, piece);
-  glDispatchCompute(static_cast<unsigned>(receivers), 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+void DrawPass::share(DeviceState& device, const DrawTask& task) {
+  const GlProgram& program = programs(device, task.piece->shape).share;
+  bind(device, task);
+  set_common(program, *task.piece);
+  const std::uint64_t key = task.piece->batch->key.bits();
+  program.set("key_low", static_cast<std::uint32_t>(key));
+  program.set("key_high", static_cast<std::uint32_t>(key >> 32));
+  glDispatchCompute(word(task.piece->receivers), 1, 1);
   check_gl("drawing connections");
-  trace(program.trace, device, piece);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  set_common(program.add, piece);
-  glDispatchCompute(static_cast<unsigned>(receivers), 1, 1);
-  fetch(slot, piece);
+}
+
+void DrawPass::add(DeviceState& device, const DrawTask& task) {
+  bind(device, task);
+  set_common(programs(device, task.piece->shape).add, *task.piece);
+  glDispatchCompute(word(task.piece->receivers), 1, 1);
   check_gl("adding light");
 }
 
 // The list of bounded draws begins behind its length. How long it is nobody knows yet.
-void DrawPass::fetch(Slot& slot, const DrawPiece& piece) {
-  const std::size_t receivers = piece.receivers.size();
+void DrawPass::fetch(const DrawTask& task) {
+  const DrawPiece& piece = *task.piece;
+  Slot& slot = slot_[task.slot];
   std::vector<GlReadBack::Part> parts{
-      {slot.sums, 0, receivers * piece.words_per_answer() * sizeof(std::uint32_t)}};
+      {slot.sums, 0, piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t)}};
   slot.bounded_fetched = 0;
   if (piece.shape.has_bound) {
-    slot.bounded_fetched = std::min(bounded_expected_, receivers * piece.places_per_receiver());
+    slot.bounded_fetched = std::min(bounded_expected_, piece.places());
     parts.push_back(
         {slot.bounded, sizeof(std::uint32_t), slot.bounded_fetched * sizeof(BoundedDraw)});
   }
   slot.read_back.start(parts, kNotDone);
 }
 
-void DrawPass::trace(const GlProgram& program, DeviceState& device, DrawPiece& piece) {
-  set_common(program, piece);
-  if (piece.shape.has_shadows) {
-    const DeviceScene& scene = device.scenes.of(piece.batch->tracer);
-    scene.bind();
-    program.set("node_count", scene.nodes);
-    program.set("offset_m", static_cast<float>(piece.batch->tracer.offset_m()));
-  }
-  program.set("lift_m", static_cast<float>(piece.batch->tracer.offset_m()));
-  program.set("bounded_from_per_m2", std::min(piece.batch->bounds.lowest_per_m2(), FLT_MAX));
-  const std::size_t places = piece.receivers.size() * piece.places_per_receiver();
-  for (std::size_t first = 0; first < places;) {
-    if (calc::is_past(piece.batch->deadline_s)) {
-      piece.is_cut_short = true;
-      return;
-    }
-    const std::size_t count = std::min(pacer_.items(), places - first);
+// As many rays in a dispatch as the last ones say, of several pieces where they are small.
+void DrawPass::trace(DeviceState& device, std::span<const DrawTask> tasks) {
+  std::vector<Stretch> next;
+  std::size_t count = 0;
+  const auto run = [&] {
+    if (next.empty()) return;
     pacer_.run(count, kDoing, [&] {
-      program.set("first_place", word(first));
-      program.set("place_count", word(count));
-      glDispatchCompute(groups(count), 1, 1);
+      for (const Stretch& stretch : next) dispatch_rays(device, stretch);
     });
-    first += count;
+    next.clear();
+    count = 0;
+  };
+  for (const DrawTask& task : tasks) {
+    const std::size_t places = task.piece->places();
+    for (std::size_t first = 0; first < places;) {
+      if (calc::is_past(task.piece->batch->deadline_s)) {
+        task.piece->is_cut_short = true;
+        break;
+      }
+      const std::size_t some =
+          std::min(pacer_.items() - std::min(count, pacer_.items() - 1), places - first);
+      next.push_back({&task, first, some});
+      count += some;
+      first += some;
+      if (count >= pacer_.items()) run();
+    }
   }
+  run();
   check_gl("tracing shadow rays");
 }
 
-bool DrawPass::is_ready(std::size_t slot, double most_s) {
-  return slot_[slot].read_back.wait_for(most_s, kDoing);
+void DrawPass::dispatch_rays(DeviceState& device, const Stretch& stretch) {
+  const DrawPiece& piece = *stretch.task->piece;
+  const calc::DrawBatch& batch = *piece.batch;
+  const GlProgram& program = programs(device, piece.shape).trace;
+  bind(device, *stretch.task);
+  set_common(program, piece);
+  if (piece.shape.has_shadows) {
+    const DeviceScene& scene = device.scenes.of(batch.tracer);
+    scene.bind();
+    program.set("node_count", scene.nodes);
+    program.set("offset_m", static_cast<float>(batch.tracer.offset_m()));
+  }
+  program.set("lift_m", static_cast<float>(batch.tracer.offset_m()));
+  program.set("bounded_from_per_m2", std::min(batch.bounds.lowest_per_m2(), FLT_MAX));
+  program.set("first_place", word(stretch.first));
+  program.set("place_count", word(stretch.count));
+  glDispatchCompute(groups(stretch.count), 1, 1);
 }
 
-void DrawPass::finish(DeviceState& device, std::size_t slot_number, DrawPiece& piece) {
-  Slot& slot = slot_[slot_number];
+bool DrawPass::is_ready(const DrawTask& task, double most_s) {
+  return slot_[task.slot].read_back.wait_for(most_s, kDoing);
+}
+
+void DrawPass::finish(DeviceState& device, const DrawTask& task) {
+  DrawPiece& piece = *task.piece;
+  Slot& slot = slot_[task.slot];
+  slot.is_free = true;
   slot.read_back.wait(kDoing);
-  piece.answers.assign(piece.receivers.size() * piece.words_per_answer(), kNotDone);
+  piece.answers.assign(piece.receivers * piece.words_per_answer(), kNotDone);
   const auto answers = std::as_writable_bytes(std::span(piece.answers));
   slot.read_back.copy(0, answers);
   device.check(kDoing);

@@ -1,7 +1,8 @@
 #pragma once
-// Pieces of drawn connections on the device, some at a time, so that the device has work while the
-// next is sent. For the thread that owns the context.
+// Pieces of drawn connections on the device, many at a time, so that the device has work while the
+// next are sent. For the thread that owns the context.
 
+#include "gpu/device_points.h"
 #include "gpu/device_pool.h"
 #include "gpu/device_thread.h"
 #include "gpu/dispatch_pacer.h"
@@ -14,6 +15,8 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 
 namespace gpu {
 
@@ -24,26 +27,38 @@ struct DrawPrograms {
   DrawPrograms(const DeviceState& device, const DrawShape& shape);
 };
 
+// A piece and what it may need to be sent: null where the device is thought to hold it. All live
+// until it is finished.
+struct DrawTask {
+  DrawPiece* piece;
+  const PackedPool* pool;
+  const PackedPoints* points;
+  std::size_t slot = 0;  // of DrawPass::take_slot()
+};
+
 class DrawPass {
  public:
-  static constexpr std::size_t kSlots = 3;
+  static constexpr std::size_t kSlots = 32;
   // most_places: rays of one dispatch, never changes a result.
   DrawPass(const Device& device, std::size_t most_places);
 
-  // Sends a piece and starts its work in a slot that is free. packed: the pool, null if the device
-  // is thought to hold it. Throws GlError; what the slots hold is then lost.
-  void start(DeviceState& device, DevicePools& pools, std::size_t slot, DrawPiece& piece,
-             const PackedPool* packed);
+  // A free one, for this piece; none: all are in use. It is free again after finish().
+  std::optional<std::size_t> take_slot(const DrawPiece& piece);
+  // Starts the work of `fresh` as far as their draws are known; and beside it the rest of the work
+  // of `drawn`, which were `fresh` before: their rays, sums, and the way back. Stages of one and
+  // of the other run between the same barriers, so that a device may work on both at a time.
+  // Throws GlError; what the slots hold is then lost.
+  void send(DeviceState& device, std::span<const DrawTask> fresh, std::span<const DrawTask> drawn);
   // Waits so long at most; whether finish() would not wait. Throws GlError.
-  bool is_ready(std::size_t slot, double most_s);
-  // Waits for the piece of a slot and fills in what comes back. Throws GlError.
-  void finish(DeviceState& device, std::size_t slot, DrawPiece& piece);
+  bool is_ready(const DrawTask& task, double most_s);
+  // Waits for the piece, whose rays were sent, and fills in what comes back. Throws GlError.
+  void finish(DeviceState& device, const DrawTask& task);
   // Rays of a dispatch, by what the last ones took.
   std::size_t places_per_dispatch() const { return pacer_.items(); }
 
  private:
   struct Slot {
-    GlBuffer receivers{"calculation points"}, views{"tiles of calculation points"};
+    bool is_free = true;
     GlBuffer sent_tiles{"groups of light vertices"};  // that the CPU chose
     GlBuffer tiles{"groups of light vertices", BufferUse::by_device};
     GlBuffer weights{"weights of groups", BufferUse::by_device};
@@ -54,13 +69,22 @@ class DrawPass {
     GlReadBack read_back{"sums"};
     std::size_t bounded_fetched = 0;  // of the list, with the sums
   };
+  // Some of a piece's places.
+  struct Stretch {
+    const DrawTask* task;
+    std::size_t first, count;
+  };
 
-  void upload(Slot& slot, const DrawPiece& piece);
-  void choose(DeviceState& device, const DevicePool& pool, const Slot& slot,
-              const DrawPiece& piece);
-  static void bind(const DevicePool& pool, const Slot& slot, const DrawPiece& piece);
-  void fetch(Slot& slot, const DrawPiece& piece);
-  void trace(const GlProgram& program, DeviceState& device, DrawPiece& piece);
+  void upload(const DrawTask& task);
+  // Binds what stages after choosing read and write.
+  void bind(DeviceState& device, const DrawTask& task);
+  void choose(DeviceState& device, const DrawTask& task);
+  void weigh(DeviceState& device, const DrawTask& task);
+  void share(DeviceState& device, const DrawTask& task);
+  void trace(DeviceState& device, std::span<const DrawTask> tasks);
+  void dispatch_rays(DeviceState& device, const Stretch& stretch);
+  void add(DeviceState& device, const DrawTask& task);
+  void fetch(const DrawTask& task);
   const DrawPrograms& programs(const DeviceState& device, const DrawShape& shape);
 
   std::array<Slot, kSlots> slot_;

@@ -1,12 +1,12 @@
 #include "gpu/draw_piece.h"
 
 #include "calc/radiosity/phase_timer.h"
+#include "gpu/device_points.h"
 #include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 #include "gpu/tile_words.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -18,25 +18,6 @@ constexpr std::size_t kFewestTiles = 64, kMostTiles = 1024;  // of a batch
 
 std::size_t most_receivers(const DrawLimits& limits, std::size_t places, std::size_t nodes) {
   return std::min({limits.places / places, limits.weights / nodes, kMostReceivers});
-}
-
-DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& receiver, double shift,
-                           std::size_t tile) {
-  DrawReceiver result{};
-  result.position_m = glm::vec3(receiver.position_m);
-  result.axis = glm::vec3(receiver.axis);
-  result.lifted_m = glm::vec3(tracer.lift(receiver));
-  result.tile = static_cast<std::uint32_t>(tile);
-  result.kernel = static_cast<std::uint32_t>(receiver.kernel);
-  const auto bits = std::bit_cast<std::uint64_t>(shift);
-  result.shift = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
-  return result;
-}
-
-DrawTileView view_of(const calc::ReceiverTile& tile) {
-  const float has_axis = tile.axis != glm::vec3(0.0f) ? 1.0f : 0.0f;
-  return {tile.centre_m, tile.radius_m, tile.axis, tile.softening_m,
-          tile.slack_m,  tile.lowest_m, has_axis};
 }
 
 std::vector<std::uint32_t> channels_of(const calc::VertexTree& tree) {
@@ -83,28 +64,31 @@ void DrawPacker::append_nodes(const calc::ReceiverTile& tile, DrawPiece& piece) 
   append_tile(batch_.tree, most_nodes_, nodes, ranges, piece.tiles);
 }
 
+// Whether its receivers lie where those of the next tile do.
+bool DrawPacker::belongs_to(const DrawPiece& piece) const {
+  return piece.receivers == 0 || group() / kTilesPerBlock == piece.block;
+}
+
 // Receivers that the piece can still take.
 std::size_t DrawPacker::room_in(const DrawPiece& piece) const {
-  const std::size_t used = piece.receivers.size();
   const std::size_t most = most_receivers(limits_, piece.places_per_receiver(), most_nodes_);
-  if (used == 0) return std::max<std::size_t>(most, 1);
-  return most > used ? most - used : 0;
+  if (piece.receivers == 0) return std::max<std::size_t>(most, 1);
+  return most > piece.receivers ? most - piece.receivers : 0;
 }
 
 void DrawPacker::append(DrawPiece& piece, std::size_t count) {
-  const calc::DrawTile& tile = batch_.tiles[tile_];
-  const calc::ReceiverTile seen = calc::tile_of(tile.receivers, batch_.tracer.scene().extent_m);
-  if (std::max<std::size_t>(most_nodes_, channels_.size()) <= kMostChosen) {
-    piece.views.push_back(view_of(seen));
-  } else {
-    append_nodes(seen, piece);
+  if (piece.receivers == 0) {
+    piece.block = group() / kTilesPerBlock;
+    const std::size_t block_begin = piece.block * kTilesPerBlock;
+    piece.first_tile = group() - block_begin;
+    piece.first_receiver = batch_.tiles.receivers_before(group()) + receiver_ -
+                           batch_.tiles.receivers_before(block_begin);
   }
-  for (std::size_t k = receiver_; k < receiver_ + count; ++k) {
-    piece.receivers.push_back(
-        draw_receiver(batch_.tracer, tile.receivers[k], tile.shifts[k], piece.tile_count));
-    const bool is_planar = tile.receivers[k].kernel == calc::ReceiverKernel::planar;
-    (is_planar ? piece.shape.has_planar : piece.shape.has_round) = true;
+  if (std::max<std::size_t>(most_nodes_, channels_.size()) > kMostChosen) {
+    append_nodes(calc::tile_of(batch_.group(tile_).receiver, batch_.tracer.scene().extent_m),
+                 piece);
   }
+  piece.receivers += count;
   ++piece.tile_count;
   parts_.push_back({tile_, receiver_, count});
 }
@@ -114,13 +98,16 @@ bool DrawPacker::next(DrawPiece& piece) {
   piece.batch = &batch_;
   piece.most_nodes = most_nodes_;
   piece.most_ranges = static_cast<std::uint32_t>(channels_.size());
+  constexpr std::uint32_t kPlanar = 1u << static_cast<unsigned>(calc::ReceiverKernel::planar);
+  piece.shape.has_planar = (batch_.tiles.kernels() & kPlanar) != 0;
+  piece.shape.has_round = (batch_.tiles.kernels() & ~kPlanar) != 0;
   piece.shape.has_shadows = batch_.has_shadows && !batch_.tracer.scene().triangle.empty();
   piece.shape.has_many_channels = channels_.size() > 1;
   piece.shape.has_bound = std::isfinite(batch_.bounds.lowest_per_m2());
   parts_.clear();
   if (most_nodes_ == 0) return false;  // no light vertices
-  while (tile_ < batch_.tiles.size() && !calc::is_past(batch_.deadline_s)) {
-    const std::size_t left = batch_.tiles[tile_].receivers.size() - receiver_;
+  while (tile_ < batch_.sums.size() && belongs_to(piece) && !calc::is_past(batch_.deadline_s)) {
+    const std::size_t left = batch_.group(tile_).receiver.size() - receiver_;
     const std::size_t count = std::min(left, room_in(piece));
     if (count > 0) append(piece, count);
     receiver_ += count;
@@ -128,7 +115,7 @@ bool DrawPacker::next(DrawPiece& piece) {
     ++tile_;
     receiver_ = 0;
   }
-  return !piece.receivers.empty();
+  return piece.receivers > 0;
 }
 
 std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
@@ -139,7 +126,7 @@ std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
   std::uint64_t rays = 0;
   const std::uint32_t* words = piece.answers.data();
   for (const Part& part : parts_) {
-    const calc::GatherSums& sums = batch_.tiles[part.tile].sums;
+    const calc::GatherSums& sums = batch_.sums[part.tile];
     for (std::size_t k = part.first; k < part.first + part.count; ++k) {
       DrawAnswer answer;
       std::memcpy(&answer, words, sizeof answer);

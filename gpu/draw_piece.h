@@ -3,40 +3,12 @@
 
 #include "calc/radiosity/gatherer.h"
 
-#include <glm/glm.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace gpu {
-
-// A receiver as the shaders read it: four uvec4, the first three with vectors of floats.
-struct DrawReceiver {
-  glm::vec3 position_m;  // local
-  std::uint32_t unused0 = 0;
-  glm::vec3 axis;
-  std::uint32_t unused1 = 0;
-  glm::vec3 lifted_m;  // where its rays begin
-  std::uint32_t unused2 = 0;
-  std::uint32_t tile;
-  std::uint32_t kernel;  // calc::ReceiverKernel
-  glm::uvec2 shift;      // the halves of a double
-};
-static_assert(sizeof(DrawReceiver) == 64);
-
-// A tile as shaders/choose.glsl reads it: three vec4, calc::ReceiverTile.
-struct DrawTileView {
-  glm::vec3 centre_m;
-  float radius_m;
-  glm::vec3 axis;
-  float softening_m;
-  float slack_m, lowest_m;
-  float has_axis;  // 1 = yes
-  float unused = 0.0f;
-};
-static_assert(sizeof(DrawTileView) == 48);
 
 // One of the draws above the smallest bound, whose own bound the CPU has to find.
 struct BoundedDraw {
@@ -60,6 +32,7 @@ struct DrawShape {
   bool has_planar = false, has_round = false;  // kernels of receivers
   bool has_many_channels = false;
   bool has_bound = false;
+  bool has_given_shifts = false;  // of hits: with each receiver, not from its key
 
   friend auto operator<=>(const DrawShape&, const DrawShape&) = default;
 };
@@ -69,11 +42,11 @@ struct DrawPiece {
   DrawShape shape;
   std::uint32_t most_nodes = 0;   // of a tile
   std::uint32_t most_ranges = 0;  // channels of the pool
-  std::vector<DrawReceiver> receivers;
-  std::size_t tile_count = 0;
-  // Of tiles whose nodes the device chooses; else empty, and the nodes are below, as
-  // shaders/tile_words.glsl says.
-  std::vector<DrawTileView> views;
+  // Of the plane's tiles, see device_points.h: neighbours there.
+  std::size_t block = 0;
+  std::size_t first_receiver = 0, receivers = 0;  // in the block
+  std::size_t first_tile = 0, tile_count = 0;     // in the block; the last may be cut
+  // Of tiles whose nodes the device does not choose, as shaders/tile_words.glsl says; else empty.
   std::vector<std::uint32_t> tiles;
 
   // What comes back.
@@ -83,14 +56,16 @@ struct DrawPiece {
   bool is_cut_short = false;  // the deadline has passed
 
   std::size_t places_per_receiver() const { return std::size_t{batch->draws} + 1; }
-  bool has_views() const { return !views.empty(); }
+  std::size_t places() const { return receivers * places_per_receiver(); }
+  std::size_t weights() const { return receivers * most_nodes; }
+  bool chooses_nodes() const { return tiles.empty(); }
   std::size_t words_per_tile() const;
   std::size_t words_per_answer() const { return 4 + 2 * std::size_t{most_ranges}; }
 };
 
-// Bounds of what a piece takes on the device, whose buffers may be no larger than 128 MiB. A
-// receiver with more draws makes a piece alone. Most pieces end by their weights: half a million
-// draws, twice what a large device has threads.
+// Bounds of what a piece, or those that go together, take on the device, whose buffers may be no
+// larger than 128 MiB. A receiver with more draws makes a piece alone. Most pieces end by their
+// weights: half a million draws, twice what a large device has threads.
 struct DrawLimits {
   std::size_t places = std::size_t{1} << 21;    // of draws: 12 bytes in the longest list
   std::size_t weights = std::size_t{1} << 23;   // of groups: 8 bytes
@@ -123,6 +98,8 @@ class DrawPacker {
   };
 
   void append_nodes(const calc::ReceiverTile& tile, DrawPiece& piece);
+  std::size_t group() const { return batch_.first_tile + tile_; }
+  bool belongs_to(const DrawPiece& piece) const;
   std::size_t room_in(const DrawPiece& piece) const;
   void append(DrawPiece& piece, std::size_t count);
 
@@ -130,7 +107,7 @@ class DrawPacker {
   const DrawLimits limits_;
   const std::vector<std::uint32_t> channels_;  // of the pool, in order of its roots
   const std::uint32_t most_nodes_;
-  std::size_t tile_ = 0, receiver_ = 0;  // where the next piece begins
+  std::size_t tile_ = 0, receiver_ = 0;  // of the batch: where the next piece begins
   std::vector<Part> parts_;
 };
 

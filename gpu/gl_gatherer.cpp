@@ -44,12 +44,13 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
 class GlGatherer : public calc::Gatherer {
  public:
   GlGatherer(std::shared_ptr<DeviceThread> thread, const DrawLimits& limits)
-      : thread_(std::move(thread)), limits_(limits), draws_(limits.dispatch) {}
+      : thread_(std::move(thread)), limits_(limits), draws_(limits) {}
   ~GlGatherer() override {
     thread_->clean_up([this](DeviceState& device) {
       gather_pass_.reset();
       draws_.clear();
       device.pools.clear();
+      device.points.clear();
     });
   }
   GlGatherer(const GlGatherer&) = delete;
@@ -72,13 +73,14 @@ class GlGatherer : public calc::Gatherer {
   }
 
   std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
-    DevicePools& pools = thread_->pools();
-    const std::shared_ptr<const PackedPool> packed = pools.pack_unless_held(batch.tree);
+    const std::shared_ptr<const PackedPool> pool = thread_->pools().pack_unless_held(batch.tree);
     DrawPacker packer(batch, limits_);
     DrawPiece piece;
     std::uint64_t rays = 0;
     while (packer.next(piece)) {
-      draws_.run(*thread_, pools, piece, packed.get());
+      const std::shared_ptr<const PackedPoints> points =
+          thread_->points().pack_unless_held(batch.tracer, batch.tiles, piece.block);
+      draws_.run(*thread_, piece, pool.get(), points.get());
       if (piece.is_cut_short) break;
       rays += packer.add(piece);
     }

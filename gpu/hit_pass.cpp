@@ -199,6 +199,8 @@ void HitPass::start(const GlProgram& program, const Piece& piece) const {
   program.set("cell_places", 9u);
   program.set("most_nodes", word(field.cut.size()));
   program.set("most_ranges", word(field.tree.roots().size()));
+  program.set("first_receiver", 0u);
+  program.set("first_tile", 0u);
   program.set("draws", calc::kFarDraws);
   program.set("two", 2u);
   program.set("smallest_bound_per_m2", static_cast<float>(field.bound.smallest()));
@@ -229,7 +231,9 @@ void HitPass::weigh(DeviceState& device, const PackedPool* packed, const Piece& 
   std::unique_ptr<GlProgram>& share = share_[has_many_channels ? 1 : 0];
   if (!share) {
     share = std::make_unique<GlProgram>(
-        "share", draw_shader(DrawStage::share, {.has_many_channels = has_many_channels}),
+        "share",
+        draw_shader(DrawStage::share,
+                    {.has_many_channels = has_many_channels, .has_given_shifts = true}),
         programs_);
   }
   const DevicePool& pool = device.pools.find_or_send(piece.field.tree, packed);
@@ -237,7 +241,7 @@ void HitPass::weigh(DeviceState& device, const PackedPool* packed, const Piece& 
   pool.bind_tree();
   weights_.reserve(piece.count * cut.size() * sizeof(float));
   cumulated_.reserve(piece.count * cut.size() * sizeof(double));
-  spacings_.reserve(piece.count * sizeof(double));
+  spacings_.reserve(piece.count * sizeof(glm::dvec2));
   receivers_.bind(kReceiversToDraw);
   tiles_.bind(kTiles);
   weights_.bind(kWeights);

@@ -38,6 +38,8 @@ std::string draw_shader(DrawStage stage, const DrawShape& shape);
 std::string exact_arithmetic();
 // The same without a beginning.
 std::string exact_text();
+// Declares key_with() and fraction_of().
+std::string random_keys_text();
 // Declares find_draw(), what it reads, and the size of groups.
 std::string drawn_vertex_text();
 

@@ -4,8 +4,10 @@
 
 #include "calc/radiosity/draws.h"
 #include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/radiosity/tiles.h"
 #include "calc/radiosity/vertex_bounds.h"
 
 #include <cstdint>
@@ -38,14 +40,7 @@ struct GatherSums {
   float* largest_lx;  // [receiver], raised to the largest single contribution
 };
 
-// Receivers that share one cut.
-struct DrawTile {
-  std::span<const Receiver> receivers;
-  std::span<const double> shifts;  // [receiver], in [0, 1), see draw_connections()
-  GatherSums sums;
-};
-
-// Tiles whose receivers draw their connections from one pool.
+// Some tiles of a plane, whose receivers draw their connections from one pool.
 struct DrawBatch {
   const Tracer& tracer;
   const VertexTree& tree;
@@ -54,7 +49,15 @@ struct DrawBatch {
   std::uint32_t draws = 0;  // of every receiver
   bool has_shadows = true;  // as in GatherBatch
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
-  std::span<const DrawTile> tiles;
+  // Of the plane's points: shift_of() keys their draws.
+  RandomKey key;
+  const ReceiverTiles& tiles;  // all of the plane; each shares one cut
+  std::size_t first_tile = 0;
+  std::span<const GatherSums> sums;  // of each tile from there on that is asked for
+
+  const ReceiverGroup& group(std::size_t k) const { return tiles.groups()[first_tile + k]; }
+  // In [0, 1), see draw_connections().
+  double shift_of(std::uint32_t point) const { return key.with(point).uniform(); }
 };
 
 // Thrown by a Gatherer when the backend cannot go on: what the sums hold is then worthless.

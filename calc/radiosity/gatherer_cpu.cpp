@@ -45,17 +45,18 @@ class CpuGatherer : public Gatherer {
     thread_local std::vector<float> scratch;
     thread_local std::vector<Connection> connections;
     std::uint64_t rays = 0;
-    for (const DrawTile& tile : batch.tiles) {
+    for (std::size_t t = 0; t < batch.sums.size(); ++t) {
       if (is_past(batch.deadline_s)) break;
-      cut.build(batch.tree, tile_of(tile.receivers, batch.tracer.scene().extent_m), batch.cut);
+      const ReceiverGroup& tile = batch.group(t);
+      cut.build(batch.tree, tile_of(tile.receiver, batch.tracer.scene().extent_m), batch.cut);
       connections.clear();
-      for (std::uint32_t k = 0; k < tile.receivers.size(); ++k) {
-        draw_connections(batch.tree, cut, tile.receivers[k], k, batch.draws, tile.shifts[k],
-                         scratch, connections);
+      for (std::uint32_t k = 0; k < tile.receiver.size(); ++k) {
+        draw_connections(batch.tree, cut, tile.receiver[k], k, batch.draws,
+                         batch.shift_of(tile.point[k]), scratch, connections);
       }
-      rays += gather({batch.tracer, batch.tree.vertices(), batch.bounds, tile.receivers,
-                      connections, batch.has_shadows, batch.tree.identity()},
-                     tile.sums);
+      rays += gather({batch.tracer, batch.tree.vertices(), batch.bounds, tile.receiver, connections,
+                      batch.has_shadows, batch.tree.identity()},
+                     batch.sums[t]);
     }
     return rays;
   }

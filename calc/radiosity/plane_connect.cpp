@@ -88,29 +88,20 @@ std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
     std::uint64_t rays = 0;
     for (std::size_t t = first; t < last; ++t) {
       if (!is_past(batch.deadline_s))
-        rays += connect_all(tiles_[t], batch, gatherer, sums[t - first]);
+        rays += connect_all(tiles()[t], batch, gatherer, sums[t - first]);
     }
     return rays;
   }
   const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
   const CutRequest cut{cut_nodes(draws), static_cast<float>(batch.near_bound->smallest()),
                        settings_.skips.allows(Skip::hidden_nodes)};
-  const RandomKey key = draw_key_.with(batch.replicate).with(batch.first_path);
-  std::vector<double> shifts;
-  for (std::size_t t = first; t < last; ++t) {
-    for (const std::uint32_t i : tiles_[t].point) shifts.push_back(key.with(i).uniform());
-  }
-  std::vector<DrawTile> tiles;
-  std::span<const double> rest(shifts);
-  for (std::size_t t = first; t < last; ++t) {
-    const std::size_t count = tiles_[t].point.size();
-    TileSums& sum = sums[t - first];
-    tiles.push_back(
-        {tiles_[t].receiver, rest.first(count), {sum.lx.data(), count, sum.largest_lx.data()}});
-    rest = rest.subspan(count);
+  std::vector<GatherSums> wanted;
+  for (TileSums& sum : sums) {
+    wanted.push_back({sum.lx.data(), sum.largest_lx.size(), sum.largest_lx.data()});
   }
   return gatherer.draw_and_gather(
-      {tracer_, batch.tree, batch.bounds, cut, draws, has_shadows(), batch.deadline_s, tiles});
+      {tracer_, batch.tree, batch.bounds, cut, draws, has_shadows(), batch.deadline_s,
+       draw_key_.with(batch.replicate).with(batch.first_path), tiles_, first, wanted});
 }
 
 // Every vertex once: instant radiosity.
@@ -176,8 +167,8 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
       result.last_tile = t;
       break;
     }
-    for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
-      const NearFieldRequest request = near_request(tiles_[t], k, batch);
+    for (std::size_t k = 0; k < tiles()[t].point.size(); ++k) {
+      const NearFieldRequest request = near_request(tiles()[t], k, batch);
       if (request.rays == 0) continue;
       requests.push_back(request);
       first_ray.push_back(first_ray.back() + request.rays);
@@ -218,24 +209,24 @@ std::size_t PlaneWork::tiles_per_task(const VertexBatch& batch, const Gatherer& 
   const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t wanted =
-      gatherer.tiles_per_batch({draws, cut_nodes(draws), look_points_ / tiles_.size(),
-                                tiles_.size() * field_.replicates / threads});
+      gatherer.tiles_per_batch({draws, cut_nodes(draws), look_points_ / tiles().size(),
+                                tiles().size() * field_.replicates / threads});
   return std::max(wanted, batch.short_rays != nullptr ? kTilesPerCast : 1);
 }
 
 void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
   std::atomic<std::uint64_t> connection_rays{0}, near_rays{0};
   std::atomic<double> connect_s{0.0}, near_s{0.0};
-  if (tiles_.empty()) return;
+  if (tiles().empty()) return;
   // A thread that waits here must not take up another replicate, whose pool would add to memory.
   tbb::this_task_arena::isolate([&] {
-    const tbb::blocked_range<std::size_t> all(0, tiles_.size(), tiles_per_task(batch, gatherer));
+    const tbb::blocked_range<std::size_t> all(0, tiles().size(), tiles_per_task(batch, gatherer));
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       const FlushDenormals flush;
       if (is_past(batch.deadline_s)) return;
       std::vector<TileSums> sums(range.size());
       for (std::size_t t = range.begin(); t < range.end(); ++t) {
-        const std::size_t count = tiles_[t].point.size();
+        const std::size_t count = tiles()[t].point.size();
         sums[t - range.begin()].lx.assign(channels() * count, 0.0);
         sums[t - range.begin()].largest_lx.assign(count, 0.0f);
         sums[t - range.begin()].near_lx.assign(count, 0.0);
@@ -249,9 +240,9 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
           TileSums& sum = sums[t - range.begin()];
           if (is_past(batch.deadline_s)) return;
           if (reach_m_ > 0.0) {
-            near_rays += add_near(tiles_[t], batch, short_rays, sum);
+            near_rays += add_near(tiles()[t], batch, short_rays, sum);
           }
-          store(tiles_[t], batch, sum);
+          store(tiles()[t], batch, sum);
         }
         first = short_rays.last_tile;
       }
@@ -267,7 +258,7 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
 
 void PlaneWork::take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs) {
   std::size_t first = 0;
-  for (const ReceiverGroup& tile : tiles_) {
+  for (const ReceiverGroup& tile : tiles()) {
     const std::size_t count = tile.point.size();
     TileSums part;
     for (std::size_t c = 0; c < channels(); ++c) {
@@ -309,7 +300,7 @@ void PlaneWork::share_short_rays(std::uint64_t batch_paths) {
     const double error = replicate_mean(at_point).standard_error;
     return error * error;
   };
-  for (const ReceiverGroup& tile : tiles_) {
+  for (const ReceiverGroup& tile : tiles()) {
     for (const std::uint32_t i : tile.point) {
       const double clear_m = settings_.skips.allows(Skip::clear_distance) ? sums_.clear_m[i] : 0.0;
       if (!(clear_m < reach_m_)) continue;

@@ -93,7 +93,7 @@ class PlaneWork {
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
   // The same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
   // points of this look, and what was gathered at them, [channel * stride + point] in their order.
-  std::span<const ReceiverGroup> tiles() const { return tiles_; }
+  std::span<const ReceiverGroup> tiles() const { return tiles_.groups(); }
   bool has_shadows() const { return !decision_.is_unobstructed; }
   void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
   // All replicates of a look are in, with batch_paths new paths each.
@@ -141,7 +141,7 @@ class PlaneWork {
   // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
   std::vector<std::vector<std::uint8_t>> free_openings_;
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
-  std::vector<ReceiverGroup> tiles_;              // of this look
+  ReceiverTiles tiles_;                           // of this look
   std::size_t look_points_ = 0;                   // in them
   std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
   PossibleVertex possible_vertex_;                // of this look

@@ -1,13 +1,25 @@
 #include "calc/radiosity/tiles.h"
 
+#include "calc/radiosity/identity.h"
 #include "calc/radiosity/radix_sort.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace calc {
+
+ReceiverTiles::ReceiverTiles(std::vector<ReceiverGroup> groups)
+    : groups_(std::move(groups)), identity_(new_identity()) {
+  for (const ReceiverGroup& group : groups_) {
+    before_.push_back(before_.back() + group.receiver.size());
+    for (const Receiver& receiver : group.receiver) {
+      kernels_ |= 1u << static_cast<std::uint32_t>(receiver.kernel);
+    }
+  }
+}
 
 std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) {
   if (receiver.empty()) return {};
@@ -37,9 +49,9 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) 
   return order;
 }
 
-std::vector<ReceiverGroup> make_tiles(const std::vector<Receiver>& receiver,
-                                      const std::vector<std::uint32_t>& order,
-                                      const std::vector<std::uint8_t>& is_wanted) {
+ReceiverTiles make_tiles(const std::vector<Receiver>& receiver,
+                         const std::vector<std::uint32_t>& order,
+                         const std::vector<std::uint8_t>& is_wanted) {
   constexpr std::size_t kTilePoints = 32;
   std::vector<ReceiverGroup> tiles;
   for (const std::uint32_t i : order) {
@@ -48,7 +60,7 @@ std::vector<ReceiverGroup> make_tiles(const std::vector<Receiver>& receiver,
     tiles.back().point.push_back(i);
     tiles.back().receiver.push_back(receiver[i]);
   }
-  return tiles;
+  return ReceiverTiles(std::move(tiles));
 }
 
 }  // namespace calc

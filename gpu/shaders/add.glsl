@@ -50,7 +50,7 @@ void main() {
   const uint row = r * places();
   const uint head = r * (4u + 2u * most_ranges);
   const Tile tile = tile_of(r);
-  is_cut = tile.is_chosen && spacing[r] >= 0.0 ? 0u : 1u;
+  is_cut = tile.is_chosen && spacing_and_shift[r].x >= 0.0 ? 0u : 1u;
   barrier();
   uint rays = 0u, bounded = 0u, undone = 0u, largest = 0u;
   uint first = 0u;
@@ -60,7 +60,7 @@ void main() {
 #if HAS_MANY_CHANNELS
     const uint begin = tile_word[tile.first_range + 2u * range];
     const uint end = tile_word[tile.first_range + 2u * range + 1u];
-    if (begin < end && spacing[r] > 0.0) {
+    if (begin < end && spacing_and_shift[r].x > 0.0) {
       last = range == tile.last_range ? places()
                                       : draws_before(r, cumulated[r * most_nodes + end - 1u]);
     }

@@ -3,7 +3,7 @@
 
 layout(local_size_x = LOCAL_SIZE) in;
 
-layout(std430, binding = 4) readonly buffer TileViews { vec4 tile_view[]; };  // 3 each, draw_piece.h
+layout(std430, binding = 4) readonly buffer TileViews { vec4 tile_view[]; };  // 3 each, device_points.h
 layout(std430, binding = 5) writeonly buffer Tiles { uint tile_word[]; };
 layout(std430, binding = 6) readonly buffer NodeSpheres { vec4 node_sphere[]; };
 layout(std430, binding = 7) readonly buffer NodeRests { uvec4 node_rest[]; };
@@ -12,6 +12,7 @@ layout(std430, binding = 9) readonly buffer NodeAxes { uvec4 node_axis[]; };   /
 
 uniform float smallest_bound_per_m2;
 uniform uint wanted_nodes, leave_out_hidden;
+uniform uint first_tile;  // of the piece, among those of its block
 
 const uint NO_NODE = 0xffffffffu;
 const int HIDDEN = -2, NOTHING_TO_OPEN = -1;
@@ -170,7 +171,7 @@ void write_tile(uint tile) {
 
 void main() {
   const uint lane = gl_LocalInvocationID.x;
-  const View tile = view_of(gl_WorkGroupID.x);
+  const View tile = view_of(first_tile + gl_WorkGroupID.x);
   if (lane == 0u) {
     slots = most_ranges;
     taken = 0u;

@@ -8,7 +8,8 @@ uint places() { return draws + 1u; }
 
 // Cumulated probability at which draw k is made.
 double draw_at(uint r, uint k) {
-  precise double at = (receiver_shift(r) + double(k)) * spacing[r];
+  const dvec2 spacing = spacing_and_shift[r];
+  precise double at = (spacing.y + double(k)) * spacing.x;
   return at;
 }
 
@@ -38,7 +39,7 @@ uint vertex_at(uint first, uint last, double share) {
 // False: there is no such draw.
 bool find_draw(uint r, uint k, out uint vertex, out float inverse_count) {
   const Tile tile = tile_of(r);
-  const double apart = spacing[r];
+  const double apart = spacing_and_shift[r].x;
   if (!(apart > 0.0)) return false;
   const double at = draw_at(r, k);
   const uint c = node_at(r, tile.nodes, at);

@@ -35,7 +35,7 @@ void main() {
   if (gl_GlobalInvocationID.x >= item_count) return;
   const uint draw = first_item + gl_GlobalInvocationID.x;
   const uint i = draw / places(), k = draw % places();
-  if (!is_lit(i) || spacing[i] < DBL(0.0)) return;  // nothing to do, or not done
+  if (!is_lit(i) || spacing_and_shift[i].x < DBL(0.0)) return;  // nothing to do, or not done
   const uvec3 found = drawn(i, k);
   if (is_cut) return;  // not done
   for (uint w = 0u; w < 3u; ++w) write_light(i, LIGHT_DRAWS + 3u * k + w, found[w]);

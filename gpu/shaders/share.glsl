@@ -1,5 +1,19 @@
-// Stage 2, a group for each receiver: the channels' shares, what each node adds up to, and how far
-// apart draws are. The same sums as calc/radiosity/draws.cpp, the floats bit by bit.
+// Stage 2, a group for each receiver: the channels' shares, what each node adds up to, how far apart
+// draws are and where they begin. The same sums as calc/radiosity/draws.cpp, the floats bit by bit.
+
+#if !HAS_GIVEN_SHIFTS
+uniform uint key_low, key_high;  // calc::DrawBatch::key
+#endif
+
+// In [0, 1). Hits come with theirs.
+double shift_of(uint r) {
+  const uvec2 given = words_of(r, 3u).zw;
+#if HAS_GIVEN_SHIFTS
+  return packDouble2x32(given);
+#else
+  return fraction_of(key_with(uvec2(key_low, key_high), given.x));
+#endif
+}
 
 shared float part[GROUP_SIZE];
 shared double sum_before[GROUP_SIZE];
@@ -80,7 +94,7 @@ void main() {
       sum_before[k] = before;
       before = after;
     }
-    spacing[r] = total > 0.0 ? total / double(draws) : 0.0;
+    spacing_and_shift[r] = dvec2(total > 0.0 ? total / double(draws) : 0.0LF, shift_of(r));
   }
   barrier();
   precise double at = sum_before[lane];
@@ -90,5 +104,5 @@ void main() {
   }
   if (is_loop_left()) atomicOr(is_cut, 1u);
   barrier();
-  if (lane == 0u && is_cut != 0u) spacing[r] = -1.0;  // not done
+  if (lane == 0u && is_cut != 0u) spacing_and_shift[r].x = -1.0LF;  // not done
 }

@@ -1,7 +1,8 @@
 // Connections that the device draws itself, in random scenes: the CPU's draws, the CPU's sums.
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/vertex_tree.h"
-#include "gpu/draw_pass.h"
+#include "gpu/device_points.h"
+#include "gpu/draw_queue.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"
 #include "tests/support/scenes.h"
@@ -11,9 +12,13 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <functional>
+#include <future>
 #include <limits>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -139,11 +144,11 @@ struct Batch {
   RandomRoom room{4};
   calc::Tracer tracer{room.scene};
   std::unique_ptr<calc::VertexTree> tree;
-  std::vector<std::vector<calc::Receiver>> receivers;
-  std::vector<std::vector<double>> shifts;
+  calc::ReceiverTiles tiles;
   calc::VertexBounds bounds;
 
-  explicit Batch(double most_per_m2, std::size_t vertex_count = 3000) : bounds(most_per_m2) {
+  explicit Batch(double most_per_m2, std::size_t vertex_count = 3000, std::size_t tile_count = 5)
+      : bounds(most_per_m2) {
     const calc::RandomKey key(31);
     const auto u = [&](std::uint64_t i, std::uint64_t k) { return key.with(i).with(k).uniform(); };
     calc::LightVertices vertices;
@@ -154,9 +159,9 @@ struct Batch {
                           glm::vec3(normal), static_cast<std::uint32_t>(j % 2)});
     }
     tree = std::make_unique<calc::VertexTree>(std::move(vertices), 2);
-    for (std::size_t t = 0; t < 5; ++t) {
-      auto& tile = receivers.emplace_back();
-      auto& shift = shifts.emplace_back();
+    std::vector<calc::ReceiverGroup> groups;
+    for (std::size_t t = 0; t < tile_count; ++t) {
+      auto& [points, tile] = groups.emplace_back();
       for (std::uint64_t i = 0; i < 7 * t + 1; ++i) {
         const std::uint64_t n = 10'000 + 100 * t + i;
         tile.push_back({{2.0 + 2 * u(n, 0), 2.0 + u(n, 1), 0.05 + 2 * u(n, 2)},
@@ -165,9 +170,10 @@ struct Batch {
         if (tile.back().kernel == calc::ReceiverKernel::semicylindrical) {
           tile.back().axis = {1, 0, 0};
         }
-        shift.push_back(u(n, 3));
+        points.push_back(static_cast<std::uint32_t>(n));
       }
     }
+    tiles = calc::ReceiverTiles(std::move(groups));
   }
 };
 
@@ -181,15 +187,13 @@ struct Sums {
 Sums gather(const Batch& batch, calc::Gatherer& gatherer, std::uint32_t draws,
             bool has_shadows = true, double deadline_s = 0.0, std::size_t nodes = 200) {
   Sums sums;
-  for (const auto& tile : batch.receivers) {
-    sums.lx.emplace_back(2 * tile.size(), 1.0);
-    sums.largest_lx.emplace_back(tile.size(), 0.0f);
+  std::vector<calc::GatherSums> wanted;
+  for (const calc::ReceiverGroup& tile : batch.tiles.groups()) {
+    sums.lx.emplace_back(2 * tile.receiver.size(), 1.0);
+    sums.largest_lx.emplace_back(tile.receiver.size(), 0.0f);
   }
-  std::vector<calc::DrawTile> tiles;
-  for (std::size_t t = 0; t < batch.receivers.size(); ++t) {
-    tiles.push_back({batch.receivers[t],
-                     batch.shifts[t],
-                     {sums.lx[t].data(), batch.receivers[t].size(), sums.largest_lx[t].data()}});
+  for (std::size_t t = 0; t < sums.lx.size(); ++t) {
+    wanted.push_back({sums.lx[t].data(), sums.largest_lx[t].size(), sums.largest_lx[t].data()});
   }
   sums.rays = gatherer.draw_and_gather({batch.tracer,
                                         *batch.tree,
@@ -198,7 +202,10 @@ Sums gather(const Batch& batch, calc::Gatherer& gatherer, std::uint32_t draws,
                                         draws,
                                         has_shadows,
                                         deadline_s,
-                                        tiles});
+                                        calc::RandomKey(77),
+                                        batch.tiles,
+                                        0,
+                                        wanted});
   return sums;
 }
 
@@ -309,7 +316,8 @@ TEST(GlDraws, TakeNoPoolThatLacksItsTree) {
   float largest_lx = 0.0f;
   const std::vector<calc::Connection> connections{{0, 0, 1.0f}};
   gl->gather({batch.tracer, batch.tree->vertices(), batch.bounds,
-              std::span(batch.receivers[0]).first(1), connections, true, batch.tree->identity()},
+              std::span(batch.tiles.groups()[0].receiver).first(1), connections, true,
+              batch.tree->identity()},
              {lx.data(), 1, &largest_lx});
   EXPECT_EQ(gather(batch, *gl, 100), gather(batch, *gl_gatherer(), 100));
 }
@@ -318,10 +326,8 @@ TEST(GlDraws, TakeNoPoolThatLacksItsTree) {
 TEST(GlDraws, DoNotTakeALoopCutShortForAnAnswer) {
   LUXGATE_NEEDS_OPENGL();
   constexpr std::uint32_t kDraws = 1u << 22;  // 64 invocations add them
-  Batch batch(std::numeric_limits<double>::infinity());
-  batch.receivers.resize(1);
-  batch.shifts.resize(1);
-  ASSERT_EQ(batch.receivers[0].size(), 1u);
+  const Batch batch(std::numeric_limits<double>::infinity(), 3000, 1);
+  ASSERT_EQ(batch.tiles.receivers(), 1u);
   const auto device = gl_device();
   try {
     const Sums b = gather(batch, *gpu::make_gl_gatherer(device), kDraws, false);
@@ -337,10 +343,10 @@ TEST(GlDraws, DoNotTakeALoopCutShortForAnAnswer) {
 TEST(GlDraws, DoNotTakeSumsOfWeightsCutShortForThem) {
   LUXGATE_NEEDS_OPENGL();
   constexpr std::size_t kNodes = 500'000;
-  Batch batch(std::numeric_limits<double>::infinity(), kNodes + 10'000);
-  batch.receivers.resize(1);
-  batch.shifts.resize(1);
-  batch.receivers[0][0].kernel = calc::ReceiverKernel::scalar;  // sees both channels
+  Batch batch(std::numeric_limits<double>::infinity(), kNodes + 10'000, 1);
+  calc::ReceiverGroup group = batch.tiles.groups()[0];
+  group.receiver[0].kernel = calc::ReceiverKernel::scalar;  // sees both channels
+  batch.tiles = calc::ReceiverTiles({group});
   const auto device = gl_device();
   try {
     const Sums b = gather(batch, *gpu::make_gl_gatherer(device), 1000, false, 0.0, kNodes);
@@ -378,15 +384,13 @@ TEST(GlDraws, FailWithAReason) {
   }
 }
 
-// The answers of the piece before lie where those that do not come should be. Slots take turns.
+// The answers of the piece before lie where those that do not come should be.
 TEST(GlDraws, TakeNoEarlierAnswers) {
   LUXGATE_NEEDS_OPENGL();
   const Batch batch(0.3);
   const auto gl = gl_gatherer(gpu::Fault::results_lost);
   const Sums expected = gather(batch, *gl_gatherer(), 20);
-  for (std::size_t k = 0; k < gpu::DrawPass::kSlots; ++k) {
-    EXPECT_EQ(gather(batch, *gl, 20), expected);
-  }
+  EXPECT_EQ(gather(batch, *gl, 20), expected);
   try {
     gather(batch, *gl, 20);
     ADD_FAILURE();
@@ -422,6 +426,130 @@ TEST(GlDraws, FetchListsThatAreLongerThanExpected) {
       EXPECT_NEAR(first.lx[t][k], expected.lx[t][k], 1e-5 * expected.lx[t][k]);
     }
   }
+}
+
+// --- pieces of many threads ----------------------------------------------------------------------
+
+// As the gatherer, with a queue that tells what it sent.
+struct Queued : calc::Gatherer {
+  Queued(std::shared_ptr<gpu::DeviceThread> device, const gpu::DrawLimits& limits)
+      : thread(std::move(device)), draw_limits(limits), queue(limits) {}
+  ~Queued() override {
+    thread->clean_up([this](gpu::DeviceState&) { queue.clear(); });
+  }
+  std::uint64_t gather(const calc::GatherBatch&, const calc::GatherSums&) override { return 0; }
+  std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
+    gpu::DrawPacker packer(batch, draw_limits);
+    gpu::DrawPiece piece;
+    std::uint64_t rays = 0;
+    while (packer.next(piece)) {
+      queue.run(*thread, piece, nullptr, nullptr);
+      rays += packer.add(piece);
+    }
+    return rays;
+  }
+  std::string description() const override { return ""; }
+
+  std::shared_ptr<gpu::DeviceThread> thread;
+  gpu::DrawLimits draw_limits;
+  gpu::DrawQueue queue;
+};
+
+constexpr std::size_t kCallers = 6;
+
+// All callers' pieces wait for a device that is busy, and then go.
+void gather_at_once(Queued& gl, const std::function<void(std::size_t)>& gather_one) {
+  std::promise<void> gate;
+  std::thread blocks([&] { gl.thread->run([&](gpu::DeviceState&) { gate.get_future().wait(); }); });
+  std::vector<std::thread> callers;
+  for (std::size_t k = 0; k < kCallers; ++k) callers.emplace_back(gather_one, k);
+  while (gl.queue.waiting() < kCallers) std::this_thread::yield();
+  gate.set_value();
+  blocks.join();
+  for (std::thread& caller : callers) caller.join();
+}
+
+TEST(GlDrawQueue, SendsTogetherWhatWaits) {
+  LUXGATE_NEEDS_OPENGL();
+  std::vector<std::unique_ptr<Batch>> batches;
+  std::vector<Sums> alone;
+  for (std::size_t k = 0; k < kCallers; ++k) {
+    batches.push_back(std::make_unique<Batch>(k % 2 == 0 ? 0.3 : 0.02, 500 + 200 * k));
+    alone.push_back(gather(*batches[k], *gl_gatherer(), 50));
+  }
+  const std::size_t weights = batches[0]->tiles.receivers() * 200;
+  const std::size_t places = batches[0]->tiles.receivers() * 51;
+  const gpu::DrawLimits by_weights{1u << 21, 2 * weights}, by_places{3 * places, 1u << 23};
+  for (const auto& [limits, waves] :
+       {std::pair{gpu::DrawLimits(), 1u}, {by_weights, 3u}, {by_places, 2u}}) {
+    Queued gl(gl_device(), limits);
+    std::vector<Sums> all(kCallers);
+    gather_at_once(gl, [&](std::size_t k) { all[k] = gather(*batches[k], gl, 50); });
+    for (std::size_t k = 0; k < kCallers; ++k) EXPECT_EQ(all[k], alone[k]) << k;
+    EXPECT_EQ(gl.queue.sent().waves, waves);
+    EXPECT_EQ(gl.queue.sent().most_pieces, kCallers / waves);
+    EXPECT_EQ(gl.queue.sent().beside, waves - 1);  // rays of each beside the choices of the next
+  }
+}
+
+// What was sent with others, or waits with its draws known, fails with them; nobody waits for ever.
+TEST(GlDrawQueue, TellsAllOfAFailure) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost}) {
+    Queued gl(gl_device(fault), {1u << 21, 2 * batch.tiles.receivers() * 200});
+    std::atomic<std::size_t> failures{0};
+    gather_at_once(gl, [&](std::size_t) {
+      try {
+        gather(batch, gl, 50);
+      } catch (const calc::BackendFailure&) {
+        ++failures;
+      }
+    });
+    EXPECT_EQ(failures, kCallers);
+  }
+}
+
+// A plane of more tiles than are kept together.
+TEST(GlDraws, GoOnInTheNextBlockOfTiles) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch light(0.3);
+  std::vector<calc::ReceiverGroup> groups(gpu::kTilesPerBlock + 5);
+  for (std::uint32_t t = 0; t < groups.size(); ++t) {
+    const calc::RandomKey key = calc::RandomKey(5).with(t);
+    groups[t] = {{t},
+                 {{{2.0 + 2 * key.with(0).uniform(), 2.0 + key.with(1).uniform(), 0.7},
+                   {0, 0, 1},
+                   calc::ReceiverKernel::planar}}};
+  }
+  const calc::ReceiverTiles tiles(groups);
+  const std::size_t first = gpu::kTilesPerBlock - 3;
+  const auto lx_of = [&](calc::Gatherer& gatherer, std::size_t first_tile, std::size_t count) {
+    std::vector<double> lx(2 * count);
+    std::vector<float> largest_lx(count);
+    std::vector<calc::GatherSums> sums;
+    for (std::size_t k = 0; k < count; ++k) sums.push_back({&lx[2 * k], 1, &largest_lx[k]});
+    gatherer.draw_and_gather({light.tracer,
+                              *light.tree,
+                              light.bounds,
+                              {200, 0.5f, true},
+                              50,
+                              true,
+                              0.0,
+                              calc::RandomKey(3),
+                              tiles,
+                              first_tile,
+                              sums});
+    return lx;
+  };
+  const auto gl = gl_gatherer();
+  const std::vector<double> all = lx_of(*gl, first, 8),
+                            cpu = lx_of(*calc::make_cpu_gatherer(), first, 8);
+  std::vector<double> parts = lx_of(*gl, first, 3);
+  const std::vector<double> behind = lx_of(*gl, gpu::kTilesPerBlock, 5);
+  parts.insert(parts.end(), behind.begin(), behind.end());
+  EXPECT_EQ(all, parts);
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_NEAR(all[k], cpu[k], 1e-5 * cpu[k]);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Weights of groups from the device, bit by bit: a float that differs in its last place would move
 // a draw to another vertex, too rarely for a test of sums to see.
 #include "calc/radiosity/random.h"
+#include "gpu/device_points.h"
 #include "gpu/device_pool.h"
 #include "gpu/draw_piece.h"
 #include "gpu/gl_buffer.h"
@@ -59,7 +60,7 @@ std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
   std::vector<std::uint32_t> words(piece.tile_count * piece.words_per_tile());
   const gpu::GlProgram program("choose", gpu::choose_shader());
   gpu::GlBuffer views("views"), tiles("tiles");
-  views.assign(piece.views);
+  views.assign(gpu::pack_points(piece.batch->tracer, piece.batch->tiles, piece.block).views);
   tiles.assign(words.size() * sizeof(std::uint32_t), gpu::kNotDone);
   pool.bind_nodes();
   views.bind(4);
@@ -68,6 +69,7 @@ std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
   const calc::CutRequest& cut = piece.batch->cut;
   program.set("most_nodes", piece.most_nodes);
   program.set("most_ranges", piece.most_ranges);
+  program.set("first_tile", static_cast<std::uint32_t>(piece.first_tile));
   program.set("smallest_bound_per_m2", cut.smallest_bound_per_m2);
   program.set("wanted_nodes", static_cast<std::uint32_t>(cut.nodes));
   program.set("leave_out_hidden", cut.leave_out_hidden ? 1u : 0u);
@@ -79,14 +81,15 @@ std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
 }
 
 std::vector<float> weights_by_device(const gpu::DrawPiece& piece, const calc::VertexTree& tree) {
-  std::vector<float> weights(piece.receivers.size() * piece.most_nodes);
+  std::vector<float> weights(piece.weights());
   gl_device()->run([&](gpu::DeviceState&) {
     const gpu::GlProgram program("weigh", gpu::draw_shader(gpu::DrawStage::weigh, piece.shape));
     gpu::DevicePools pools;
     const gpu::DevicePool& pool = pools.send(tree.identity(), gpu::pack_pool(tree));
     gpu::GlBuffer receivers("points"), tiles("tiles"), result("weights");
     tiles.assign(tiles_by_device(piece, pool));
-    receivers.assign(piece.receivers);
+    receivers.assign(
+        gpu::pack_points(piece.batch->tracer, piece.batch->tiles, piece.block).receivers);
     result.reserve(weights.size() * sizeof(float));
     pool.bind_vertices();
     pool.bind_tree();
@@ -96,13 +99,43 @@ std::vector<float> weights_by_device(const gpu::DrawPiece& piece, const calc::Ve
     program.use();
     program.set("most_nodes", piece.most_nodes);
     program.set("most_ranges", piece.most_ranges);
+    program.set("first_receiver", static_cast<std::uint32_t>(piece.first_receiver));
+    program.set("first_tile", static_cast<std::uint32_t>(piece.first_tile));
     program.set("smallest_bound_per_m2", piece.batch->cut.smallest_bound_per_m2);
-    glDispatchCompute(piece.most_nodes / 64 + 1, static_cast<unsigned>(piece.receivers.size()), 1);
+    glDispatchCompute(piece.most_nodes / 64 + 1, static_cast<unsigned>(piece.receivers), 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     result.read(0, std::as_writable_bytes(std::span(weights)));
   });
   return weights;
 }
+
+// Tiles, and room for their sums.
+struct Wanted {
+  calc::ReceiverTiles tiles;
+  std::vector<double> lx;
+  std::vector<float> largest_lx;
+  std::vector<calc::GatherSums> sums;
+
+  explicit Wanted(const std::vector<std::vector<calc::Receiver>>& receivers,
+                  std::size_t channels = 1) {
+    std::vector<calc::ReceiverGroup> groups;
+    std::uint32_t point = 0;
+    for (const auto& tile : receivers) {
+      auto& group = groups.emplace_back();
+      group.receiver = tile;
+      for (std::size_t k = 0; k < tile.size(); ++k) group.point.push_back(point++);
+    }
+    lx.resize(point * channels);
+    largest_lx.resize(point);
+    tiles = calc::ReceiverTiles(std::move(groups));
+    for (std::size_t t = 0; t < receivers.size(); ++t) {
+      const std::size_t before = tiles.receivers_before(t);
+      sums.push_back({&lx[before * channels], receivers[t].size(), &largest_lx[before]});
+    }
+  }
+  Wanted(const Wanted&) = delete;
+  Wanted& operator=(const Wanted&) = delete;
+};
 
 TEST(GlWeights, AreTheCpusInBits) {
   LUXGATE_NEEDS_OPENGL();
@@ -120,16 +153,14 @@ TEST(GlWeights, AreTheCpusInBits) {
                          glm::normalize(glm::dvec3(u(3) - 0.5, u(4) - 0.5, u(5))),
                          static_cast<calc::ReceiverKernel>(i % 5)});
   }
-  const std::vector<double> shifts(receivers.size(), 0.5);
-  std::vector<double> lx(receivers.size());
-  std::vector<float> largest_lx(receivers.size());
-  const calc::DrawTile tile{receivers, shifts, {lx.data(), lx.size(), largest_lx.data()}};
+  const Wanted wanted({receivers});
   const calc::CutRequest request{1024, 0.4f, true};
-  const calc::DrawBatch batch{tracer, tree, bounds, request, 64, true, 0.0, {&tile, 1}};
+  const calc::DrawBatch batch{tracer, tree, bounds,       request, 64,         true,
+                              0.0,    key,  wanted.tiles, 0,       wanted.sums};
   gpu::DrawPacker packer(batch, {});
   gpu::DrawPiece piece;
   ASSERT_TRUE(packer.next(piece));
-  ASSERT_EQ(piece.receivers.size(), receivers.size());
+  ASSERT_EQ(piece.receivers, receivers.size());
   const std::vector<float> device = weights_by_device(piece, tree);
 
   calc::Cut cut;
@@ -147,12 +178,13 @@ TEST(GlWeights, AreTheCpusInBits) {
 }
 
 // The nodes of a tile as the CPU chooses them, in the same words.
-std::vector<std::uint32_t> tile_by_cpu(const gpu::DrawPiece& piece, const calc::DrawTile& tile) {
+std::vector<std::uint32_t> tile_by_cpu(const gpu::DrawPiece& piece, std::size_t tile) {
   const calc::VertexTree& tree = piece.batch->tree;
   calc::Cut cut;
   std::vector<std::uint32_t> nodes;
   std::vector<calc::Cut::ChannelRange> ranges;
-  cut.select(tree, calc::tile_of(tile.receivers, piece.batch->tracer.scene().extent_m),
+  cut.select(tree,
+             calc::tile_of(piece.batch->group(tile).receiver, piece.batch->tracer.scene().extent_m),
              piece.batch->cut, nodes, ranges);
   std::vector<std::uint32_t> words{static_cast<std::uint32_t>(nodes.size()),
                                    static_cast<std::uint32_t>(ranges.size()), 0u, gpu::kTileChosen};
@@ -212,32 +244,27 @@ TEST_P(GlCuts, AreTheCpusInBits) {
       if (t % 3 == 1) tile.back().axis = glm::normalize(glm::dvec3(u(4) - 0.5, u(5) - 0.5, 0.3));
     }
   }
-  std::vector<double> lx(9 * channels), shifts(9, 0.5);
-  std::vector<float> largest_lx(9);
-  std::vector<calc::DrawTile> tiles;
-  for (const auto& tile : receivers) {
-    tiles.push_back(
-        {tile, std::span(shifts).first(tile.size()), {lx.data(), tile.size(), largest_lx.data()}});
-  }
+  const Wanted wanted(receivers, channels);
   std::size_t hidden_tiles = 0, left_out = 0;
   for (const calc::CutRequest request : {calc::CutRequest{1, 0.4f, true},
                                          {128, 0.4f, true},
                                          {333, 0.001f, true},
                                          {1024, 2.0f, true},
                                          {1024, 0.4f, false}}) {
-    const calc::DrawBatch batch{tracer, tree, bounds, request, 64, true, 0.0, tiles};
+    const calc::DrawBatch batch{tracer, tree, bounds,       request, 64,         true,
+                                0.0,    key,  wanted.tiles, 0,       wanted.sums};
     gpu::DrawPacker packer(batch, {});
     gpu::DrawPiece piece;
     ASSERT_TRUE(packer.next(piece));
-    ASSERT_EQ(piece.tile_count, tiles.size());
-    ASSERT_TRUE(piece.has_views());
+    ASSERT_EQ(piece.tile_count, receivers.size());
+    ASSERT_TRUE(piece.chooses_nodes());
     std::vector<std::uint32_t> device;
     gl_device()->run([&](gpu::DeviceState&) {
       gpu::DevicePools pools;
       device = tiles_by_device(piece, pools.send(tree.identity(), gpu::pack_pool(tree)));
     });
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-      const std::vector<std::uint32_t> cpu = tile_by_cpu(piece, tiles[t]);
+    for (std::size_t t = 0; t < receivers.size(); ++t) {
+      const std::vector<std::uint32_t> cpu = tile_by_cpu(piece, t);
       const auto begin = device.begin() + static_cast<std::ptrdiff_t>(t * piece.words_per_tile());
       const std::vector<std::uint32_t> own(begin, begin + static_cast<std::ptrdiff_t>(cpu.size()));
       EXPECT_EQ(own, cpu) << "tile " << t << " of " << request.nodes;
@@ -272,24 +299,23 @@ TEST(GlCutsOfManyRounds, AreTheCpusOrNone) {
   }
   const calc::VertexTree tree(std::move(vertices), 1);
   const calc::VertexBounds bounds(0.3);
-  const std::vector<double> shift{0.5};
-  std::vector<double> lx(1);
-  std::vector<float> largest_lx(1);
-  const std::vector<calc::DrawTile> tiles(4, {tile, shift, {lx.data(), 1, largest_lx.data()}});
+  const Wanted wanted({tile, tile, tile, tile});
   const std::shared_ptr<gpu::DeviceThread> thread = gl_device();
   for (const std::size_t nodes : {kPairs - 100, kPairs + 1}) {
-    const calc::DrawBatch batch{tracer, tree, bounds, {nodes, 0.4f, true}, 64, true, 0.0, tiles};
+    const calc::DrawBatch batch{tracer,       tree, bounds,     {nodes, 0.4f, true},
+                                64,           true, 0.0,        calc::RandomKey(1),
+                                wanted.tiles, 0,    wanted.sums};
     gpu::DrawPacker packer(batch, {});
     gpu::DrawPiece piece;
     ASSERT_TRUE(packer.next(piece));
-    const std::vector<std::uint32_t> cpu = tile_by_cpu(piece, tiles[0]);
+    const std::vector<std::uint32_t> cpu = tile_by_cpu(piece, 0);
     EXPECT_EQ(cpu[0], std::min(nodes, kPairs));
     std::vector<std::uint32_t> device;
     thread->run([&](gpu::DeviceState&) {
       gpu::DevicePools pools;
       device = tiles_by_device(piece, pools.send(tree.identity(), gpu::pack_pool(tree)));
     });
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
+    for (std::size_t t = 0; t < wanted.sums.size(); ++t) {
       const auto begin = device.begin() + static_cast<std::ptrdiff_t>(t * piece.words_per_tile());
       if (*(begin + 3) != gpu::kTileChosen) {
         EXPECT_TRUE(thread->device().is_software && nodes > kPairs) << nodes;
@@ -312,7 +338,7 @@ TEST(GlCutsMissing, AreNotDarkness) {
     receivers.assign(std::vector<gpu::DrawReceiver>(1));
     weights.assign(kNodes * sizeof(float), 0);
     cumulated.assign(kNodes * sizeof(double), 0);
-    spacings.assign(sizeof(double), 0);
+    spacings.assign(sizeof(glm::dvec2), 0);
     results.assign((kDraws + 1) * sizeof(std::uint32_t), gpu::kNoRay);
     receivers.bind(4);
     weights.bind(8);

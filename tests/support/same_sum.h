@@ -39,8 +39,8 @@ struct TimedGatherer : calc::Gatherer {
     const std::uint64_t rays = inner_.draw_and_gather(batch);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     processor_s += processor_seconds() - processor_begin;
-    for (const calc::DrawTile& tile : batch.tiles) {
-      connections += batch.draws * tile.receivers.size();
+    for (std::size_t t = 0; t < batch.sums.size(); ++t) {
+      connections += batch.draws * batch.group(t).receiver.size();
     }
     return rays;
   }
