@@ -38,7 +38,7 @@ struct DrawTask {
 
 class DrawPass {
  public:
-  static constexpr std::size_t kSlots = 32;
+  static constexpr std::size_t kSlots = 24;
   // most_places: rays of one dispatch, never changes a result.
   DrawPass(const Device& device, std::size_t most_places);
 

@@ -67,7 +67,7 @@ struct DrawPiece {
 // larger than 128 MiB. A receiver with more draws makes a piece alone. Most pieces end by their
 // weights: half a million draws, twice what a large device has threads.
 struct DrawLimits {
-  std::size_t places = std::size_t{1} << 21;    // of draws: 12 bytes in the longest list
+  std::size_t places = std::size_t{1} << 22;    // of draws: 12 bytes in the longest list
   std::size_t weights = std::size_t{1} << 23;   // of groups: 8 bytes
   std::size_t dispatch = std::size_t{1} << 21;  // draws whose rays go in one dispatch
 };

@@ -10,7 +10,7 @@ namespace gpu {
 namespace {
 
 constexpr double kGlance_s = 0.0005;   // between looks for pieces of others
-constexpr std::size_t kMostWaves = 4;  // under way, with the last
+constexpr std::size_t kMostWaves = 3;  // under way, with the last
 constexpr std::size_t kMostPieces = DrawPass::kSlots / kMostWaves;  // of a wave
 constexpr std::size_t kEnoughWaves = 2;  // whose rays were sent: one is worked on, one waits
 

@@ -11,6 +11,7 @@ follow connections. Nothing here was measured on a GPU.
 """
 
 import argparse
+import collections
 import json
 import math
 import pathlib
@@ -42,7 +43,7 @@ ASSUMED = {
     "l1_bytes_per_clock": (128.0, "bytes an SM reads from L1 in a clock"),
     "l1_miss": (0.15, "share of node and triangle reads that L1 does not hold (50 kB of tree and triangles)"),
     "occupancy": (0.5, "share of the threads of an SM that registers leave room for"),
-    "in_flight": (3.0, "pieces on the device at a time (gpu/draw_queue), if reads do not block; of direct light 1"),
+    "in_flight": (3.0, "passes of light paths and casts of short rays that fill the device together; of direct light 1"),
     "round_s": (1.5e-6, "of a round in which a tile opens groups of light vertices: four barriers and a read that nothing hides"),
     "rounds": (90.0, "such rounds of a tile; counted in that office: 50 to 82 for 256 groups, 79 to 112 for 1024"),
     "seen": (2.5, "groups that are looked at for each of a cut (counted: 2.3 to 2.8)"),
@@ -159,7 +160,8 @@ COUNTED = {
 # --- the processor beside it: one thread, measured ------------------------------------------------
 CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
           "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
-BESIDE_NS = {"receiver": 100.0, "path": 400.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
+# path: by the thread that owns the device, for all others; path_taken: by any thread.
+BESIDE_NS = {"receiver": 100.0, "path": 400.0, "path_taken": 0.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
 VERTEX_UP, VERTEX_DOWN = 168, 48
@@ -168,6 +170,9 @@ VERTEX_UP, VERTEX_DOWN = 168, 48
 SOFTWARE = dict(lanes=8, per_clock=2.0, word_clocks=5.0, clock=2.46e9)
 # gpu/gl_direct_tracer: pairs of a piece; dispatches begin with 4096 pairs and double, in three stages
 PAIRS_PER_PIECE, POINTS_PER_BATCH, FIRST_DISPATCHES = 1 << 20, 1 << 14, 3 * 8
+PIECES_TOGETHER = 8  # gpu/draw_queue
+MOST_PLACES, MOST_WEIGHTS = 1 << 22, 1 << 23  # gpu/draw_piece: of what goes together
+LAUNCHES_PER_PIECE = 11  # five dispatches, three or four fills, two copies back
 
 # A plane below many panels, first round. Shares of pairs: measured, 74 to 95 % free, of the rest half hidden, 2.6 to
 # 4.8 % of all penumbra. rest: samples of a point, channel and replicate, 2 to 16 (assumed: 4).
@@ -186,9 +191,16 @@ def cut_nodes(draws):
 
 
 def receivers_per_piece(draws, work, threads):
-    """gpu/draw_piece: as many as its lists hold and as a thread has, in 64 to 1024 tiles of 32."""
-    wanted = min((1 << 21) // (draws + 1), (1 << 23) // cut_nodes(draws), work.receivers // threads)
-    return min(max(wanted, 64 * 32), 1024 * 32)
+    """gpu/draw_piece: as many as its lists hold and as a thread has, in 64 to 1024 tiles of 32; of one replicate."""
+    wanted = min(MOST_PLACES // (draws + 1), MOST_WEIGHTS // cut_nodes(draws), work.receivers // threads)
+    return min(max(wanted, 64 * 32), 1024 * 32, work.points)
+
+
+def pieces_together(draws, work, threads):
+    """gpu/draw_queue: where more wait, up to eight that take no more room than one large one."""
+    receivers = receivers_per_piece(draws, work, threads)
+    fitting = min(MOST_PLACES // (draws + 1), MOST_WEIGHTS // cut_nodes(draws)) // receivers
+    return max(1, min(PIECES_TOGETHER, fitting, threads // 2))
 
 
 class Work:
@@ -267,16 +279,21 @@ def added(*parts):
     return {key: sum(part[key] for part in parts) for key in parts[0]}
 
 
-def phase(limits, others):
-    """The device's largest limit, and what comes before and after it, one after the other."""
+Phase = collections.namedtuple("Phase", "seconds why limits others beside_s")
+
+
+def phase(limits, others, beside_s=None):
+    """The device's largest limit, and what comes before and after it, one after the other. beside_s: of the device
+    where it works on several waves at a time."""
     name = max(limits, key=limits.get)
     whole = {name: limits[name], **others}
-    return sum(whole.values()), max(whole, key=whole.get), limits, others
+    return Phase(sum(whole.values()), max(whole, key=whole.get), limits, others,
+                 limits[name] if beside_s is None else beside_s)
 
 
 def direct_phase(device, limits, pairs, points, pieces, bytes_down, launches, reads, list_bytes=0.0):
     return phase(limits, {
-        "CPU beside": 1e-9 * BESIDE_NS["pair"] * pairs,
+        "one thread": 1e-9 * BESIDE_NS["pair"] * pairs,
         "PCIe": device.pcie_s(64 * points + list_bytes + 4 * pairs + bytes_down),
         "launches": pieces * (launches * A["launch_s"] + reads * A["read_s"]) +
                     FIRST_DISPATCHES * A["read_s"]})
@@ -376,30 +393,40 @@ def predict(device, work, visits, threads):
                       threads=65536))
     trips = math.ceil(work.light_paths / 16384)
     phases["light paths"] = phase(limits, {
-        "CPU beside": 1e-9 * BESIDE_NS["path"] * work.light_paths +
-                      ns * BESIDE_NS["vertex"] * work.pool_rays,
+        "one thread": 1e-9 * BESIDE_NS["path"] * work.light_paths,
+        "CPU beside": ns * (BESIDE_NS["path_taken"] * work.light_paths + BESIDE_NS["vertex"] * work.pool_rays),
         "PCIe": device.pcie_s(VERTEX_DOWN * work.pool_rays),
         "launches": trips * (6 * A["launch_s"] + A["read_s"])})
 
     draws = work.connections / 0.9
     nodes = draws * cut_nodes(work.draws) / work.draws
     per_piece = receivers_per_piece(work.draws, work, threads)
-    pieces = sum(math.ceil(work.receivers / receivers_per_piece(n, work, threads)) for n in work.drawn)
+    pieces = {n: math.ceil(work.receivers / receivers_per_piece(n, work, threads)) for n in set(work.drawn)}
+    waves = sum(math.ceil(pieces[n] / pieces_together(n, work, threads)) for n in work.drawn)
+    pieces = sum(pieces[n] for n in work.drawn)
+    together = pieces_together(work.draws, work, threads)
     vertices = work.pool_rays / work.replicates / 2  # of the largest batch
-    limits = added(
-        device.limits(choose_items(work), A["code_lanes"], 0.0, 128 * vertices, threads=2 * per_piece),
+    rays = device.limits(ray_items(work.connections, visits["connections"]), A["rays_lanes"], still,
+                         threads=per_piece * work.draws, pieces=together)
+    chosen = choose_items(work)
+    choice = device.limits(chosen, A["code_lanes"], 0.0, 128 * vertices, threads=2 * per_piece, pieces=together)
+    rest = added(
         device.limits([(nodes, "weight"), (nodes, "share")], A["code_lanes"], 0.0,
                       per_piece * cut_nodes(work.draws) * 12),
-        device.limits(ray_items(work.connections, visits["connections"]), A["rays_lanes"], still,
-                      threads=per_piece * work.draws),
+        rays,
         device.limits([(draws, "draw"), (draws, "sum")], A["code_lanes"], 0.0, 64 * vertices,
-                      threads=per_piece * work.draws))
+                      threads=per_piece * work.draws, pieces=together))
     receivers = work.receivers * work.looks
-    phases["connections"] = phase(limits, {
+    rounds_s = waves * A["rounds"] * A["round_s"]
+    # Rounds of a wave beside the rays of the one before.
+    beside_s = max(max(choice.values()) + rounds_s,
+                   max(added(device.limits(chosen, A["code_lanes"], 0.0, 128 * vertices), rest).values()))
+    phases["connections"] = phase(added(choice, rest), {
         "CPU beside": ns * BESIDE_NS["receiver"] * receivers,
-        "PCIe": device.pcie_s(VERTEX_UP * work.pool_rays + receivers * (64 + 48 / 32 + 32)),
-        "rounds": pieces * A["rounds"] * A["round_s"],
-        "launches": pieces * (14 * A["launch_s"] + A["read_s"])})
+        # Points go up once for all replicates of a look.
+        "PCIe": device.pcie_s(VERTEX_UP * work.pool_rays + receivers * ((64 + 48 / 32) / work.replicates + 32)),
+        "rounds": rounds_s,
+        "launches": pieces * LAUNCHES_PER_PIECE * A["launch_s"] + waves * A["read_s"]}, beside_s)
 
     first = work.near_rays / RAYS_PER_SHORT_RAY
     hits = A["lit_share"] * first
@@ -415,7 +442,7 @@ def predict(device, work, visits, threads):
                       A["code_lanes"], 0.0, 64 * vertices, threads=1 << 16, pieces=1))
     casts = math.ceil(first / (1 << 18))  # kShortRaysPerCast
     phases["near field"] = phase(limits, {
-        "CPU": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
+        "CPU beside": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
         "PCIe": device.pcie_s(96 * work.receivers * work.looks + 128 * hits),
         "launches": casts * (24 * A["launch_s"] + 3 * A["read_s"])})
     return phases
@@ -427,6 +454,22 @@ def cpu_phases(work, threads):
             "light paths": ns * CPU_NS["pool_ray"] * work.pool_rays,
             "connections": ns * CPU_NS["connection"] * work.connections,
             "near field": ns * CPU_NS["near_ray"] * work.near_rays}
+
+
+def side_by_side(phases, on_cpu):
+    """The whole run, each stage where it is faster, if the device, the thread that owns it and all others never wait
+    for each other: whoever has most to do. Rounds of one wave run beside the rays of another."""
+    device_s = thread_s = cpu_s = 0.0
+    for what, part in phases.items():
+        if part.seconds > on_cpu[what]:
+            cpu_s += on_cpu[what]
+            continue
+        device_s += part.beside_s + part.others["PCIe"]
+        thread_s += part.others.get("one thread", 0.0) + part.others["launches"]
+        cpu_s += part.others.get("CPU beside", 0.0)
+    whole = {"device": device_s, "one thread": thread_s, "all threads": cpu_s}
+    most = max(whole, key=whole.get)
+    return whole[most], most
 
 
 def best_look(looks, points):
@@ -452,15 +495,17 @@ def predictions(counts, visits, threads):
             on_cpu = cpu_phases(work, threads)
             cpu_s = sum(on_cpu.values())
             rows.append([f"{points} to {100 * error:g} %", f"{threads} threads",
-                         *(number(s) for s in on_cpu.values()), number(cpu_s), "", ""])
+                         *(number(s) for s in on_cpu.values()), number(cpu_s), "", "", ""])
             for name in DEVICES:
                 phases = predict(Device(name), work, visits, threads)
                 whole = sum(s for s, *_ in phases.values())
                 best = sum(min(phases[what][0], on_cpu[what]) for what in phases)
+                beside, most = side_by_side(phases, on_cpu)
                 rows.append(["", name, *(f"{number(s)} ({why})" for s, why, *_ in phases.values()),
-                             number(whole), number(cpu_s / whole), number(cpu_s / best)])
+                             number(whole), number(cpu_s / whole), number(cpu_s / best),
+                             "{} ({})".format(number(cpu_s / beside), most)])
     return table(["points, error", "by", "direct, s", "light paths, s", "connections, s",
-                  "near field, s", "all, s", "CPU / all", "CPU / best stages"], rows)
+                  "near field, s", "all, s", "CPU / all", "CPU / best stages", "side by side"], rows)
 
 
 def panel_table(visits, threads):
@@ -470,13 +515,16 @@ def panel_table(visits, threads):
         rows.append([str(points), f"{threads} threads", number(cpu_s), "", "", "", "", "", ""])
         for name in DEVICES:
             device = Device(name)
-            whole, why, limits, _ = direct_of_panels(device, points, visits)
+            whole, why, limits, *_ = direct_of_panels(device, points, visits)
             _, stages = panel_stages(device, points, visits)
             most = max(limits, key=limits.get)
             rows.append(["", name, f"{number(whole)} ({why})", *(number(s[most]) for s in stages.values()),
                          number(1e-9 * BESIDE_NS["pair"] * points * PANELS["count"]), number(cpu_s / whole)])
     return table(["points", "by", "direct, s", *(f"{s}, s" for s in ("proofs", "seen", "samples", "rest")),
-                  "CPU beside, s", "gain"], rows)
+                  "one thread, s", "gain"], rows)
+
+
+WAITS = ("CPU beside", "one thread", "PCIe", "rounds", "launches")
 
 
 def what_is_left(counts, visits, threads):
@@ -489,18 +537,18 @@ def what_is_left(counts, visits, threads):
         phases = predict(device, work, visits, threads)
         best = {what: min(phases[what][0], on_cpu[what]) for what in phases}
         taken = [phases[what] for what in phases if phases[what][0] <= on_cpu[what]]
-        device_s = sum(max(limits.values()) for _, _, limits, _ in taken)
+        device_s = sum(max(part.limits.values()) for part in taken)
         other = {}
-        for _, _, _, others in taken:
-            for what, s in others.items():
-                what = "CPU beside" if what == "CPU" else what
+        for part in taken:
+            for what, s in part.others.items():
                 other[what] = other.get(what, 0.0) + s
         left = sum(on_cpu[what] for what in phases if phases[what][0] > on_cpu[what])
         rows.append([name, number(sum(best.values())), number(device_s),
-                     *(number(other.get(what, 0.0)) for what in ("CPU beside", "PCIe", "rounds", "launches")),
-                     number(left), number(sum(on_cpu.values()) / sum(best.values()))])
-    return table(["device", "all, s", "device, s", "CPU beside, s", "PCIe, s", "rounds, s", "launches, s",
-                  "stages that stay on the CPU, s", "gain"], rows)
+                     *(number(other.get(what, 0.0)) for what in WAITS),
+                     number(left), number(sum(on_cpu.values()) / sum(best.values())),
+                     number(sum(on_cpu.values()) / side_by_side(phases, on_cpu)[0])])
+    return table(["device", "all, s", "device, s", *(f"{what}, s" for what in WAITS),
+                  "stages that stay on the CPU, s", "gain", "side by side"], rows)
 
 
 def kernel_rates(counts, visits):
@@ -511,7 +559,7 @@ def kernel_rates(counts, visits):
     for name in DEVICES:
         device, row = Device(name), [name]
         for what in ("light paths", "connections", "near field"):
-            _, _, limits, _ = predict(device, work, visits, 1)[what]
+            limits = predict(device, work, visits, 1)[what].limits
             amount = {"light paths": work.pool_rays, "connections": work.connections,
                       "near field": work.near_rays / RAYS_PER_SHORT_RAY}[what]
             why = max(limits, key=limits.get)

@@ -459,8 +459,14 @@ constexpr std::size_t kCallers = 6;
 
 // All callers' pieces wait for a device that is busy, and then go.
 void gather_at_once(Queued& gl, const std::function<void(std::size_t)>& gather_one) {
-  std::promise<void> gate;
-  std::thread blocks([&] { gl.thread->run([&](gpu::DeviceState&) { gate.get_future().wait(); }); });
+  std::promise<void> is_blocked, gate;
+  std::thread blocks([&] {
+    gl.thread->run([&](gpu::DeviceState&) {
+      is_blocked.set_value();
+      gate.get_future().wait();
+    });
+  });
+  is_blocked.get_future().wait();
   std::vector<std::thread> callers;
   for (std::size_t k = 0; k < kCallers; ++k) callers.emplace_back(gather_one, k);
   while (gl.queue.waiting() < kCallers) std::this_thread::yield();
