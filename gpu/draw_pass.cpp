@@ -56,7 +56,8 @@ const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShap
 // Small pieces leave large buffers to large ones.
 std::optional<std::size_t> DrawPass::take_slot(const DrawPiece& piece) {
   const std::size_t wanted = piece.weights() * sizeof(float);
-  const auto fits_better = [&](const Slot& a, const Slot& b) {
+  const auto fits_better = [&](Slot& a, Slot& b) {
+    if (a.has_all() != b.has_all()) return a.has_all();
     const bool fits = a.weights.bytes() >= wanted, other_fits = b.weights.bytes() >= wanted;
     if (fits != other_fits) return fits;
     return fits ? a.weights.bytes() < b.weights.bytes() : a.weights.bytes() > b.weights.bytes();
@@ -184,7 +185,7 @@ void DrawPass::fetch(const DrawTask& task) {
   if (piece.shape.has_bound) {
     slot.bounded_fetched = std::min(bounded_expected_, piece.places());
     parts.push_back(
-        {slot.bounded, sizeof(std::uint32_t), slot.bounded_fetched * sizeof(BoundedDraw)});
+        {slot.bounded, 0, sizeof(std::uint32_t) + slot.bounded_fetched * sizeof(BoundedDraw)});
   }
   slot.read_back.start(parts, kNotDone);
 }
@@ -248,26 +249,25 @@ void DrawPass::finish(DeviceState& device, const DrawTask& task) {
   Slot& slot = slot_[task.slot];
   slot.is_free = true;
   slot.read_back.wait(kDoing);
-  piece.answers.assign(piece.receivers * piece.words_per_answer(), kNotDone);
-  const auto answers = std::as_writable_bytes(std::span(piece.answers));
-  slot.read_back.copy(0, answers);
-  device.check(kDoing);
-  if (!piece.shape.has_bound) return;
-  std::size_t bounded = 0;
-  for (std::size_t k = 0; k < piece.answers.size(); k += piece.words_per_answer()) {
-    if (piece.answers[k] != kNotDone) bounded += piece.answers[k + 1];
+  const std::size_t answers = piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t);
+  if (piece.shape.has_bound) {
+    std::uint32_t bounded = kNotDone;
+    slot.read_back.copy(answers, std::as_writable_bytes(std::span(&bounded, 1)));
+    const std::size_t fetched = slot.bounded_fetched;
+    // What was not done the answers say.
+    if (bounded <= piece.places())
+      bounded_expected_ = std::max<std::size_t>(bounded_expected_, bounded);
+    if (bounded <= piece.places() && bounded > fetched) {
+      const std::size_t rest = (bounded - fetched) * sizeof(BoundedDraw);
+      slot.rest_back.start(
+          {{slot.bounded, sizeof(std::uint32_t) + fetched * sizeof(BoundedDraw), rest}}, kNotDone);
+      slot.rest_back.wait(kDoing);
+      piece.bounded_rest = slot.rest_back.lend(0, rest);
+    }
+    piece.bounded =
+        slot.read_back.lend(answers, sizeof(std::uint32_t) + fetched * sizeof(BoundedDraw));
   }
-  bounded_expected_ = std::max(bounded_expected_, bounded);
-  piece.bounded.resize(bounded);
-  const auto list = std::as_writable_bytes(std::span(piece.bounded));
-  const std::size_t behind = slot.bounded_fetched * sizeof(BoundedDraw);
-  slot.read_back.copy(answers.size(), list.first(std::min(list.size(), behind)));
-  if (list.size() > behind) {
-    slot.read_back.start({{slot.bounded, sizeof(std::uint32_t) + behind, list.size() - behind}},
-                         kNotDone);
-    slot.read_back.wait(kDoing);
-    slot.read_back.copy(0, list.subspan(behind));
-  }
+  piece.answers = slot.read_back.lend(0, answers);
   device.check(kDoing);
 }
 

@@ -42,7 +42,8 @@ class DrawPass {
   // most_places: rays of one dispatch, never changes a result.
   DrawPass(const Device& device, std::size_t most_places);
 
-  // A free one, for this piece; none: all are in use. It is free again after finish().
+  // A free one, for this piece; none: all are in use. It is free again after finish(), though
+  // another thread may still read what came back: then send() waits for that.
   std::optional<std::size_t> take_slot(const DrawPiece& piece);
   // Starts the work of `fresh` as far as their draws are known; and beside it the rest of the work
   // of `drawn`, which were `fresh` before: their rays, sums, and the way back. Stages of one and
@@ -51,7 +52,7 @@ class DrawPass {
   void send(DeviceState& device, std::span<const DrawTask> fresh, std::span<const DrawTask> drawn);
   // Waits so long at most; whether finish() would not wait. Throws GlError.
   bool is_ready(const DrawTask& task, double most_s);
-  // Waits for the piece, whose rays were sent, and fills in what comes back. Throws GlError.
+  // Waits for the piece, whose rays were sent, and lends what came back. Throws GlError.
   void finish(DeviceState& device, const DrawTask& task);
   // Rays of a dispatch, by what the last ones took.
   std::size_t places_per_dispatch() const { return pacer_.items(); }
@@ -66,8 +67,10 @@ class DrawPass {
     GlBuffer spacings{"spacings of draws", BufferUse::by_device};
     GlBuffer results{"results", BufferUse::by_device}, sums{"sums", BufferUse::by_device};
     GlBuffer bounded{"bounded connections", BufferUse::by_device};
-    GlReadBack read_back{"sums"};
+    GlReadBack read_back{"sums"}, rest_back{"bounded connections"};
     std::size_t bounded_fetched = 0;  // of the list, with the sums
+
+    bool has_all() { return read_back.has_all() && rest_back.has_all(); }
   };
   // Some of a piece's places.
   struct Stretch {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 namespace gpu {
 namespace {
@@ -118,28 +119,47 @@ bool DrawPacker::next(DrawPiece& piece) {
   return piece.receivers > 0;
 }
 
+BoundedDraw DrawPiece::bounded_draw(std::size_t index) const {
+  constexpr std::size_t kSize = sizeof(BoundedDraw), kHead = sizeof(std::uint32_t);
+  const std::size_t together =
+      bounded.bytes().size() < kHead ? 0 : (bounded.bytes().size() - kHead) / kSize;
+  const auto list = index < together ? bounded.bytes().subspan(kHead) : bounded_rest.bytes();
+  const std::size_t at = kSize * (index < together ? index : index - together);
+  BoundedDraw draw{kNotDone, 0.0f, 0.0f};
+  if (at + kSize <= list.size()) std::memcpy(&draw, list.data() + at, kSize);
+  if (draw.vertex == kNotDone) throw_not_done();
+  return draw;
+}
+
 std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
+  const std::size_t answer_bytes = sizeof(std::uint32_t) * piece.words_per_answer();
+  const std::span<const std::byte> answers = piece.answers.bytes();
+  if (answers.size() != piece.receivers * answer_bytes) throw_not_done();
+  const auto answer_at = [&](std::size_t receiver) {
+    DrawAnswer answer;
+    std::memcpy(&answer, answers.data() + receiver * answer_bytes, sizeof answer);
+    return answer;
+  };
   // Before all else: lists of the others may be anywhere then.
-  for (std::size_t k = 0; k < piece.answers.size(); k += piece.words_per_answer()) {
-    if (piece.answers[k] == kNotDone) throw_not_done();
+  for (std::size_t r = 0; r < piece.receivers; ++r) {
+    if (answer_at(r).rays == kNotDone) throw_not_done();
   }
   std::uint64_t rays = 0;
-  const std::uint32_t* words = piece.answers.data();
+  std::size_t r = 0;
   for (const Part& part : parts_) {
     const calc::GatherSums& sums = batch_.sums[part.tile];
-    for (std::size_t k = part.first; k < part.first + part.count; ++k) {
-      DrawAnswer answer;
-      std::memcpy(&answer, words, sizeof answer);
+    for (std::size_t k = part.first; k < part.first + part.count; ++k, ++r) {
+      const DrawAnswer answer = answer_at(r);
+      const std::byte* const channel_sums = answers.data() + r * answer_bytes + sizeof answer;
       rays += answer.rays;
       for (std::size_t range = 0; range < channels_.size(); ++range) {
         double lx = 0.0;
-        std::memcpy(&lx, words + 4 + 2 * range, sizeof lx);
+        std::memcpy(&lx, channel_sums + range * sizeof lx, sizeof lx);
         sums.lx[channels_[range] * sums.stride + k] += lx;
       }
       float largest = std::max(sums.largest_lx[k], answer.largest_lx);
       for (std::size_t b = 0; b < answer.bounded; ++b) {
-        const BoundedDraw& draw = piece.bounded.at(answer.first_bounded + b);
-        if (draw.vertex == kNotDone) throw_not_done();
+        const BoundedDraw draw = piece.bounded_draw(answer.first_bounded + b);
         const calc::LightVertex& v = batch_.tree.vertices()[draw.vertex];
         const float lx = calc::connection_lx(
             draw.weight, v.flux_lm, batch_.bounds.limited(draw.vertex, draw.geometry_per_m2));
@@ -147,7 +167,6 @@ std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
         largest = std::max(largest, lx);
       }
       sums.largest_lx[k] = largest;
-      words += piece.words_per_answer();
     }
   }
   return batch_.has_shadows ? rays : 0;

@@ -2,6 +2,7 @@
 // Part of a calc::DrawBatch as it goes to the device and comes back.
 
 #include "calc/radiosity/gatherer.h"
+#include "gpu/lent_bytes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,11 +50,14 @@ struct DrawPiece {
   // Of tiles whose nodes the device does not choose, as shaders/tile_words.glsl says; else empty.
   std::vector<std::uint32_t> tiles;
 
-  // What comes back.
-  std::vector<std::uint32_t>
-      answers;  // [receiver] a DrawAnswer and doubles, see words_per_answer()
-  std::vector<BoundedDraw> bounded;
+  // What comes back, read by whoever asked; given back before the next piece is.
+  LentBytes answers;  // [receiver] a DrawAnswer and doubles, see words_per_answer()
+  // A word and a list of BoundedDraw; the rest of it, where it is longer than was thought.
+  LentBytes bounded, bounded_rest;
   bool is_cut_short = false;  // the deadline has passed
+
+  // Throws calc::BackendFailure if the device did not do its work.
+  BoundedDraw bounded_draw(std::size_t index) const;
 
   std::size_t places_per_receiver() const { return std::size_t{batch->draws} + 1; }
   std::size_t places() const { return receivers * places_per_receiver(); }

@@ -102,12 +102,19 @@ GlProgram::~GlProgram() { glDeleteProgram(name_); }
 
 void GlProgram::use() const { glUseProgram(name_); }
 
+// Drivers search all names for it, which takes longer than to dispatch.
+int GlProgram::location(const char* uniform) const {
+  const auto found = locations_.find(uniform);
+  if (found != locations_.end()) return found->second;
+  return locations_.emplace(uniform, glGetUniformLocation(name_, uniform)).first->second;
+}
+
 void GlProgram::set(const char* uniform, std::uint32_t value) const {
-  glUniform1ui(glGetUniformLocation(name_, uniform), value);
+  glUniform1ui(location(uniform), value);
 }
 
 void GlProgram::set(const char* uniform, float value) const {
-  glUniform1f(glGetUniformLocation(name_, uniform), value);
+  glUniform1f(location(uniform), value);
 }
 
 }  // namespace gpu

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace gpu {
@@ -36,8 +37,11 @@ class GlProgram {
   bool is_from_cache() const { return is_from_cache_; }
 
  private:
+  int location(const char* uniform) const;
+
   unsigned name_ = 0;
   bool is_from_cache_ = false;
+  mutable std::map<std::string, int, std::less<>> locations_;  // asked for so far
 };
 
 }  // namespace gpu

@@ -9,11 +9,13 @@
 #include "gpu/short_ray_pass.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
+#include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <optional>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -54,9 +56,10 @@ class GlShortRays : public calc::ShortRayCaster {
     if (hits.empty()) return;
     const std::vector<GpuRequest> sent = gpu_requests(tracer, requests);
     run([&](DeviceState& device) {
-      rays_->trace(device, {&tracer, least_m, most_m, sent, hits.size()});
+      if (!cast_) cast_ = std::make_unique<ShortRayBuffers>();
+      rays_->trace(device, {&tracer, least_m, most_m, sent, hits.size()}, *cast_);
       // Their "not done" is a word of its own: all ones mean that a ray met nothing.
-      hits_back_->start({{rays_->hits(), 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
+      hits_back_->start({{cast_->hits, 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
       hits_back_->wait(kDoing);
       hits_back_->copy(0, std::as_writable_bytes(hits));
       device.check(kDoing);
@@ -73,19 +76,33 @@ class GlShortRays : public calc::ShortRayCaster {
         sent.empty() ? 0 : std::size_t{sent.back().first_ray} + sent.back().rays;
     if (rays == 0) return;
     const std::shared_ptr<const PackedPool> packed = thread_->pools().pack_unless_held(field.tree);
-    const std::size_t before = found.size();
-    // Room is made here, where no other thread waits for it.
-    found.resize(before + static_cast<std::size_t>(most_hits_per_ray_ * static_cast<double>(rays)));
+    const ShortRayJob job{&field.tracer,
+                          static_cast<float>(field.tracer.offset_m()),
+                          static_cast<float>(field.bound.reach_m()),
+                          sent,
+                          rays,
+                          true,
+                          field.deadline_s};
+    const Turn turn(*this);
+    bool goes_on = false;
     run([&](DeviceState& device) {
-      if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
-      lights_->run(device, *rays_, field, packed.get(),
-                   {&field.tracer, static_cast<float>(field.tracer.offset_m()),
-                    static_cast<float>(field.bound.reach_m()), sent, rays, true, field.deadline_s},
-                   before, found);
+      std::unique_ptr<HitBuffers>& buffers = turn.buffers();
+      if (!buffers) buffers = std::make_unique<HitBuffers>();
+      goes_on = lights_of(device).start(device, *rays_, field, job, *buffers);
     });
-    const double hits_per_ray =
-        static_cast<double>(found.size() - before) / static_cast<double>(rays);
-    if (hits_per_ray > most_hits_per_ray_) most_hits_per_ray_ = hits_per_ray;
+    if (!goes_on) return;
+    run([&](DeviceState& device) {
+      goes_on = lights_of(device).find(device, *rays_, field, packed.get(), job, *turn.buffers());
+    });
+    if (!goes_on) return;
+    std::vector<LentBytes> lights;
+    run([&](DeviceState& device) { lights = lights_of(device).take(device, *turn.buffers()); });
+    const std::size_t before = found.size();
+    for (const LentBytes& some : lights) {
+      const auto* const first = reinterpret_cast<const calc::HitLight*>(some.bytes().data());
+      found.insert(found.end(), first, first + some.bytes().size() / sizeof(calc::HitLight));
+    }
+    lights.clear();  // given back
     const bool has_far_light = field.cut.size() > 0;
     for (std::size_t k = before; k < found.size(); ++k) {
       if (!has_far_light) found[k].draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
@@ -95,6 +112,34 @@ class GlShortRays : public calc::ShortRayCaster {
   }
 
  private:
+  // Buffers of one call at a time: some calls are under way, the others wait.
+  class Turn {
+   public:
+    explicit Turn(GlShortRays& rays) : rays_(rays) {
+      std::unique_lock lock(rays_.mutex_);
+      rays_.changed_.wait(lock, [this] { return !rays_.free_.empty(); });
+      number_ = rays_.free_.back();
+      rays_.free_.pop_back();
+    }
+    ~Turn() {
+      const std::scoped_lock lock(rays_.mutex_);
+      rays_.free_.push_back(number_);
+      rays_.changed_.notify_one();
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+    std::unique_ptr<HitBuffers>& buffers() const { return rays_.buffers_[number_]; }
+
+   private:
+    GlShortRays& rays_;
+    std::size_t number_ = 0;
+  };
+
+  HitPass& lights_of(DeviceState& device) {
+    if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
+    return *lights_;
+  }
   void run(const DeviceThread::Work& work) {
     thread_->run([&](DeviceState& device) {
       try {
@@ -110,14 +155,21 @@ class GlShortRays : public calc::ShortRayCaster {
   void clear() {
     lights_.reset();
     hits_back_.reset();
+    cast_.reset();
     rays_.reset();
+    const std::scoped_lock lock(mutex_);
+    for (const std::size_t k : free_) buffers_[k].reset();  // others go on with theirs
   }
 
   const std::shared_ptr<DeviceThread> thread_;
   const HitLimits limits_;
-  std::atomic<double> most_hits_per_ray_{0.0};  // so far, about
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::size_t> free_{0, 1, 2};
   // Of the device's thread alone.
+  std::array<std::unique_ptr<HitBuffers>, 3> buffers_;  // made when first needed
   std::unique_ptr<ShortRayPass> rays_;
+  std::unique_ptr<ShortRayBuffers> cast_;
   std::unique_ptr<GlReadBack> hits_back_;
   std::unique_ptr<HitPass> lights_;
 };

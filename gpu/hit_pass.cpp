@@ -80,6 +80,10 @@ std::vector<float> choice_table(const calc::LuminaireChoice& choice) {
   return table;
 }
 
+std::size_t blocks_of(const ShortRayJob& job) {
+  return (job.rays + kRaysPerBlock - 1) / kRaysPerBlock;
+}
+
 // The tile of all nodes and the tile of none.
 std::vector<std::uint32_t> tiles_of(const calc::NearField& field) {
   const calc::Cut& cut = field.cut;
@@ -106,20 +110,15 @@ HitPass::HitPass(const ProgramCache& programs, const HitLimits& limits)
       further_("further short rays", hit_shader(HitStage::further), programs),
       far_("light from afar at hits", hit_shader(HitStage::far), programs),
       weigh_("weigh", draw_shader(DrawStage::weigh, {.has_planar = true}), programs),
-      field_("the near field"),
       tables_("luminaires", BufferUse::fixed),
       choice_("choice of luminaires", BufferUse::fixed),
-      tiles_("groups of light vertices"),
-      counts_("numbers of hits", BufferUse::by_device),
       firsts_("beginnings of hits"),
-      list_("list of hits", BufferUse::by_device),
       places_("places of hits", BufferUse::by_device),
       receivers_("hits as points", BufferUse::by_device),
       channel_weights_("weights of channels", BufferUse::by_device),
       weights_("weights of groups", BufferUse::by_device),
       cumulated_("summed weights of groups", BufferUse::by_device),
-      spacings_("spacings of draws", BufferUse::by_device),
-      counts_back_("numbers of hits") {}
+      spacings_("spacings of draws", BufferUse::by_device) {}
 
 void HitPass::send_luminaires(const calc::NearField& field) {
   if (tables_of_ == field.tracer.identity()) return;
@@ -129,38 +128,45 @@ void HitPass::send_luminaires(const calc::NearField& field) {
   tables_of_ = field.tracer.identity();
 }
 
-void HitPass::send(const calc::NearField& field) {
-  send_luminaires(field);
+// Of a block of rays each.
+void HitPass::over_blocks(const GlProgram& program, const ShortRayPass& rays,
+                          const ShortRayJob& job, const HitBuffers& buffers) const {
+  const std::size_t blocks = blocks_of(job);
+  rays.bind(buffers.rays);
+  program.use();
+  program.set("request_count", word(job.requests.size()));
+  program.set("ray_count", word(job.rays));
+  program.set("blocks", word(blocks));
+  dispatch(blocks);
+  wait_for_writes();
+}
+
+bool HitPass::start(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
+                    const ShortRayJob& job, HitBuffers& buffers) {
+  buffers.used = 0;
   const calc::GeometryBound::Terms terms = field.bound.terms();
   static_assert(kFieldSmallest == 0 && kFieldPerLumen == 1 && kFieldAmbient == 2 &&
                 kFieldNeeded == 3 && kFieldLeast == 4);
-  field_.assign(std::vector<double>{terms.smallest_per_m2, terms.vertices_per_lumen,
-                                    terms.ambient_per_m2, terms.needed_lx, terms.least_lx});
-  tiles_.assign(tiles_of(field));
+  buffers.field.assign(std::vector<double>{terms.smallest_per_m2, terms.vertices_per_lumen,
+                                           terms.ambient_per_m2, terms.needed_lx, terms.least_lx});
+  buffers.field.bind(ShortRayPass::kField);
+  if (!rays.trace(device, job, buffers.rays)) return false;
+  wait_for_writes();
+  const std::size_t bytes = blocks_of(job) * sizeof(std::uint32_t);
+  buffers.counts.assign(bytes, kNotDone);
+  buffers.counts.bind(kCounts);
+  over_blocks(counts_shader_, rays, job, buffers);
+  buffers.counts_back.start({{buffers.counts, 0, bytes}}, kNotDone);
+  check_gl(kDoing);
+  return true;
 }
 
-// Counts hits by blocks of rays, finds on the CPU where each block's begin, and lists them. Returns
-// how many they are.
-std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job) {
-  const std::size_t blocks = (job.rays + kRaysPerBlock - 1) / kRaysPerBlock;
-  const std::size_t bytes = blocks * sizeof(std::uint32_t);
-  const auto run = [&](const GlProgram& program) {
-    program.use();
-    program.set("request_count", word(job.requests.size()));
-    program.set("ray_count", word(job.rays));
-    program.set("blocks", word(blocks));
-    dispatch(blocks);
-    wait_for_writes();
-  };
-  wait_for_writes();  // of the rays
-  rays.bind();
-  counts_.assign(bytes, kNotDone);
-  counts_.bind(kCounts);
-  run(counts_shader_);
-  counts_back_.start({{counts_, 0, bytes}}, kNotDone);
-  counts_back_.wait(kDoing);
-  std::vector<std::uint32_t> counts(blocks, kNotDone);
-  counts_back_.copy(0, std::as_writable_bytes(std::span(counts)));
+// Finds on the CPU where each block's hits begin, and lists them. Returns how many they are.
+std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job,
+                               HitBuffers& buffers) {
+  buffers.counts_back.wait(kDoing);
+  std::vector<std::uint32_t> counts(blocks_of(job), kNotDone);
+  buffers.counts_back.copy(0, std::as_writable_bytes(std::span(counts)));
   std::uint32_t hits = 0;
   for (std::uint32_t& count : counts) {
     if (count == kNotDone) throw_not_done();
@@ -171,9 +177,9 @@ std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job)
   if (hits == 0) return 0;
   firsts_.assign(counts);
   firsts_.bind(kCounts);
-  list_.reserve(hits * 2 * sizeof(std::uint32_t));
-  list_.bind(kList);
-  run(list_shader_);
+  buffers.list.reserve(hits * 2 * sizeof(std::uint32_t));
+  buffers.list.bind(kList);
+  over_blocks(list_shader_, rays, job, buffers);
   return hits;
 }
 
@@ -243,7 +249,7 @@ void HitPass::weigh(DeviceState& device, const PackedPool* packed, const Piece& 
   cumulated_.reserve(piece.count * cut.size() * sizeof(double));
   spacings_.reserve(piece.count * sizeof(glm::dvec2));
   receivers_.bind(kReceiversToDraw);
-  tiles_.bind(kTiles);
+  piece.buffers.tiles.bind(kTiles);
   weights_.bind(kWeights);
   cumulated_.bind(kCumulated);
   spacings_.bind(kSpacings);
@@ -256,23 +262,24 @@ void HitPass::weigh(DeviceState& device, const PackedPool* packed, const Piece& 
 }
 
 // False: the deadline passed.
-bool HitPass::find(DeviceState& device, const ShortRayPass& rays, const PackedPool* packed,
-                   const Piece& piece, Slot& slot) {
+bool HitPass::find(DeviceState& device, const PackedPool* packed, const Piece& piece,
+                   HitBuffers::Piece& found) {
   const calc::NearField& field = piece.field;
   const DeviceScene& scene = device.scenes.of(field.tracer);
   nodes_ = scene.nodes;
-  slot.lights.assign(piece.count * sizeof(calc::HitLight), calc::HitLight::kNotDone);
+  found.hits = piece.count;
+  found.lights.assign(piece.count * sizeof(calc::HitLight), calc::HitLight::kNotDone);
   places_.reserve(piece.count * kPlaceBytes);
   receivers_.reserve(piece.count * kReceiverBytes);
   channel_weights_.reserve(piece.count * std::max<std::size_t>(1, field.channels) * sizeof(double));
   const auto bind = [&] {
     scene.bind();
     scene.bind_surfaces();
-    rays.bind();
+    piece.rays.bind(piece.buffers.rays);
     tables_.bind(kTables);
-    list_.bind(kList);
-    field_.bind(ShortRayPass::kField);
-    slot.lights.bind(kLights);
+    piece.buffers.list.bind(kList);
+    piece.buffers.field.bind(ShortRayPass::kField);
+    found.lights.bind(kLights);
     places_.bind(kPlaces);
   };
   bind();
@@ -286,41 +293,37 @@ bool HitPass::find(DeviceState& device, const ShortRayPass& rays, const PackedPo
     weigh(device, packed, piece);
     if (!run_stage(far_, piece, piece.count * kPlacesPerHit)) return false;
   }
-  slot.back.start({{slot.lights, 0, piece.count * sizeof(calc::HitLight)}},
-                  calc::HitLight::kNotDone);
+  found.back.start({{found.lights, 0, piece.count * sizeof(calc::HitLight)}},
+                   calc::HitLight::kNotDone);
   check_gl(kDoing);
   return true;
 }
 
-void HitPass::take(Slot& slot) {
-  if (slot.to.empty()) return;
-  slot.back.wait(kDoing);
-  slot.back.copy(0, std::as_writable_bytes(slot.to));
-  slot.to = {};
+bool HitPass::find(DeviceState& device, const ShortRayPass& rays, const calc::NearField& field,
+                   const PackedPool* packed, const ShortRayJob& job, HitBuffers& buffers) {
+  const std::size_t hits = list_hits(rays, job, buffers);
+  if (hits == 0) return true;
+  send_luminaires(field);
+  buffers.tiles.assign(tiles_of(field));
+  const std::size_t most = most_hits(field);
+  for (std::size_t first = 0; first < hits; first += most) {
+    const std::size_t count = std::min(most, hits - first);
+    if (buffers.used == buffers.pieces.size()) buffers.pieces.emplace_back();
+    HitBuffers::Piece& found = buffers.pieces[buffers.used++];
+    if (!find(device, packed, {field, job, rays, buffers, first, count}, found)) return false;
+  }
+  return true;
 }
 
-void HitPass::run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
-                  const PackedPool* packed, const ShortRayJob& job, std::size_t keep,
-                  std::vector<calc::HitLight>& found) {
-  for (Slot& slot : slot_) slot.to = {};  // should an earlier run have ended early
-  send(field);
-  field_.bind(ShortRayPass::kField);
-  const std::size_t hits = rays.trace(device, job) ? list_hits(rays, job) : 0;
-  const std::size_t most = most_hits(field);
-  found.resize(keep + hits);
-  std::size_t piece = 0;
-  for (std::size_t first = 0; first < hits; first += most, ++piece) {
-    const std::size_t count = std::min(most, hits - first);
-    Slot& slot = slot_[piece % slot_.size()];
-    take(slot);
-    if (!find(device, rays, packed, {field, job, first, count}, slot)) {
-      found.resize(keep);
-      return;
-    }
-    slot.to = std::span(found).subspan(keep + first, count);
+std::vector<LentBytes> HitPass::take(DeviceState& device, HitBuffers& buffers) {
+  std::vector<LentBytes> lights;
+  for (std::size_t k = 0; k < buffers.used; ++k) {
+    HitBuffers::Piece& piece = buffers.pieces[k];
+    piece.back.wait(kDoing);
+    lights.push_back(piece.back.lend(0, piece.hits * sizeof(calc::HitLight)));
   }
-  for (std::size_t k = 0; k < slot_.size(); ++k) take(slot_[(piece + k) % slot_.size()]);
   device.check(kDoing);
+  return lights;
 }
 
 }  // namespace gpu

@@ -9,13 +9,14 @@
 #include "gpu/gl_program.h"
 #include "gpu/gl_read_back.h"
 #include "gpu/gl_short_rays.h"
+#include "gpu/lent_bytes.h"
 #include "gpu/short_ray_pass.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,24 +29,44 @@ namespace gpu {
 //   lights  [hit of the piece] a calc::HitLight
 // For their draws from afar hits are receivers of the tile that has all nodes of the field's cut;
 // those that nothing is to be found for, of one that has none.
+//
+// Buffers of one call, on its way through the three steps below; what calls share is written and
+// read in the order of commands.
+struct HitBuffers {
+  // Some of the list.
+  struct Piece {
+    GlBuffer lights{"light at hits of short rays", BufferUse::by_device};
+    GlReadBack back{"light at hits of short rays"};
+    std::size_t hits = 0;
+  };
+
+  ShortRayBuffers rays;
+  GlBuffer field{"the near field"}, tiles{"groups of light vertices"};
+  GlBuffer counts{"numbers of hits", BufferUse::by_device};
+  GlBuffer list{"list of hits", BufferUse::by_device};
+  GlReadBack counts_back{"numbers of hits"};
+  std::deque<Piece> pieces;  // some of them perhaps of an earlier call
+  std::size_t used = 0;      // of these
+};
+
 class HitPass {
  public:
   HitPass(const ProgramCache& programs, const HitLimits& limits);  // programs must outlive it
 
-  // The rays of some requests and the light at their hits, in the order of rays, in place of what
-  // `found` has behind the first `keep`: room that need not be made here. packed: as
-  // DevicePools::find_or_send() takes it. Nothing once the deadline passed. Throws GlError and
-  // calc::BackendFailure.
-  void run(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
-           const PackedPool* packed, const ShortRayJob& job, std::size_t keep,
-           std::vector<calc::HitLight>& found);
+  // Three steps, between which other work may run, so that the device has work while a caller waits
+  // for what came back. Each throws GlError and calc::BackendFailure.
+
+  // Starts the rays, and counts those that met what may give light. False: the deadline passed.
+  bool start(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
+             const ShortRayJob& job, HitBuffers& buffers);
+  // Waits for the counts, lists the hits and starts to find the light there. packed: as
+  // DevicePools::find_or_send() takes it. False: the deadline passed.
+  bool find(DeviceState& device, const ShortRayPass& rays, const calc::NearField& field,
+            const PackedPool* packed, const ShortRayJob& job, HitBuffers& buffers);
+  // Waits for it: calc::HitLight in the order of rays, some behind others.
+  std::vector<LentBytes> take(DeviceState& device, HitBuffers& buffers);
 
  private:
-  struct Slot {
-    GlBuffer lights{"light at hits of short rays", BufferUse::by_device};
-    GlReadBack back{"light at hits of short rays"};
-    std::span<calc::HitLight> to{};  // empty: nothing is on its way
-  };
   // A stage with one invocation for each hit, or for some of each.
   struct Stage {
     GlProgram program;
@@ -57,19 +78,21 @@ class HitPass {
   struct Piece {
     const calc::NearField& field;
     const ShortRayJob& job;
+    const ShortRayPass& rays;
+    const HitBuffers& buffers;
     std::size_t first, count;
   };
 
-  void send(const calc::NearField& field);
   void send_luminaires(const calc::NearField& field);
-  std::size_t list_hits(const ShortRayPass& rays, const ShortRayJob& job);
+  void over_blocks(const GlProgram& program, const ShortRayPass& rays, const ShortRayJob& job,
+                   const HitBuffers& buffers) const;
+  std::size_t list_hits(const ShortRayPass& rays, const ShortRayJob& job, HitBuffers& buffers);
   std::size_t most_hits(const calc::NearField& field) const;
-  bool find(DeviceState& device, const ShortRayPass& rays, const PackedPool* packed,
-            const Piece& piece, Slot& slot);
+  bool find(DeviceState& device, const PackedPool* packed, const Piece& piece,
+            HitBuffers::Piece& found);
   void weigh(DeviceState& device, const PackedPool* packed, const Piece& piece);
   void start(const GlProgram& program, const Piece& piece) const;
   bool run_stage(Stage& stage, const Piece& piece, std::size_t items);
-  static void take(Slot& slot);
 
   const ProgramCache& programs_;
   const HitLimits limits_;
@@ -77,10 +100,8 @@ class HitPass {
   Stage bounds_, direct_, further_, far_;
   GlProgram weigh_;
   std::array<std::unique_ptr<GlProgram>, 2> share_;  // [many channels], made when first needed
-  GlBuffer field_, tables_, choice_, tiles_, counts_, firsts_, list_, places_, receivers_;
+  GlBuffer tables_, choice_, firsts_, places_, receivers_;
   GlBuffer channel_weights_, weights_, cumulated_, spacings_;
-  GlReadBack counts_back_;
-  std::array<Slot, 2> slot_;     // so that the device has the next piece while one comes back
   std::uint32_t nodes_ = 0;      // of the scene at hand
   std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none
 };

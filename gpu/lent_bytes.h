@@ -22,7 +22,12 @@ class LentBytes {
       : lender_(std::exchange(other.lender_, nullptr)),
         bytes_(std::exchange(other.bytes_, {})),
         not_done_(other.not_done_) {}
-  LentBytes& operator=(LentBytes&&) = delete;
+  LentBytes& operator=(LentBytes&& other) noexcept {
+    std::swap(lender_, other.lender_);
+    std::swap(bytes_, other.bytes_);
+    std::swap(not_done_, other.not_done_);
+    return *this;
+  }
   LentBytes(const LentBytes&) = delete;
   LentBytes& operator=(const LentBytes&) = delete;
 

@@ -44,8 +44,6 @@ std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
 ShortRayPass::ShortRayPass(const ProgramCache& programs)
     : programs_(programs),
       words_("random numbers", BufferUse::fixed),
-      requests_("calculation points"),
-      hits_("hits of short rays", BufferUse::by_device),
       pacer_({kFewestRays, kMostRays, kFirstRays}) {
   words_.assign(sobol_words(2));
 }
@@ -58,23 +56,23 @@ const GlProgram& ShortRayPass::program(bool has_light) {
   return *made;
 }
 
-void ShortRayPass::bind() const {
+void ShortRayPass::bind(const ShortRayBuffers& buffers) const {
   words_.bind(kWords);
-  hits_.bind(kHits);
-  requests_.bind(kRequests);
+  buffers.hits.bind(kHits);
+  buffers.requests.bind(kRequests);
 }
 
-bool ShortRayPass::trace(DeviceState& device, const ShortRayJob& job) {
+bool ShortRayPass::trace(DeviceState& device, const ShortRayJob& job, ShortRayBuffers& buffers) {
   const GlProgram& shader = program(job.has_light);
-  requests_.assign(job.requests);
+  buffers.requests.assign(job.requests);
   const std::size_t bytes =
       job.has_light ? kLitHitSize * sizeof(std::uint32_t) : sizeof(calc::FirstHit);
-  hits_.assign(job.rays * bytes, calc::FirstHit::kNotDone);
+  buffers.hits.assign(job.rays * bytes, calc::FirstHit::kNotDone);
   const DeviceScene& scene = device.scenes.of(*job.tracer);
   shader.use();
   scene.bind();
   scene.bind_surfaces();
-  bind();
+  bind(buffers);
   shader.set("node_count", scene.nodes);
   shader.set("request_count", static_cast<std::uint32_t>(job.requests.size()));
   shader.set("least_m", job.least_m);

@@ -42,6 +42,13 @@ struct ShortRayJob {
 std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
                                      std::span<const calc::NearFieldRequest> requests);
 
+// Rays of one call, from their start until what is at their ends was found.
+struct ShortRayBuffers {
+  GlBuffer requests{"calculation points"};
+  // What the rays met, kNotDone before: calc::FirstHit; has_light: as short_ray_shader() says.
+  GlBuffer hits{"hits of short rays", BufferUse::by_device};
+};
+
 class ShortRayPass {
  public:
   explicit ShortRayPass(const ProgramCache& programs);  // must outlive it
@@ -51,17 +58,15 @@ class ShortRayPass {
 
   // Sends the points and starts their rays; has_light: with the field's numbers bound. False: the
   // deadline passed. Throws GlError.
-  bool trace(DeviceState& device, const ShortRayJob& job);
-  // What the rays met, kNotDone before: calc::FirstHit; has_light: as short_ray_shader() says.
-  const GlBuffer& hits() const { return hits_; }
-  void bind() const;
+  bool trace(DeviceState& device, const ShortRayJob& job, ShortRayBuffers& buffers);
+  void bind(const ShortRayBuffers& buffers) const;
 
  private:
   const GlProgram& program(bool has_light);
 
   const ProgramCache& programs_;
   std::array<std::unique_ptr<GlProgram>, 2> program_;  // [has_light], made when first needed
-  GlBuffer words_, requests_, hits_;
+  GlBuffer words_;
   DispatchPacer pacer_;
 };
 
