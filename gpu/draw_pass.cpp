@@ -250,25 +250,30 @@ void DrawPass::finish(DeviceState& device, const DrawTask& task) {
   slot.is_free = true;
   slot.read_back.wait(kDoing);
   const std::size_t answers = piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t);
+  const std::size_t fetched = slot.bounded_fetched;
+  std::size_t rest = 0;
   if (piece.shape.has_bound) {
     std::uint32_t bounded = kNotDone;
     slot.read_back.copy(answers, std::as_writable_bytes(std::span(&bounded, 1)));
-    const std::size_t fetched = slot.bounded_fetched;
-    // What was not done the answers say.
-    if (bounded <= piece.places())
+    // If it is more than there can be, then it was not done, as the answers say.
+    if (bounded <= piece.places()) {
       bounded_expected_ = std::max<std::size_t>(bounded_expected_, bounded);
-    if (bounded <= piece.places() && bounded > fetched) {
-      const std::size_t rest = (bounded - fetched) * sizeof(BoundedDraw);
-      slot.rest_back.start(
-          {{slot.bounded, sizeof(std::uint32_t) + fetched * sizeof(BoundedDraw), rest}}, kNotDone);
-      slot.rest_back.wait(kDoing);
-      piece.bounded_rest = slot.rest_back.lend(0, rest);
+      rest = bounded > fetched ? (bounded - fetched) * sizeof(BoundedDraw) : 0;
     }
+  }
+  if (rest > 0) {
+    slot.rest_back.start(
+        {{slot.bounded, sizeof(std::uint32_t) + fetched * sizeof(BoundedDraw), rest}}, kNotDone);
+    slot.rest_back.wait(kDoing);
+  }
+  device.check(kDoing);
+  // Nothing may fail any more: nobody gives back what a piece holds that waits to be told.
+  piece.answers = slot.read_back.lend(0, answers);
+  if (piece.shape.has_bound) {
     piece.bounded =
         slot.read_back.lend(answers, sizeof(std::uint32_t) + fetched * sizeof(BoundedDraw));
   }
-  piece.answers = slot.read_back.lend(0, answers);
-  device.check(kDoing);
+  if (rest > 0) piece.bounded_rest = slot.rest_back.lend(0, rest);
 }
 
 }  // namespace gpu

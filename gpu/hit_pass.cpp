@@ -316,13 +316,13 @@ bool HitPass::find(DeviceState& device, const ShortRayPass& rays, const calc::Ne
 }
 
 std::vector<LentBytes> HitPass::take(DeviceState& device, HitBuffers& buffers) {
+  for (std::size_t k = 0; k < buffers.used; ++k) buffers.pieces[k].back.wait(kDoing);
+  device.check(kDoing);
   std::vector<LentBytes> lights;
   for (std::size_t k = 0; k < buffers.used; ++k) {
     HitBuffers::Piece& piece = buffers.pieces[k];
-    piece.back.wait(kDoing);
     lights.push_back(piece.back.lend(0, piece.hits * sizeof(calc::HitLight)));
   }
-  device.check(kDoing);
   return lights;
 }
 
