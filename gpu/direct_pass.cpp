@@ -10,7 +10,9 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstring>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -108,39 +110,88 @@ Chunks chunks_of(const DirectPiece& piece, std::uint32_t most_samples) {
   return result;
 }
 
+std::size_t pairs_of(const DirectPiece& piece) {
+  return piece.points.size() * piece.is_asked.size();
+}
+
+std::size_t totals_of(const DirectPiece& piece) {
+  return piece.keys.empty()
+             ? 0
+             : piece.rounds.replicates * (channels_of(piece) + 1) * piece.points.size();
+}
+
+void take_numbers(const LentBytes& from, std::size_t numbers, std::vector<double>& to) {
+  if (from.bytes().size() != numbers * sizeof(double)) throw_not_done();
+  to.resize(numbers);
+  if (numbers > 0) std::memcpy(to.data(), from.bytes().data(), from.bytes().size());
+  if (!std::all_of(to.begin(), to.end(), is_done)) throw_not_done();
+}
+
 }  // namespace
+
+void take_pairs(const LentBytes& pairs, DirectPiece& piece) {
+  const std::size_t points = piece.points.size();
+  if (pairs.bytes().size() != pairs_of(piece) * sizeof(std::uint32_t)) throw_not_done();
+  const auto* const words = reinterpret_cast<const std::uint32_t*>(pairs.bytes().data());
+  piece.is_left.assign(points, 0);
+  // One look at each: this is all that the CPU does for a pair that is proved.
+  for (std::size_t i = 0; i < pairs_of(piece); ++i) {
+    const std::uint32_t word = words[i];
+    piece.asked_pairs += word != kPairNothing ? 1 : 0;
+    static_assert(kPairNothing < kPairSampled && kPairHidden < kPairSampled &&
+                  kPairSeen < kPairSampled && kPairSampled < kPairLeft);
+    if (word < kPairSampled) continue;
+    if (word == kNotDone) throw_not_done();
+    if (word == kPairLeft) {
+      piece.is_left[i % points] = 1;
+    } else {
+      piece.sampled.push_back({count(i % points), count(i / points), word / kPairStep});
+    }
+  }
+}
+
+std::vector<DirectSamples> samples_of(const DirectPiece& piece, const DirectLimits& limits) {
+  const std::size_t points = piece.points.size();
+  const Chunks chunks = chunks_of(piece, limits.chunk);
+  std::vector<DirectSamples> samples;
+  for (std::size_t first = 0; first < points;) {
+    std::size_t last = first + 1;
+    const auto sums_to = [&](std::size_t p) {
+      return (chunks.first[p] - chunks.first[first]) * piece.rounds.replicates;
+    };
+    while (last < points && sums_to(last + 1) <= limits.chunk_sums) ++last;
+    DirectSamples& some = samples.emplace_back();
+    some.first_point = first;
+    some.last_point = last;
+    some.chunks = chunks.first[last] - chunks.first[first];
+    for (std::size_t p = first; p <= last; ++p) {
+      some.list.push_back(chunks.first[p] - chunks.first[first]);
+    }
+    for (std::size_t k = chunks.first[first]; k < chunks.first[last]; ++k) {
+      some.list.insert(some.list.end(), chunks.chunk[k].begin(), chunks.chunk[k].end());
+    }
+    first = last;
+  }
+  return samples;
+}
+
+void take_sums(const LentBytes& known, const LentBytes& totals, DirectPiece& piece) {
+  take_numbers(known, channels_of(piece) * piece.points.size(), piece.known_lx);
+  take_numbers(totals, totals_of(piece), piece.totals);
+}
 
 DirectPass::DirectPass(const ProgramCache& programs)
     : programs_(programs),
       classify_("what points see of luminaires", direct_shader(DirectStage::classify), programs),
       seen_("light of openings that are seen", direct_shader(DirectStage::seen), programs),
       sums_("sums of direct light", direct_shader(DirectStage::sums), programs),
-      points_("calculation points"),
       tables_("luminaires", BufferUse::fixed),
-      words_("random numbers"),
       sketches_("photometry", BufferUse::fixed),
-      pairs_("points and luminaires", BufferUse::by_device),
-      light_("direct light", BufferUse::by_device),
       list_("samples of openings"),
       chunk_sums_("sums of samples", BufferUse::by_device),
-      known_("sums of direct light", BufferUse::by_device),
-      totals_("direct light of replicates", BufferUse::by_device),
-      pairs_back_("points and luminaires"),
-      known_back_("sums of direct light"),
-      totals_back_("direct light of replicates"),
       classify_pacer_(kPairsPerDispatch),
       seen_pacer_(kPairsPerDispatch),
       samples_pacer_(kChunksPerDispatch) {}
-
-void DirectPass::run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece) {
-  send(device, piece);
-  find_pairs(piece);
-  if (!piece.is_cut_short) sum_seen(piece);
-  if (!piece.is_cut_short) take_pairs(piece);
-  if (!piece.is_cut_short && !piece.keys.empty()) sample(limits, piece);
-  if (!piece.is_cut_short) take_known(piece);
-  device.check(kDoing);
-}
 
 void DirectPass::send_tables(const calc::Tracer& tracer) {
   if (tables_of_ == tracer.identity()) return;
@@ -151,21 +202,36 @@ void DirectPass::send_tables(const calc::Tracer& tracer) {
   tables_of_ = tracer.identity();
 }
 
-void DirectPass::send(DeviceState& device, const DirectPiece& piece) {
+void DirectPass::bind(DeviceState& device, const DirectPiece& piece, const DirectBuffers& buffers) {
   send_tables(*piece.tracer);
-  points_.assign(gpu_points(piece));
-  words_.assign(words_of(piece));
   const DeviceScene& scene = device.scenes.of(*piece.tracer);
   nodes_ = scene.nodes;
   scene.bind();
   scene.order.bind(kList);
-  points_.bind(kPoints);
+  buffers.points.bind(kPoints);
   tables_.bind(kTables);
-  words_.bind(kWords);
+  buffers.words.bind(kWords);
   sketches_.bind(kSketches);
+  buffers.pairs.bind(kPairs);
+  buffers.light.bind(kLight);
+  buffers.known.bind(kKnown);
+  buffers.totals.bind(kTotals);
 }
 
-void DirectPass::start(const GlProgram& program, const DirectPiece& piece) const {
+void DirectPass::start(DeviceState& device, DirectPiece& piece, DirectBuffers& buffers) {
+  const std::size_t sums = channels_of(piece) * piece.points.size();
+  buffers.points.assign(gpu_points(piece));
+  buffers.words.assign(words_of(piece));
+  buffers.pairs.assign(pairs_of(piece) * sizeof(std::uint32_t), kNotDone);
+  buffers.light.assign(pairs_of(piece) * 2 * sizeof(double), kNoNumber);
+  buffers.known.assign(2 * sums * sizeof(double), kNoNumber);
+  bind(device, piece, buffers);
+  find_pairs(piece, buffers);
+  if (!piece.is_cut_short) sum_seen(piece, buffers);
+  check_gl(kDoing);
+}
+
+void DirectPass::use(const GlProgram& program, const DirectPiece& piece) const {
   program.use();
   program.set("node_count", nodes_);
   program.set("offset_m", static_cast<float>(piece.tracer->offset_m()));
@@ -200,114 +266,78 @@ void DirectPass::run_in_parts(DirectPiece& piece, const GlProgram& program, Disp
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void DirectPass::find_pairs(DirectPiece& piece) {
-  const std::size_t pairs = piece.points.size() * piece.is_asked.size();
-  const std::size_t bytes = pairs * sizeof(std::uint32_t);
-  pairs_.assign(bytes, kNotDone);
-  pairs_.bind(kPairs);
-  start(classify_, piece);
-  run_in_parts(piece, classify_, classify_pacer_, pairs, "first_pair", "last_pair");
-  pairs_back_.start({{pairs_, 0, bytes}}, kNotDone);
+void DirectPass::find_pairs(DirectPiece& piece, DirectBuffers& buffers) {
+  use(classify_, piece);
+  run_in_parts(piece, classify_, classify_pacer_, pairs_of(piece), "first_pair", "last_pair");
+  buffers.pairs_back.start({{buffers.pairs, 0, pairs_of(piece) * sizeof(std::uint32_t)}}, kNotDone);
 }
 
-void DirectPass::sum_seen(DirectPiece& piece) {
-  const std::size_t pairs = piece.points.size() * piece.is_asked.size();
+void DirectPass::sum_seen(DirectPiece& piece, DirectBuffers& buffers) {
   const std::size_t sums = channels_of(piece) * piece.points.size();
-  light_.assign(pairs * 2 * sizeof(double), kNoNumber);
-  known_.assign(2 * sums * sizeof(double), kNoNumber);
-  light_.bind(kLight);
-  known_.bind(kKnown);
-  start(seen_, piece);
-  run_in_parts(piece, seen_, seen_pacer_, pairs, "first_pair", "last_pair");
-  start(sums_, piece);
+  use(seen_, piece);
+  run_in_parts(piece, seen_, seen_pacer_, pairs_of(piece), "first_pair", "last_pair");
+  use(sums_, piece);
   dispatch(sums);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  known_back_.start({{known_, 0, sums * sizeof(double)}}, kNoNumber);
+  buffers.known_back.start({{buffers.known, 0, sums * sizeof(double)}}, kNoNumber);
 }
 
-void DirectPass::take_pairs(DirectPiece& piece) {
-  const std::size_t points = piece.points.size();
-  words_of_pairs_.resize(points * piece.is_asked.size());
-  pairs_back_.wait(kDoing);
-  pairs_back_.copy(0, std::as_writable_bytes(std::span(words_of_pairs_)));
-  piece.is_left.assign(points, 0);
-  // One look at each: this is all that the CPU does for a pair that is proved.
-  for (std::size_t i = 0; i < words_of_pairs_.size(); ++i) {
-    const std::uint32_t word = words_of_pairs_[i];
-    piece.asked_pairs += word != kPairNothing ? 1 : 0;
-    static_assert(kPairNothing < kPairSampled && kPairHidden < kPairSampled &&
-                  kPairSeen < kPairSampled && kPairSampled < kPairLeft);
-    if (word < kPairSampled) continue;
-    if (word == kNotDone) throw_not_done();
-    if (word == kPairLeft) {
-      piece.is_left[i % points] = 1;
-    } else {
-      piece.sampled.push_back({count(i % points), count(i / points), word / kPairStep});
-    }
-  }
+LentBytes DirectPass::pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers) {
+  buffers.pairs_back.wait(kDoing);
+  device.check(kDoing);
+  return buffers.pairs_back.lend(0, pairs_of(piece) * sizeof(std::uint32_t));
 }
 
-void DirectPass::take_known(DirectPiece& piece) {
-  piece.known_lx.resize(channels_of(piece) * piece.points.size());
-  known_back_.wait(kDoing);
-  known_back_.copy(0, std::as_writable_bytes(std::span(piece.known_lx)));
-  if (!std::all_of(piece.known_lx.begin(), piece.known_lx.end(), is_done)) throw_not_done();
-}
-
-void DirectPass::sample(const DirectLimits& limits, DirectPiece& piece) {
+void DirectPass::sample(DeviceState& device, DirectPiece& piece,
+                        std::span<const DirectSamples> samples, DirectBuffers& buffers) {
   if (!add_up_) {
     samples_ = std::make_unique<GlProgram>("samples of openings",
                                            direct_shader(DirectStage::samples), programs_);
     add_up_ = std::make_unique<GlProgram>("sums of samples of openings",
                                           direct_shader(DirectStage::totals), programs_);
   }
-  const std::size_t points = piece.points.size(), replicates = piece.rounds.replicates;
-  piece.totals.resize(replicates * (channels_of(piece) + 1) * points);
-  const std::size_t bytes = piece.totals.size() * sizeof(double);
-  totals_.assign(bytes, kNoNumber);
-  totals_.bind(kTotals);
-  const Chunks chunks = chunks_of(piece, limits.chunk);
-  for (std::size_t first = 0; first < points;) {
-    std::size_t last = first + 1;
-    const auto sums_to = [&](std::size_t p) {
-      return (chunks.first[p] - chunks.first[first]) * replicates;
-    };
-    while (last < points && sums_to(last + 1) <= limits.chunk_sums) ++last;
-    std::vector<std::uint32_t> list;
-    for (std::size_t p = first; p <= last; ++p) {
-      list.push_back(chunks.first[p] - chunks.first[first]);
-    }
-    for (std::size_t k = chunks.first[first]; k < chunks.first[last]; ++k) {
-      list.insert(list.end(), chunks.chunk[k].begin(), chunks.chunk[k].end());
-    }
-    sample_points(piece, first, last, list, chunks.first[last] - chunks.first[first]);
+  const std::size_t bytes = totals_of(piece) * sizeof(double);
+  buffers.totals.assign(bytes, kNoNumber);
+  bind(device, piece, buffers);
+  for (const DirectSamples& some : samples) {
+    sample_points(piece, some);
     if (piece.is_cut_short) return;
-    first = last;
   }
-  totals_back_.start({{totals_, 0, bytes}}, kNoNumber);
-  totals_back_.wait(kDoing);
-  totals_back_.copy(0, std::as_writable_bytes(std::span(piece.totals)));
-  if (!std::all_of(piece.totals.begin(), piece.totals.end(), is_done)) throw_not_done();
+  buffers.totals_back.start({{buffers.totals, 0, bytes}}, kNoNumber);
+  check_gl(kDoing);
 }
 
-void DirectPass::sample_points(DirectPiece& piece, std::size_t first, std::size_t last,
-                               std::span<const std::uint32_t> list, std::size_t chunks) {
-  const std::size_t jobs = chunks * piece.rounds.replicates;
-  list_.assign(list);
+void DirectPass::sample_points(DirectPiece& piece, const DirectSamples& samples) {
+  const std::size_t jobs = samples.chunks * piece.rounds.replicates;
+  const std::size_t points = samples.last_point - samples.first_point;
+  list_.assign(samples.list);
   // Never empty: a shader must have something to bind.
   chunk_sums_.assign(std::max<std::size_t>(jobs, 1) * 4 * sizeof(std::uint32_t), kNotDone);
   list_.bind(kList);
   chunk_sums_.bind(kChunkSums);
   if (jobs > 0) {
-    start(*samples_, piece);
-    samples_->set("listed_points", count(last - first));
+    use(*samples_, piece);
+    samples_->set("listed_points", count(points));
     run_in_parts(piece, *samples_, samples_pacer_, jobs, "first_job", "last_job");
   }
-  start(*add_up_, piece);
-  add_up_->set("listed_points", count(last - first));
-  add_up_->set("first_point", count(first));
-  dispatch(piece.rounds.replicates * channels_of(piece) * (last - first));
+  use(*add_up_, piece);
+  add_up_->set("listed_points", count(points));
+  add_up_->set("first_point", count(samples.first_point));
+  dispatch(piece.rounds.replicates * channels_of(piece) * points);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+DirectPass::Sums DirectPass::sums(DeviceState& device, const DirectPiece& piece,
+                                  DirectBuffers& buffers) {
+  const std::size_t known = channels_of(piece) * piece.points.size() * sizeof(double);
+  const std::size_t totals = totals_of(piece) * sizeof(double);
+  buffers.known_back.wait(kDoing);
+  if (totals > 0) buffers.totals_back.wait(kDoing);
+  device.check(kDoing);
+  Sums sums;
+  sums.known = buffers.known_back.lend(0, known);
+  if (totals > 0) sums.totals = buffers.totals_back.lend(0, totals);
+  return sums;
 }
 
 }  // namespace gpu

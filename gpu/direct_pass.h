@@ -8,8 +8,8 @@
 #include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_program.h"
 #include "gpu/gl_read_back.h"
+#include "gpu/lent_bytes.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,37 +46,69 @@ struct DirectPiece {
   std::vector<double> totals{};
 };
 
-// All calls need the context current, the destructor too. They throw GlError and
-// calc::BackendFailure.
+// Buffers of a piece, from its start until all of it is back.
+struct DirectBuffers {
+  GlBuffer points{"calculation points"};
+  GlBuffer words{"random numbers"};
+  GlBuffer pairs{"points and luminaires", BufferUse::by_device};
+  GlBuffer light{"direct light", BufferUse::by_device};
+  GlBuffer known{"sums of direct light", BufferUse::by_device};
+  GlBuffer totals{"direct light of replicates", BufferUse::by_device};
+  GlReadBack pairs_back{"points and luminaires"};
+  GlReadBack known_back{"sums of direct light"};
+  GlReadBack totals_back{"direct light of replicates"};
+};
+
+// Samples of pairs of which nothing is proved, of some points that go together.
+struct DirectSamples {
+  std::size_t first_point, last_point;
+  std::vector<std::uint32_t> list;  // as shaders/direct_chunks.glsl has it
+  std::size_t chunks;
+};
+
+// What the caller does with what came back, on its own thread. They throw calc::BackendFailure if
+// the device did not do its work.
+void take_pairs(const LentBytes& pairs, DirectPiece& piece);
+std::vector<DirectSamples> samples_of(const DirectPiece& piece, const DirectLimits& limits);
+// known_lx and, with keys, totals.
+void take_sums(const LentBytes& known, const LentBytes& totals, DirectPiece& piece);
+
+// In three steps, between which the device's thread does other work. All calls need the context
+// current, the destructor too. They throw GlError.
 class DirectPass {
  public:
   explicit DirectPass(const ProgramCache& programs);  // must outlive it
 
-  void run(DeviceState& device, const DirectLimits& limits, DirectPiece& piece);
+  // Proofs and what is known.
+  void start(DeviceState& device, DirectPiece& piece, DirectBuffers& buffers);
+  // Of what is proved, a word for each pair. Waits.
+  LentBytes pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
+  // With keys: the rest, by samples.
+  void sample(DeviceState& device, DirectPiece& piece, std::span<const DirectSamples> samples,
+              DirectBuffers& buffers);
+  struct Sums {
+    LentBytes known, totals;  // totals: with keys
+  };
+  // Waits.
+  Sums sums(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
 
  private:
-  void send(DeviceState& device, const DirectPiece& piece);
   void send_tables(const calc::Tracer& tracer);
-  void find_pairs(DirectPiece& piece);
-  void sum_seen(DirectPiece& piece);
-  void take_pairs(DirectPiece& piece);
-  void take_known(DirectPiece& piece);
-  void sample(const DirectLimits& limits, DirectPiece& piece);
-  void sample_points(DirectPiece& piece, std::size_t first, std::size_t last,
-                     std::span<const std::uint32_t> list, std::size_t chunks);
-  void start(const GlProgram& program, const DirectPiece& piece) const;
+  void bind(DeviceState& device, const DirectPiece& piece, const DirectBuffers& buffers);
+  void find_pairs(DirectPiece& piece, DirectBuffers& buffers);
+  void sum_seen(DirectPiece& piece, DirectBuffers& buffers);
+  void sample_points(DirectPiece& piece, const DirectSamples& samples);
+  void use(const GlProgram& program, const DirectPiece& piece) const;
   void run_in_parts(DirectPiece& piece, const GlProgram& program, DispatchPacer& pacer,
                     std::size_t items, const char* first, const char* last);
 
   const ProgramCache& programs_;
   GlProgram classify_, seen_, sums_;
   std::unique_ptr<GlProgram> samples_, add_up_;  // once openings of some size are asked for
-  GlBuffer points_, tables_, words_, sketches_, pairs_, light_, list_, chunk_sums_, known_, totals_;
-  GlReadBack pairs_back_, known_back_, totals_back_;
+  GlBuffer tables_, sketches_, list_, chunk_sums_;
   DispatchPacer classify_pacer_, seen_pacer_, samples_pacer_;
-  std::vector<std::uint32_t> words_of_pairs_;  // as they came back
-  std::uint32_t nodes_ = 0;                    // of the scene at hand
-  std::uint64_t tables_of_ = 0;                // identity of a tracer; 0 = none
+  std::uint32_t nodes_ = 0;      // of the scene at hand
+  std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none
 };
 
 }  // namespace gpu

@@ -5,13 +5,17 @@
 #include "gpu/direct_pass.h"
 #include "gpu/path_shader_text.h"
 #include "gpu/shader_text.h"
+#include "gpu/turns.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <exception>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +49,7 @@ class GlDirectTracer : public calc::DirectTracer {
   GlDirectTracer(std::shared_ptr<DeviceThread> thread, const DirectLimits& limits)
       : thread_(std::move(thread)), limits_(limits) {}
   ~GlDirectTracer() override {
-    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
+    thread_->clean_up([this](DeviceState&) { clear(); });
   }
   GlDirectTracer(const GlDirectTracer&) = delete;
   GlDirectTracer& operator=(const GlDirectTracer&) = delete;
@@ -77,6 +81,12 @@ class GlDirectTracer : public calc::DirectTracer {
   }
 
  private:
+  struct UnderWay {
+    Turns<DirectBuffers>::Turn turn;
+    DirectPiece piece;
+    std::size_t first;  // of the batch's points
+  };
+
   template <class Take>
   void for_each_piece(const calc::DirectBatch& batch, std::size_t replicates,
                       const std::vector<std::uint8_t>& is_asked,
@@ -86,32 +96,69 @@ class GlDirectTracer : public calc::DirectTracer {
     const std::size_t pairs = is_asked.size() * (rounds.last - rounds.first);
     const std::size_t most =
         std::max<std::size_t>(1, std::min(limits_.pairs / pairs, kMostTotals / totals));
+    // The device proves one piece while this thread looks at the one before, if there are buffers.
+    std::unique_ptr<UnderWay> before;
+    const auto finish_before = [&] {
+      if (!before) return true;
+      finish(*before);
+      const bool goes_on = !before->piece.is_cut_short;
+      if (goes_on) take_piece(before->first, before->piece);
+      before.reset();
+      return goes_on;
+    };
     for (std::size_t first = 0; first < batch.receivers.size(); first += most) {
       if (calc::is_past(batch.deadline_s)) return;
+      std::optional<Turns<DirectBuffers>::Turn> turn;
+      if (before) turn = turns_.try_take();
+      if (!turn) {
+        if (!finish_before()) return;
+        turn = turns_.take();
+      }
       const std::size_t points = std::min(most, batch.receivers.size() - first);
-      DirectPiece piece{&batch.tracer,
-                        batch.receivers.subspan(first, points),
-                        keys.empty() ? keys : keys.subspan(first, points),
-                        is_asked,
-                        batch.proofs.has_shadows,
-                        rounds,
-                        batch.deadline_s};
-      run(piece);
-      if (piece.is_cut_short) return;
-      take_piece(first, piece);
+      auto next = std::make_unique<UnderWay>(
+          UnderWay{std::move(*turn),
+                   {&batch.tracer, batch.receivers.subspan(first, points),
+                    keys.empty() ? keys : keys.subspan(first, points), is_asked,
+                    batch.proofs.has_shadows, rounds, batch.deadline_s},
+                   first});
+      run([&](DeviceState& device) { pass_->start(device, next->piece, next->turn.buffers()); });
+      if (!finish_before() || next->piece.is_cut_short) return;
+      before = std::move(next);
     }
+    finish_before();
   }
 
-  void run(DirectPiece& piece) {
+  // What follows the start.
+  void finish(UnderWay& work) {
+    DirectPiece& piece = work.piece;
+    LentBytes pairs;
+    run([&](DeviceState& device) { pairs = pass_->pairs(device, piece, work.turn.buffers()); });
+    take_pairs(pairs, piece);
+    pairs = {};  // given back
+    if (!piece.keys.empty()) {
+      const std::vector<DirectSamples> samples = samples_of(piece, limits_);
+      run([&](DeviceState& device) { pass_->sample(device, piece, samples, work.turn.buffers()); });
+      if (piece.is_cut_short) return;
+    }
+    DirectPass::Sums sums;
+    run([&](DeviceState& device) { sums = pass_->sums(device, piece, work.turn.buffers()); });
+    take_sums(sums.known, sums.totals, piece);
+  }
+
+  void run(const DeviceThread::Work& work) {
     thread_->run([&](DeviceState& device) {
       try {
         if (!pass_) pass_ = std::make_unique<DirectPass>(device.programs);
-        pass_->run(device, limits_, piece);
+        work(device);
       } catch (const std::exception&) {
-        pass_.reset();  // what it kept may be what left no room
+        clear();  // what was kept may be what left no room
         throw;
       }
     });
+  }
+  void clear() {
+    pass_.reset();
+    turns_.clear();
   }
 
   static void take(const calc::DirectBatch& batch, std::size_t first, const DirectPiece& piece,
@@ -144,15 +191,18 @@ class GlDirectTracer : public calc::DirectTracer {
                        const calc::DirectBatchSums& sums) {
     const std::size_t n = batch.receivers.size();
     const std::size_t channels = batch.tracer.scene().channels.size();
-    tbb::parallel_for(std::size_t{0}, piece.points.size(), [&](std::size_t p) {
-      if (piece.is_left[p] == 0 || calc::is_past(batch.deadline_s)) return;
-      const calc::FlushDenormals flush;
-      const std::size_t k = first + p;
-      add_rays(calc::add_openings(
-                   batch.tracer, piece.points[p], {batch.proofs.is_dark, batch.proofs.has_shadows},
-                   piece.keys[p], piece.rounds,
-                   {&sums.known_lx[k], &sums.sampled_lx[k], n, channels * n, &sums.largest[k]}),
-               sums.rays[k]);
+    // A thread that waits here must not take up another call: it holds buffers that this may need.
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(std::size_t{0}, piece.points.size(), [&](std::size_t p) {
+        if (piece.is_left[p] == 0 || calc::is_past(batch.deadline_s)) return;
+        const calc::FlushDenormals flush;
+        const std::size_t k = first + p;
+        add_rays(calc::add_openings(
+                     batch.tracer, piece.points[p],
+                     {batch.proofs.is_dark, batch.proofs.has_shadows}, piece.keys[p], piece.rounds,
+                     {&sums.known_lx[k], &sums.sampled_lx[k], n, channels * n, &sums.largest[k]}),
+                 sums.rays[k]);
+      });
     });
   }
 
@@ -165,6 +215,7 @@ class GlDirectTracer : public calc::DirectTracer {
 
   const std::shared_ptr<DeviceThread> thread_;
   const DirectLimits limits_;
+  Turns<DirectBuffers> turns_{3};
   std::unique_ptr<DirectPass> pass_;  // of the device's thread alone
 };
 

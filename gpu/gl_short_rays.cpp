@@ -7,15 +7,13 @@
 #include "gpu/gl_read_back.h"
 #include "gpu/hit_pass.h"
 #include "gpu/short_ray_pass.h"
+#include "gpu/turns.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -83,20 +81,18 @@ class GlShortRays : public calc::ShortRayCaster {
                           rays,
                           true,
                           field.deadline_s};
-    const Turn turn(*this);
+    const auto turn = turns_.take();
     bool goes_on = false;
     run([&](DeviceState& device) {
-      std::unique_ptr<HitBuffers>& buffers = turn.buffers();
-      if (!buffers) buffers = std::make_unique<HitBuffers>();
-      goes_on = lights_of(device).start(device, *rays_, field, job, *buffers);
+      goes_on = lights_of(device).start(device, *rays_, field, job, turn.buffers());
     });
     if (!goes_on) return;
     run([&](DeviceState& device) {
-      goes_on = lights_of(device).find(device, *rays_, field, packed.get(), job, *turn.buffers());
+      goes_on = lights_of(device).find(device, *rays_, field, packed.get(), job, turn.buffers());
     });
     if (!goes_on) return;
     std::vector<LentBytes> lights;
-    run([&](DeviceState& device) { lights = lights_of(device).take(device, *turn.buffers()); });
+    run([&](DeviceState& device) { lights = lights_of(device).take(device, turn.buffers()); });
     const std::size_t before = found.size();
     for (const LentBytes& some : lights) {
       const auto* const first = reinterpret_cast<const calc::HitLight*>(some.bytes().data());
@@ -112,30 +108,6 @@ class GlShortRays : public calc::ShortRayCaster {
   }
 
  private:
-  // Buffers of one call at a time: some calls are under way, the others wait.
-  class Turn {
-   public:
-    explicit Turn(GlShortRays& rays) : rays_(rays) {
-      std::unique_lock lock(rays_.mutex_);
-      rays_.changed_.wait(lock, [this] { return !rays_.free_.empty(); });
-      number_ = rays_.free_.back();
-      rays_.free_.pop_back();
-    }
-    ~Turn() {
-      const std::scoped_lock lock(rays_.mutex_);
-      rays_.free_.push_back(number_);
-      rays_.changed_.notify_one();
-    }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-    std::unique_ptr<HitBuffers>& buffers() const { return rays_.buffers_[number_]; }
-
-   private:
-    GlShortRays& rays_;
-    std::size_t number_ = 0;
-  };
-
   HitPass& lights_of(DeviceState& device) {
     if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
     return *lights_;
@@ -157,17 +129,13 @@ class GlShortRays : public calc::ShortRayCaster {
     hits_back_.reset();
     cast_.reset();
     rays_.reset();
-    const std::scoped_lock lock(mutex_);
-    for (const std::size_t k : free_) buffers_[k].reset();  // others go on with theirs
+    turns_.clear();
   }
 
   const std::shared_ptr<DeviceThread> thread_;
   const HitLimits limits_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::size_t> free_{0, 1, 2};
+  Turns<HitBuffers> turns_{3};
   // Of the device's thread alone.
-  std::array<std::unique_ptr<HitBuffers>, 3> buffers_;  // made when first needed
   std::unique_ptr<ShortRayPass> rays_;
   std::unique_ptr<ShortRayBuffers> cast_;
   std::unique_ptr<GlReadBack> hits_back_;
