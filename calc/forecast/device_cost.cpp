@@ -10,10 +10,10 @@ namespace {
 
 // --- what the CPU does beside the device, nanoseconds of one thread ------------------------------
 // [measured on one core of a shared AMD Zen 5 by bench_gpu and bench_gpu_stages]
-constexpr double kBesideReceiver_ns = 100.0;  // packing, adding what comes back
-constexpr double kBesideOpening_ns = 2.0;     // reading what is proved of it, listing samples
-constexpr double kBesidePath_ns = 60.0;       // copying its vertices
-constexpr double kSendPath_ns = 10.0;         // by the one thread that owns the device
+constexpr double kBesideReceiver_ns = 55.0;  // adding what comes back
+constexpr double kBesideOpening_ns = 2.0;    // reading what is proved of it, listing samples
+constexpr double kBesidePath_ns = 60.0;      // copying its vertices
+constexpr double kSendPath_ns = 10.0;        // by the one thread that owns the device
 constexpr double kBesideShortRay_ns = 5.0;
 constexpr double kSortVertex_ns = 45.0;
 constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
@@ -29,7 +29,8 @@ constexpr double kBesideHit_ns = 100.0;  // assumed
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------
 constexpr double kVertexUp_bytes = 168.0;  // with its two groups
 constexpr double kVertexDown_bytes = 48.0;
-constexpr double kReceiverUp_bytes = 64.0, kReceiverDown_bytes = 32.0;
+// Up: 64 and a share of its tile, once for all replicates of a look.
+constexpr double kReceiverUp_bytes = 5.0, kReceiverDown_bytes = 32.0;
 constexpr double kHitDown_bytes = 128.0;
 constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its share of the tree
 
@@ -43,9 +44,10 @@ constexpr double kRaysPerDirectRay = 3.0, kRaysPerProof = 10.0;
 // too.
 constexpr double kRaysPerHitRay = 3.0;
 constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32, the fewest
-constexpr double kTripsPerPiece = 3.0;         // uploads, five dispatches, one read
-constexpr double kPathsPerTrip = 16384.0;      // a round of a bundle of batches
-constexpr double kTripsPerCast = 3.0;  // of short rays: how many hits, their list, their light
+// Five dispatches and what is sent and set for them; reads are others' meanwhile. Assumed.
+constexpr double kTripsPerPiece = 1.0;
+constexpr double kPathsPerTrip = 16384.0;  // a round of a bundle of batches
+constexpr double kTripsPerCast = 3.0;      // of short rays: how many hits, their list, their light
 
 // What any driver takes to open, at least.
 constexpr double kLeastOpen_s = 0.15;
@@ -64,8 +66,9 @@ struct Weigher {
   double direct() const {
     const double rays =
         kRaysPerDirectRay * work.work.direct_rays + kRaysPerProof * work.work.opening_pairs;
-    return rays / rates.any_hit_per_s +
-           1e-9 * kBesideOpening_ns * (work.work.direct_rays + work.work.opening_pairs);
+    // The caller looks at a piece while the device has the next.
+    return std::fmax(rays / rates.any_hit_per_s,
+                     1e-9 * kBesideOpening_ns * (work.work.direct_rays + work.work.opening_pairs));
   }
   double pool() const {
     const double vertices = work.work.pool_rays;  // at most

@@ -160,8 +160,8 @@ COUNTED = {
 # --- the processor beside it: one thread, measured ------------------------------------------------
 CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
           "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
-# path: by the thread that owns the device, for all others; path_taken: by any thread.
-BESIDE_NS = {"receiver": 100.0, "path": 400.0, "path_taken": 0.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
+# path: by the thread that owns the device, for all others; path_taken, as all else, by any thread.
+BESIDE_NS = {"receiver": 55.0, "path": 10.0, "path_taken": 60.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
 VERTEX_UP, VERTEX_DOWN = 168, 48
@@ -292,8 +292,10 @@ def phase(limits, others, beside_s=None):
 
 
 def direct_phase(device, limits, pairs, points, pieces, bytes_down, launches, reads, list_bytes=0.0):
+    # One caller looks at a piece while the device has the next.
+    caller_s, device_s = 1e-9 * BESIDE_NS["pair"] * pairs, max(limits.values())
     return phase(limits, {
-        "one thread": 1e-9 * BESIDE_NS["pair"] * pairs,
+        "CPU beside": caller_s / pieces + max(0.0, caller_s * (1.0 - 1.0 / pieces) - device_s),
         "PCIe": device.pcie_s(64 * points + list_bytes + 4 * pairs + bytes_down),
         "launches": pieces * (launches * A["launch_s"] + reads * A["read_s"]) +
                     FIRST_DISPATCHES * A["read_s"]})
@@ -521,7 +523,7 @@ def panel_table(visits, threads):
             rows.append(["", name, f"{number(whole)} ({why})", *(number(s[most]) for s in stages.values()),
                          number(1e-9 * BESIDE_NS["pair"] * points * PANELS["count"]), number(cpu_s / whole)])
     return table(["points", "by", "direct, s", *(f"{s}, s" for s in ("proofs", "seen", "samples", "rest")),
-                  "one thread, s", "gain"], rows)
+                  "caller, s", "gain"], rows)
 
 
 WAITS = ("CPU beside", "one thread", "PCIe", "rounds", "launches")
@@ -559,7 +561,7 @@ def kernel_rates(counts, visits):
     for name in DEVICES:
         device, row = Device(name), [name]
         for what in ("light paths", "connections", "near field"):
-            limits = predict(device, work, visits, 1)[what].limits
+            limits = predict(device, work, visits, 16)[what].limits
             amount = {"light paths": work.pool_rays, "connections": work.connections,
                       "near field": work.near_rays / RAYS_PER_SHORT_RAY}[what]
             why = max(limits, key=limits.get)
