@@ -238,22 +238,24 @@ class Calibration {
   void measure_closest_hit() {
     constexpr std::uint32_t kRays = 64;
     const std::unique_ptr<calc::ShortRayCaster> caster = make_gl_short_rays(thread_);
-    std::vector<calc::NearFieldRequest> requests;
+    const calc::RandomKey key(2);
+    std::vector<calc::ReceiverGroup> tiles;
+    std::vector<calc::PointRays> points;
     for (std::uint32_t k = 0; k < calc::kShortRaysPerCast / kRays; ++k) {
-      const calc::RandomKey key = calc::RandomKey(2).with(k);
-      requests.push_back({{{11.8 * key.with(0).uniform() - 5.9, 7.8 * key.with(1).uniform() - 3.9,
-                            0.01 + key.with(2).uniform()},
-                           {0, 0, 1},
-                           calc::ReceiverKernel::planar},
-                          key,
-                          kRays});
+      const auto u = [&](std::uint64_t of) { return key.with(k).with(of).uniform(); };
+      if (k % 32 == 0) tiles.emplace_back();
+      tiles.back().point.push_back(k);
+      tiles.back().receiver.push_back({{11.8 * u(0) - 5.9, 7.8 * u(1) - 3.9, 0.01 + u(2)},
+                                       {0, 0, 1},
+                                       calc::ReceiverKernel::planar});
+      points.push_back({k, kRays});
     }
+    const calc::ReceiverTiles all(std::move(tiles));
     std::vector<calc::FirstHit> hits(calc::kShortRaysPerCast);
-    const double each_s =
-        seconds_each(requests.size() / 64, requests.size(), [&](std::size_t count) {
-          caster->cast(tracer_, 1e-4f, 1.0f, std::span(requests).first(count),
-                       std::span(hits).first(count * kRays));
-        });
+    const double each_s = seconds_each(points.size() / 64, points.size(), [&](std::size_t count) {
+      caster->cast(tracer_, 1e-4f, 1.0f, {all, key, std::span(points).first(count)},
+                   std::span(hits).first(count * kRays));
+    });
     rates_.closest_hit_per_s = kRays * per_s(each_s);
   }
 

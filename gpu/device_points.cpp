@@ -1,15 +1,11 @@
 #include "gpu/device_points.h"
 
 #include "calc/radiosity/cut.h"
-#include "gpu/gl_error.h"
 
 #include <algorithm>
 
 namespace gpu {
 namespace {
-
-constexpr std::size_t kMostBlocks = 4096;  // of planes of a few points each
-constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
 DrawTileView view_of(const calc::ReceiverTile& tile) {
   const float has_axis = tile.axis != glm::vec3(0.0f) ? 1.0f : 0.0f;
@@ -17,15 +13,24 @@ DrawTileView view_of(const calc::ReceiverTile& tile) {
           tile.slack_m,  tile.lowest_m, has_axis};
 }
 
-}  // namespace
+struct Tiles {
+  std::size_t first, last, receivers;
+};
 
-PackedPoints pack_points(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
-                         std::size_t block) {
-  PackedPoints packed;
+Tiles tiles_of(const calc::ReceiverTiles& tiles, std::size_t block) {
   const std::size_t first = block * kTilesPerBlock;
   const std::size_t last = std::min(first + kTilesPerBlock, tiles.groups().size());
-  packed.receivers.reserve(tiles.receivers_before(last) - tiles.receivers_before(first));
-  for (std::size_t t = first; t < last; ++t) {
+  return {first, last, tiles.receivers_before(last) - tiles.receivers_before(first)};
+}
+
+}  // namespace
+
+DrawPoints::Packed DrawPoints::pack(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
+                                    std::size_t block) {
+  Packed packed;
+  const Tiles range = tiles_of(tiles, block);
+  packed.receivers.reserve(range.receivers);
+  for (std::size_t t = range.first; t < range.last; ++t) {
     const calc::ReceiverGroup& group = tiles.groups()[t];
     packed.views.push_back(view_of(calc::tile_of(group.receiver, tracer.scene().extent_m)));
     for (std::size_t k = 0; k < group.receiver.size(); ++k) {
@@ -34,7 +39,7 @@ PackedPoints pack_points(const calc::Tracer& tracer, const calc::ReceiverTiles& 
       sent.position_m = glm::vec3(receiver.position_m);
       sent.axis = glm::vec3(receiver.axis);
       sent.lifted_m = glm::vec3(tracer.lift(receiver));
-      sent.tile = static_cast<std::uint32_t>(t - first);
+      sent.tile = static_cast<std::uint32_t>(t - range.first);
       sent.kernel = static_cast<std::uint32_t>(receiver.kernel);
       sent.random = {group.point[k], 0u};
     }
@@ -42,48 +47,33 @@ PackedPoints pack_points(const calc::Tracer& tracer, const calc::ReceiverTiles& 
   return packed;
 }
 
-std::shared_ptr<const PackedPoints> DevicePoints::pack_unless_held(const calc::Tracer& tracer,
-                                                                   const calc::ReceiverTiles& tiles,
-                                                                   std::size_t block) {
-  const Key key{tracer.identity(), tiles.identity(), block};
-  {
-    const std::scoped_lock lock(mutex_);
-    if (known_.contains(key)) return nullptr;
-  }
-  return packings_.get(key, [&] { return pack_points(tracer, tiles, block); });
+void DrawPoints::send(const Packed& packed, Block& block) {
+  block.receivers.assign(packed.receivers);
+  block.views.assign(packed.views);
 }
 
-const DeviceBlock& DevicePoints::find_or_send(const calc::Tracer& tracer,
-                                              const calc::ReceiverTiles& tiles, std::size_t block,
-                                              const PackedPoints* packed) {
-  const Key key{tracer.identity(), tiles.identity(), block};
-  if (const auto found = known_.find(key); found != known_.end()) {
-    held_.splice(held_.begin(), held_, found->second);
-    return held_.front().block;
-  }
-  Held sent{key, {}};
-  const PackedPoints own = packed != nullptr ? PackedPoints() : pack_points(tracer, tiles, block);
-  if (packed == nullptr) packed = &own;
-  sent.block.receivers.assign(packed->receivers);
-  sent.block.views.assign(packed->views);
-  check_gl("sending calculation points");
-  const std::scoped_lock lock(mutex_);
-  bytes_ += sent.bytes();
-  while (!held_.empty() && (held_.size() >= kMostBlocks || bytes_ > kMostBytes)) {
-    bytes_ -= held_.back().bytes();
-    known_.erase(held_.back().key);
-    held_.pop_back();
-  }
-  held_.push_front(std::move(sent));
-  known_[key] = held_.begin();
-  return held_.front().block;
+std::size_t DrawPoints::bytes(const Block& block) {
+  return block.receivers.bytes() + block.views.bytes();
 }
 
-void DevicePoints::clear() {
-  const std::scoped_lock lock(mutex_);
-  known_.clear();
-  held_.clear();
-  bytes_ = 0;
+NearPoints::Packed NearPoints::pack(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
+                                    std::size_t block) {
+  Packed packed;
+  const Tiles range = tiles_of(tiles, block);
+  packed.reserve(range.receivers);
+  for (std::size_t t = range.first; t < range.last; ++t) {
+    const calc::ReceiverGroup& group = tiles.groups()[t];
+    for (std::size_t k = 0; k < group.receiver.size(); ++k) {
+      const calc::Receiver& receiver = group.receiver[k];
+      packed.push_back({receiver.position_m, receiver.axis, glm::vec3(tracer.lift(receiver)),
+                        static_cast<std::uint32_t>(receiver.kernel), group.point[k]});
+    }
+  }
+  return packed;
 }
+
+void NearPoints::send(const Packed& packed, Block& block) { block.receivers.assign(packed); }
+
+std::size_t NearPoints::bytes(const Block& block) { return block.receivers.bytes(); }
 
 }  // namespace gpu

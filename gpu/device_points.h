@@ -1,20 +1,15 @@
 #pragma once
-// Calculation points on the device: those of a plane in one look, sent once for all its replicates.
+// Calculation points as devices keep them, see plane_blocks.h.
 
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/tiles.h"
 #include "gpu/gl_buffer.h"
-#include "gpu/pack_once.h"
+#include "gpu/plane_blocks.h"
 
 #include <glm/glm.hpp>
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <list>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 namespace gpu {
@@ -46,57 +41,45 @@ struct DrawTileView {
 };
 static_assert(sizeof(DrawTileView) == 48);
 
-// Tiles that are kept together, 8 MiB of receivers: buffers may be no larger than 128 MiB.
-inline constexpr std::size_t kTilesPerBlock = 4096;
-
-struct PackedPoints {
-  std::vector<DrawReceiver> receivers;
-  std::vector<DrawTileView> views;
-};
-
-// Tiles block * kTilesPerBlock and on.
-PackedPoints pack_points(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
-                         std::size_t block);
-
-struct DeviceBlock {
-  GlBuffer receivers{"calculation points", BufferUse::fixed};
-  GlBuffer views{"tiles of calculation points", BufferUse::fixed};
-};
-
-// The blocks used last.
-class DevicePoints {
- public:
-  // For all threads: what find_or_send() takes; null if the device has it.
-  std::shared_ptr<const PackedPoints> pack_unless_held(const calc::Tracer& tracer,
-                                                       const calc::ReceiverTiles& tiles,
-                                                       std::size_t block);
-
-  // All others need the context current in which the blocks live, the destructor too.
-  // packed: of pack_unless_held(); null, though it is not there any more: packed now. Valid until
-  // the next call. Throws GlError.
-  const DeviceBlock& find_or_send(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
-                                  std::size_t block, const PackedPoints* packed);
-  void clear();
-
- private:
-  struct Key {
-    std::uint64_t tracer, tiles;  // their identities
-    std::size_t block;
-
-    friend auto operator<=>(const Key&, const Key&) = default;
+// What draws need.
+struct DrawPoints {
+  struct Packed {
+    std::vector<DrawReceiver> receivers;
+    std::vector<DrawTileView> views;
   };
-  struct Held {
-    Key key;
-    DeviceBlock block;
-
-    std::size_t bytes() const { return block.receivers.bytes() + block.views.bytes(); }
+  struct Block {
+    GlBuffer receivers{"calculation points", BufferUse::fixed};
+    GlBuffer views{"tiles of calculation points", BufferUse::fixed};
   };
 
-  std::mutex mutex_;      // changes of the list, and reading it outside the context's thread
-  std::list<Held> held_;  // latest use first
-  std::map<Key, std::list<Held>::iterator> known_;
-  std::size_t bytes_ = 0;
-  PackOnce<Key, PackedPoints> packings_;
+  // Tiles block * kTilesPerBlock and on.
+  static Packed pack(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
+                     std::size_t block);
+  static void send(const Packed& packed, Block& block);
+  static std::size_t bytes(const Block& block);
+};
+
+// A receiver as shaders/short_ray_requests.glsl reads it: five uvec4.
+struct NearReceiver {
+  glm::dvec3 position_m, axis;  // local
+  glm::vec3 origin_m;           // of its rays: lifted
+  std::uint32_t kernel;         // calc::ReceiverKernel
+  std::uint32_t point;          // index in its plane
+  std::uint32_t unused[3] = {};
+};
+static_assert(sizeof(NearReceiver) == 80);
+
+// What short rays need.
+struct NearPoints {
+  using Packed = std::vector<NearReceiver>;
+  struct Block {
+    GlBuffer receivers{"calculation points", BufferUse::fixed};
+  };
+
+  static Packed pack(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
+                     std::size_t block);
+  static void send(const Packed& packed, Block& block);
+  static std::size_t bytes(const Block& block);
 };
 
 }  // namespace gpu

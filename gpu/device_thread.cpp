@@ -19,7 +19,8 @@ void DeviceState::check(const std::string& doing) const {
 void DeviceState::clear() {
   scenes.clear();
   pools.clear();
-  points.clear();
+  draw_points.clear();
+  near_points.clear();
   pictures.clear();
 }
 
@@ -94,10 +95,14 @@ void DeviceThread::live() {
   }
   changed_.notify_all();
   if (!context) return;
-  DeviceState state{
-      *context, request_.fault, {request_.program_folder, context->device().driver_key()},
-      pools_,   points_,        {},
-      {}};
+  DeviceState state{*context,
+                    request_.fault,
+                    {request_.program_folder, context->device().driver_key()},
+                    pools_,
+                    draw_points_,
+                    near_points_,
+                    {},
+                    {}};
   while (const std::optional<Piece> piece = next()) piece->at_end(run_piece(state, *piece));
   state.clear();  // while the context is there
 }

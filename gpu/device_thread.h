@@ -32,8 +32,9 @@ struct DeviceState {
   const EglContext& context;
   Fault fault;
   ProgramCache programs;
-  DevicePools& pools;    // of the thread
-  DevicePoints& points;  // of the thread
+  DevicePools& pools;                    // of the thread
+  PlaneBlocks<DrawPoints>& draw_points;  // of the thread
+  PlaneBlocks<NearPoints>& near_points;  // of the thread
   DeviceScenes scenes;
   PictureTools pictures;
 
@@ -58,7 +59,8 @@ class DeviceThread {
   const Device& device() const { return device_; }
   // One upload for all stages. What needs the context is for work on its thread.
   DevicePools& pools() { return pools_; }
-  DevicePoints& points() { return points_; }
+  PlaneBlocks<DrawPoints>& draw_points() { return draw_points_; }
+  PlaneBlocks<NearPoints>& near_points() { return near_points_; }
 
   // Runs the work on the context's thread and waits; any thread may ask, pieces run in the order
   // asked for. Throws calc::BackendFailure with the text of what the work threw. After OutOfMemory
@@ -95,7 +97,8 @@ class DeviceThread {
   std::string loss_;     // of the context's thread alone
   Device device_;
   DevicePools pools_;
-  DevicePoints points_;
+  PlaneBlocks<DrawPoints> draw_points_;
+  PlaneBlocks<NearPoints> near_points_;
   std::thread thread_;  // last: it uses all the others
 };
 

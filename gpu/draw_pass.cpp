@@ -99,7 +99,7 @@ void DrawPass::bind(DeviceState& device, const DrawTask& task) {
   const DevicePool& pool = device.pools.find_or_send(batch.tree, task.pool);
   pool.bind_vertices();
   pool.bind_tree();
-  device.points.find_or_send(batch.tracer, batch.tiles, task.piece->block, task.points)
+  device.draw_points.find_or_send(batch.tracer, batch.tiles, task.piece->block, task.points)
       .receivers.bind(4);
   (task.piece->chooses_nodes() ? slot.tiles : slot.sent_tiles).bind(5);
   slot.weights.bind(8);
@@ -141,7 +141,8 @@ void DrawPass::choose(DeviceState& device, const DrawTask& task) {
   choose_->set("leave_out_hidden", batch.cut.leave_out_hidden ? 1u : 0u);
   choose_->set("two", 2u);
   device.pools.find_or_send(batch.tree, task.pool).bind_nodes();
-  device.points.find_or_send(batch.tracer, batch.tiles, piece.block, task.points).views.bind(4);
+  device.draw_points.find_or_send(batch.tracer, batch.tiles, piece.block, task.points)
+      .views.bind(4);
   slot_[task.slot].tiles.bind(5);
   glDispatchCompute(word(piece.tile_count), 1, 1);
   check_gl("choosing groups of light vertices");

@@ -32,7 +32,7 @@ struct DrawPrograms {
 struct DrawTask {
   DrawPiece* piece;
   const PackedPool* pool;
-  const PackedPoints* points;
+  const DrawPoints::Packed* points;
   std::size_t slot = 0;  // of DrawPass::take_slot()
 };
 

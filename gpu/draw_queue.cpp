@@ -24,7 +24,7 @@ std::vector<DrawTask> tasks_of(const Entries& entries) {
 }  // namespace
 
 void DrawQueue::run(DeviceThread& thread, DrawPiece& piece, const PackedPool* pool,
-                    const PackedPoints* points) {
+                    const DrawPoints::Packed* points) {
   Entry entry{{&piece, pool, points}, false, ""};
   {
     const std::scoped_lock lock(mutex_);

@@ -23,7 +23,7 @@ class DrawQueue {
 
   // Waits for the piece. pool, points: as in DrawTask. Throws calc::BackendFailure.
   void run(DeviceThread& thread, DrawPiece& piece, const PackedPool* pool,
-           const PackedPoints* points);
+           const DrawPoints::Packed* points);
   // With the context current. Nothing may be under way.
   void clear() { pass_.reset(); }
   // As DrawPass::places_per_dispatch(), 0 before the first piece. For all threads.

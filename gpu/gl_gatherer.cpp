@@ -50,7 +50,7 @@ class GlGatherer : public calc::Gatherer {
       gather_pass_.reset();
       draws_.clear();
       device.pools.clear();
-      device.points.clear();
+      device.draw_points.clear();
     });
   }
   GlGatherer(const GlGatherer&) = delete;
@@ -78,8 +78,8 @@ class GlGatherer : public calc::Gatherer {
     DrawPiece piece;
     std::uint64_t rays = 0;
     while (packer.next(piece)) {
-      const std::shared_ptr<const PackedPoints> points =
-          thread_->points().pack_unless_held(batch.tracer, batch.tiles, piece.block);
+      const std::shared_ptr<const DrawPoints::Packed> points =
+          thread_->draw_points().pack_unless_held(batch.tracer, batch.tiles, piece.block);
       draws_.run(*thread_, piece, pool.get(), points.get());
       if (piece.is_cut_short) break;
       rays += packer.add(piece);

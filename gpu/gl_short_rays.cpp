@@ -43,42 +43,65 @@ class GlShortRays : public calc::ShortRayCaster {
   GlShortRays(std::shared_ptr<DeviceThread> thread, const HitLimits& limits)
       : thread_(std::move(thread)), limits_(limits) {}
   ~GlShortRays() override {
-    thread_->clean_up([this](DeviceState&) { clear(); });
+    thread_->clean_up([this](DeviceState& device) {
+      clear();
+      device.near_points.clear();
+    });
   }
   GlShortRays(const GlShortRays&) = delete;
   GlShortRays& operator=(const GlShortRays&) = delete;
 
   void cast(const calc::Tracer& tracer, float least_m, float most_m,
-            std::span<const calc::NearFieldRequest> requests,
-            std::span<calc::FirstHit> hits) override {
-    if (hits.empty()) return;
-    const std::vector<GpuRequest> sent = gpu_requests(tracer, requests);
-    run([&](DeviceState& device) {
-      if (!cast_) cast_ = std::make_unique<ShortRayBuffers>();
-      rays_->trace(device, {&tracer, least_m, most_m, sent, hits.size()}, *cast_);
-      // Their "not done" is a word of its own: all ones mean that a ray met nothing.
-      hits_back_->start({{cast_->hits, 0, hits.size_bytes()}}, calc::FirstHit::kNotDone);
-      hits_back_->wait(kDoing);
-      hits_back_->copy(0, std::as_writable_bytes(hits));
-      device.check(kDoing);
-    });
-    for (const calc::FirstHit& hit : hits) {
-      if (hit.triangle_and_side == calc::FirstHit::kNotDone) throw_not_done();
+            const calc::NearFieldBatch& batch, std::span<calc::FirstHit> hits) override {
+    for (const ShortRayPart& part : parts_of(batch)) {
+      const std::span<calc::FirstHit> own = hits.first(part.rays());
+      hits = hits.subspan(part.rays());
+      const auto packed = packed_points(tracer, batch, part);
+      const ShortRayJob job{tracer, least_m, most_m, batch, part, packed.get()};
+      run([&](DeviceState& device) {
+        if (!cast_) cast_ = std::make_unique<ShortRayBuffers>();
+        rays_->trace(device, job, *cast_);
+        // Their "not done" is a word of its own: all ones mean that a ray met nothing.
+        hits_back_->start({{cast_->hits, 0, own.size_bytes()}}, calc::FirstHit::kNotDone);
+        hits_back_->wait(kDoing);
+        hits_back_->copy(0, std::as_writable_bytes(own));
+        device.check(kDoing);
+      });
+      for (const calc::FirstHit& hit : own) {
+        if (hit.triangle_and_side == calc::FirstHit::kNotDone) throw_not_done();
+      }
     }
   }
 
-  void find_light(const calc::NearField& field, std::span<const calc::NearFieldRequest> requests,
+  void find_light(const calc::NearField& field, const calc::NearFieldBatch& batch,
                   std::vector<calc::HitLight>& found) override {
-    const std::vector<GpuRequest> sent = gpu_requests(field.tracer, requests);
-    const std::size_t rays =
-        sent.empty() ? 0 : std::size_t{sent.back().first_ray} + sent.back().rays;
-    if (rays == 0) return;
+    for (const ShortRayPart& part : parts_of(batch)) {
+      const std::size_t before = found.size();
+      find_light_of(field, batch, part, found);
+      for (std::size_t k = before; k < found.size(); ++k) {
+        found[k].request += static_cast<std::uint32_t>(part.first_point);
+      }
+    }
+  }
+
+ private:
+  std::shared_ptr<const NearPoints::Packed> packed_points(const calc::Tracer& tracer,
+                                                          const calc::NearFieldBatch& batch,
+                                                          const ShortRayPart& part) {
+    return thread_->near_points().pack_unless_held(tracer, batch.tiles, part.block);
+  }
+
+  void find_light_of(const calc::NearField& field, const calc::NearFieldBatch& batch,
+                     const ShortRayPart& part, std::vector<calc::HitLight>& found) {
+    if (part.rays() == 0) return;
     const std::shared_ptr<const PackedPool> packed = thread_->pools().pack_unless_held(field.tree);
-    const ShortRayJob job{&field.tracer,
+    const auto points = packed_points(field.tracer, batch, part);
+    const ShortRayJob job{field.tracer,
                           static_cast<float>(field.tracer.offset_m()),
                           static_cast<float>(field.bound.reach_m()),
-                          sent,
-                          rays,
+                          batch,
+                          part,
+                          points.get(),
                           true,
                           field.deadline_s};
     const auto turn = turns_.take();
@@ -107,7 +130,6 @@ class GlShortRays : public calc::ShortRayCaster {
     }
   }
 
- private:
   HitPass& lights_of(DeviceState& device) {
     if (!lights_) lights_ = std::make_unique<HitPass>(device.programs, limits_);
     return *lights_;

@@ -81,7 +81,7 @@ std::vector<float> choice_table(const calc::LuminaireChoice& choice) {
 }
 
 std::size_t blocks_of(const ShortRayJob& job) {
-  return (job.rays + kRaysPerBlock - 1) / kRaysPerBlock;
+  return (job.part.rays() + kRaysPerBlock - 1) / kRaysPerBlock;
 }
 
 // The tile of all nodes and the tile of none.
@@ -129,13 +129,13 @@ void HitPass::send_luminaires(const calc::NearField& field) {
 }
 
 // Of a block of rays each.
-void HitPass::over_blocks(const GlProgram& program, const ShortRayPass& rays,
+void HitPass::over_blocks(DeviceState& device, const GlProgram& program, const ShortRayPass& rays,
                           const ShortRayJob& job, const HitBuffers& buffers) const {
   const std::size_t blocks = blocks_of(job);
-  rays.bind(buffers.rays);
+  rays.bind(device, job, buffers.rays);
   program.use();
-  program.set("request_count", word(job.requests.size()));
-  program.set("ray_count", word(job.rays));
+  program.set("request_count", word(job.part.points()));
+  program.set("ray_count", word(job.part.rays()));
   program.set("blocks", word(blocks));
   dispatch(blocks);
   wait_for_writes();
@@ -155,15 +155,15 @@ bool HitPass::start(DeviceState& device, ShortRayPass& rays, const calc::NearFie
   const std::size_t bytes = blocks_of(job) * sizeof(std::uint32_t);
   buffers.counts.assign(bytes, kNotDone);
   buffers.counts.bind(kCounts);
-  over_blocks(counts_shader_, rays, job, buffers);
+  over_blocks(device, counts_shader_, rays, job, buffers);
   buffers.counts_back.start({{buffers.counts, 0, bytes}}, kNotDone);
   check_gl(kDoing);
   return true;
 }
 
 // Finds on the CPU where each block's hits begin, and lists them. Returns how many they are.
-std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job,
-                               HitBuffers& buffers) {
+std::size_t HitPass::list_hits(DeviceState& device, const ShortRayPass& rays,
+                               const ShortRayJob& job, HitBuffers& buffers) {
   buffers.counts_back.wait(kDoing);
   std::vector<std::uint32_t> counts(blocks_of(job), kNotDone);
   buffers.counts_back.copy(0, std::as_writable_bytes(std::span(counts)));
@@ -179,7 +179,7 @@ std::size_t HitPass::list_hits(const ShortRayPass& rays, const ShortRayJob& job,
   firsts_.bind(kCounts);
   buffers.list.reserve(hits * 2 * sizeof(std::uint32_t));
   buffers.list.bind(kList);
-  over_blocks(list_shader_, rays, job, buffers);
+  over_blocks(device, list_shader_, rays, job, buffers);
   return hits;
 }
 
@@ -192,6 +192,7 @@ void HitPass::start(const GlProgram& program, const Piece& piece) const {
   const calc::NearField& field = piece.field;
   const auto offset_m = static_cast<float>(field.tracer.offset_m());
   program.use();
+  ShortRayPass::set_keys(program, piece.job);
   program.set("node_count", nodes_);
   program.set("offset_m", offset_m);
   program.set("lift_m", offset_m);
@@ -275,7 +276,7 @@ bool HitPass::find(DeviceState& device, const PackedPool* packed, const Piece& p
   const auto bind = [&] {
     scene.bind();
     scene.bind_surfaces();
-    piece.rays.bind(piece.buffers.rays);
+    piece.rays.bind(device, piece.job, piece.buffers.rays);
     tables_.bind(kTables);
     piece.buffers.list.bind(kList);
     piece.buffers.field.bind(ShortRayPass::kField);
@@ -301,7 +302,7 @@ bool HitPass::find(DeviceState& device, const PackedPool* packed, const Piece& p
 
 bool HitPass::find(DeviceState& device, const ShortRayPass& rays, const calc::NearField& field,
                    const PackedPool* packed, const ShortRayJob& job, HitBuffers& buffers) {
-  const std::size_t hits = list_hits(rays, job, buffers);
+  const std::size_t hits = list_hits(device, rays, job, buffers);
   if (hits == 0) return true;
   send_luminaires(field);
   buffers.tiles.assign(tiles_of(field));

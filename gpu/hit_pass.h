@@ -84,9 +84,10 @@ class HitPass {
   };
 
   void send_luminaires(const calc::NearField& field);
-  void over_blocks(const GlProgram& program, const ShortRayPass& rays, const ShortRayJob& job,
-                   const HitBuffers& buffers) const;
-  std::size_t list_hits(const ShortRayPass& rays, const ShortRayJob& job, HitBuffers& buffers);
+  void over_blocks(DeviceState& device, const GlProgram& program, const ShortRayPass& rays,
+                   const ShortRayJob& job, const HitBuffers& buffers) const;
+  std::size_t list_hits(DeviceState& device, const ShortRayPass& rays, const ShortRayJob& job,
+                        HitBuffers& buffers);
   std::size_t most_hits(const calc::NearField& field) const;
   bool find(DeviceState& device, const PackedPool* packed, const Piece& piece,
             HitBuffers::Piece& found);

@@ -20,25 +20,27 @@ constexpr std::size_t kFirstRays = std::size_t{1} << 16;
 
 }  // namespace
 
-std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
-                                     std::span<const calc::NearFieldRequest> requests) {
-  std::vector<GpuRequest> result;
-  result.reserve(requests.size());
-  std::uint32_t first_ray = 0;
-  for (const calc::NearFieldRequest& request : requests) {
-    const calc::ScrambledSobol sobol(request.key);
-    const std::uint64_t key = request.key.bits();
-    result.push_back({request.receiver.position_m,
-                      request.receiver.axis,
-                      glm::vec3(tracer.lift(request.receiver)),
-                      static_cast<std::uint32_t>(request.receiver.kernel),
-                      {sobol.scramble(0), sobol.scramble(1)},
-                      {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)},
-                      first_ray,
-                      request.rays});
-    first_ray += request.rays;
+std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch) {
+  std::vector<ShortRayPart> parts;
+  std::size_t begin = 0, end = 0;  // receivers of the block at hand
+  for (std::size_t k = 0; k < batch.points.size(); ++k) {
+    const calc::PointRays& point = batch.points[k];
+    if (parts.empty() || point.receiver >= end) {
+      ShortRayPart& part = parts.emplace_back();
+      part.block = batch.tiles.group_of(point.receiver) / kTilesPerBlock;
+      part.first_point = k;
+      part.requests.push_back({0, 0});  // the end
+      const std::size_t first = part.block * kTilesPerBlock;
+      begin = batch.tiles.receivers_before(first);
+      end = batch.tiles.receivers_before(
+          std::min(first + kTilesPerBlock, batch.tiles.groups().size()));
+    }
+    ShortRayRequest& last = parts.back().requests.back();
+    last.receiver = static_cast<std::uint32_t>(point.receiver - begin);
+    const std::uint32_t behind = last.first_ray + point.rays;
+    parts.back().requests.push_back({0, behind});
   }
-  return result;
+  return parts;
 }
 
 ShortRayPass::ShortRayPass(const ProgramCache& programs)
@@ -56,30 +58,41 @@ const GlProgram& ShortRayPass::program(bool has_light) {
   return *made;
 }
 
-void ShortRayPass::bind(const ShortRayBuffers& buffers) const {
+void ShortRayPass::bind(DeviceState& device, const ShortRayJob& job,
+                        const ShortRayBuffers& buffers) const {
   words_.bind(kWords);
   buffers.hits.bind(kHits);
   buffers.requests.bind(kRequests);
+  device.near_points.find_or_send(job.tracer, job.batch.tiles, job.part.block, job.packed)
+      .receivers.bind(kPoints);
+}
+
+void ShortRayPass::set_keys(const GlProgram& program, const ShortRayJob& job) {
+  const std::uint64_t key = job.batch.key.bits();
+  program.set("key_low", static_cast<std::uint32_t>(key));
+  program.set("key_high", static_cast<std::uint32_t>(key >> 32));
 }
 
 bool ShortRayPass::trace(DeviceState& device, const ShortRayJob& job, ShortRayBuffers& buffers) {
   const GlProgram& shader = program(job.has_light);
-  buffers.requests.assign(job.requests);
+  buffers.requests.assign(job.part.requests);
+  const std::size_t rays = job.part.rays();
   const std::size_t bytes =
       job.has_light ? kLitHitSize * sizeof(std::uint32_t) : sizeof(calc::FirstHit);
-  buffers.hits.assign(job.rays * bytes, calc::FirstHit::kNotDone);
-  const DeviceScene& scene = device.scenes.of(*job.tracer);
+  buffers.hits.assign(rays * bytes, calc::FirstHit::kNotDone);
+  const DeviceScene& scene = device.scenes.of(job.tracer);
   shader.use();
   scene.bind();
   scene.bind_surfaces();
-  bind(buffers);
+  bind(device, job, buffers);
+  set_keys(shader, job);
   shader.set("node_count", scene.nodes);
-  shader.set("request_count", static_cast<std::uint32_t>(job.requests.size()));
+  shader.set("request_count", static_cast<std::uint32_t>(job.part.points()));
   shader.set("least_m", job.least_m);
   shader.set("most_m", job.most_m);
-  for (std::size_t first = 0; first < job.rays;) {
+  for (std::size_t first = 0; first < rays;) {
     if (calc::is_past(job.deadline_s)) return false;
-    const std::size_t count = std::min(pacer_.items(), job.rays - first);
+    const std::size_t count = std::min(pacer_.items(), rays - first);
     pacer_.run(count, "tracing short rays", [&] {
       shader.set("first_ray", static_cast<std::uint32_t>(first));
       shader.set("ray_count", static_cast<std::uint32_t>(count));

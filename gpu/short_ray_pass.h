@@ -2,45 +2,46 @@
 // First short rays of some points on the device. For the thread that owns the context.
 
 #include "calc/radiosity/short_rays.h"
+#include "gpu/device_points.h"
 #include "gpu/device_thread.h"
 #include "gpu/dispatch_pacer.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
 
-#include <glm/glm.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace gpu {
 
-// One point as shaders/short_ray_requests.glsl reads it: six uvec4.
-struct GpuRequest {
-  glm::dvec3 position_m, axis;
-  glm::vec3 origin_m;    // of its rays: local, lifted
-  std::uint32_t kernel;  // calc::ReceiverKernel
-  std::array<std::uint32_t, 2> scramble, key;
-  std::uint32_t first_ray, rays;
-  std::array<std::uint32_t, 2> unused{};
+// One point, as shaders/short_ray_requests.glsl reads it.
+struct ShortRayRequest {
+  std::uint32_t receiver;   // of its block, see plane_blocks.h
+  std::uint32_t first_ray;  // rays are numbered one after the other
 };
-static_assert(sizeof(GpuRequest) == 96);
+
+// Points of a batch that lie in one block.
+struct ShortRayPart {
+  std::size_t block = 0;
+  std::size_t first_point = 0;              // of the batch
+  std::vector<ShortRayRequest> requests{};  // and one behind the last, where its rays end
+
+  std::size_t points() const { return requests.size() - 1; }
+  std::size_t rays() const { return requests.back().first_ray; }
+};
+std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch);
 
 struct ShortRayJob {
-  const calc::Tracer* tracer = nullptr;
-  float least_m = 0.0f, most_m = 0.0f;
-  std::span<const GpuRequest> requests{};
-  std::size_t rays = 0;     // of all of them
-  bool has_light = false;   // for HitPass
-  double deadline_s = 0.0;  // see calc::is_past()
+  const calc::Tracer& tracer;
+  float least_m, most_m;
+  const calc::NearFieldBatch& batch;
+  const ShortRayPart& part;
+  const NearPoints::Packed* packed;  // null if the device is thought to hold the block
+  bool has_light = false;            // for HitPass
+  double deadline_s = 0.0;           // see calc::is_past()
 };
-
-// One for each of the requests, whose rays are numbered one after the other.
-std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
-                                     std::span<const calc::NearFieldRequest> requests);
 
 // Rays of one call, from their start until what is at their ends was found.
 struct ShortRayBuffers {
@@ -54,12 +55,14 @@ class ShortRayPass {
   explicit ShortRayPass(const ProgramCache& programs);  // must outlive it
 
   // Bindings that the stages after it share; others are those of DeviceScene.
-  enum Binding : unsigned { kWords = 4, kHits = 6, kRequests = 9, kField };
+  enum Binding : unsigned { kWords = 4, kHits = 6, kRequests = 9, kField, kPoints = 15 };
 
   // Sends the points and starts their rays; has_light: with the field's numbers bound. False: the
   // deadline passed. Throws GlError.
   bool trace(DeviceState& device, const ShortRayJob& job, ShortRayBuffers& buffers);
-  void bind(const ShortRayBuffers& buffers) const;
+  void bind(DeviceState& device, const ShortRayJob& job, const ShortRayBuffers& buffers) const;
+  // Of a program that reads points and their rays.
+  static void set_keys(const GlProgram& program, const ShortRayJob& job);
 
  private:
   const GlProgram& program(bool has_light);

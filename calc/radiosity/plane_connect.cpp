@@ -136,15 +136,15 @@ struct PlaneWork::ShortRays {
   }
 };
 
-NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t k,
-                                         const VertexBatch& batch) const {
-  const std::uint32_t i = tile.point[k];
-  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path).with(i);
-  const double clear_m = settings_.skips.allows(Skip::clear_distance) ? sums_.clear_m[i] : 0.0;
-  if (!(clear_m < reach_m_)) return {tile.receiver[k], key, 0};
-  const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
-  return {tile.receiver[k], key,
-          short_rays_per_point(draws, clear_m, reach_m_, sums_.short_ray_factor[i])};
+RandomKey PlaneWork::near_key(const VertexBatch& batch) const {
+  return near_key_.with(batch.replicate).with(batch.first_path);
+}
+
+std::uint32_t PlaneWork::short_rays_of(std::uint32_t point, const VertexBatch& batch) const {
+  const double clear_m = settings_.skips.allows(Skip::clear_distance) ? sums_.clear_m[point] : 0.0;
+  if (!(clear_m < reach_m_)) return 0;
+  return short_rays_per_point(draws_per_point(batch.paths, look_points_), clear_m, reach_m_,
+                              sums_.short_ray_factor[point]);
 }
 
 NearField PlaneWork::near_field(const VertexBatch& batch) const {
@@ -160,28 +160,30 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
   result.last_tile = last_tile;
   result.is_found = batch.short_rays != nullptr && reach_m_ > 0.0;
   if (!result.is_found) return result;
-  std::vector<NearFieldRequest> requests;
-  std::vector<std::size_t> first_ray{0};  // of each request
+  std::vector<PointRays> points;
+  std::vector<std::size_t> first_ray{0};  // of each point
   for (std::size_t t = first_tile; t < last_tile; ++t) {
     if (first_ray.back() >= kShortRaysPerCast) {
       result.last_tile = t;
       break;
     }
+    const std::size_t before = tiles_.receivers_before(t);
     for (std::size_t k = 0; k < tiles()[t].point.size(); ++k) {
-      const NearFieldRequest request = near_request(tiles()[t], k, batch);
-      if (request.rays == 0) continue;
-      requests.push_back(request);
-      first_ray.push_back(first_ray.back() + request.rays);
+      const std::uint32_t rays = short_rays_of(tiles()[t].point[k], batch);
+      if (rays == 0) continue;
+      points.push_back({static_cast<std::uint32_t>(before + k), rays});
+      first_ray.push_back(first_ray.back() + rays);
     }
   }
   const NearField field = near_field(batch);
-  for (std::size_t first = 0, last = 0; first < requests.size(); first = last) {
-    for (last = first + 1; last < requests.size(); ++last) {
+  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+    for (last = first + 1; last < points.size(); ++last) {
       if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
     }
     const std::size_t before = result.lights.size();
-    batch.short_rays->find_light(field, std::span(requests).subspan(first, last - first),
-                                 result.lights);
+    batch.short_rays->find_light(
+        field, {tiles_, near_key(batch), std::span(points).subspan(first, last - first)},
+        result.lights);
     for (std::size_t k = before; k < result.lights.size(); ++k) {
       result.lights[k].request += static_cast<std::uint32_t>(first);
     }
@@ -194,7 +196,9 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
   const NearField field = near_field(batch);
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
-    const NearFieldRequest request = near_request(tile, k, batch);
+    const std::uint32_t point = tile.point[k];
+    const NearFieldRequest request{tile.receiver[k], near_key(batch).with(point),
+                                   short_rays_of(point, batch)};
     if (request.rays == 0) continue;
     const double drawn_lx = sums.all_channels_lx(k, tile.point.size());
     rays += add_near_field(field, request, short_rays.next(), &sums.lx[k], tile.point.size(),

@@ -115,9 +115,10 @@ class PlaneWork {
                               Gatherer& gatherer, std::span<TileSums> sums) const;
   std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
                             TileSums& sums) const;
-  // Of point k of a tile; 0 rays if no surface is within reach.
-  NearFieldRequest near_request(const ReceiverGroup& tile, std::size_t k,
-                                const VertexBatch& batch) const;
+  // Of all points in a batch.
+  RandomKey near_key(const VertexBatch& batch) const;
+  // 0 if no surface is within reach.
+  std::uint32_t short_rays_of(std::uint32_t point, const VertexBatch& batch) const;
   struct ShortRays;
   std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const;
   NearField near_field(const VertexBatch& batch) const;

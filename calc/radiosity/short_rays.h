@@ -5,6 +5,7 @@
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/radiosity/tiles.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,20 @@ struct NearFieldRequest {
   Receiver receiver;
   RandomKey key;  // of point, replicate and batch
   std::uint32_t rays;
+};
+
+// Short rays of a point: which of all that the tiles have, in their order.
+struct PointRays {
+  std::uint32_t receiver, rays;
+};
+
+// Of some points of a plane, for one replicate and batch of light vertices.
+struct NearFieldBatch {
+  const ReceiverTiles& tiles;
+  RandomKey key;                      // of all; a point's is key.with(its index in the plane)
+  std::span<const PointRays> points;  // in order of receivers, each with rays
+
+  NearFieldRequest request(std::size_t k) const;
 };
 
 // What a first ray meets: a triangle, from which side, and where on it as in
@@ -60,7 +75,7 @@ struct HitLight {
   };
 
   std::uint32_t triangle_and_side;  // as FirstHit's
-  std::uint32_t request, ray;       // the request's number in the call, the ray's of the request
+  std::uint32_t request, ray;       // the point's number in the call, the ray's of the point
   std::uint32_t luminaire;          // asked for direct light; kNothing, kHidden, kLeft
   Place place;
   double weight;     // of all light from there; 0: none, and nothing below is said
@@ -80,17 +95,17 @@ class ShortRayCaster {
  public:
   virtual ~ShortRayCaster() = default;
 
-  // First surfaces from least_m to most_m of all rays of all requests, one after the other, as
+  // First surfaces from least_m to most_m of all rays of all points, one after the other, as
   // add_near_field() traces them: up to rounding, and to rays that graze an edge. hits: one per
-  // ray, at most kShortRaysPerCast or one request's. Always the same bits. May be called from
+  // ray, at most kShortRaysPerCast or one point's. Always the same bits. May be called from
   // several threads at once. May throw BackendFailure.
-  virtual void cast(const Tracer& tracer, float least_m, float most_m,
-                    std::span<const NearFieldRequest> requests, std::span<FirstHit> hits) = 0;
+  virtual void cast(const Tracer& tracer, float least_m, float most_m, const NearFieldBatch& batch,
+                    std::span<FirstHit> hits) = 0;
 
   // The same rays within the reach of the field's bound, and the light at their hits: appends those
   // that may give any, in the order of rays. Each is a function of its ray alone. Past the field's
   // deadline what is there is worth nothing.
-  virtual void find_light(const NearField& field, std::span<const NearFieldRequest> requests,
+  virtual void find_light(const NearField& field, const NearFieldBatch& batch,
                           std::vector<HitLight>& found) = 0;
 };
 

@@ -21,6 +21,11 @@ ReceiverTiles::ReceiverTiles(std::vector<ReceiverGroup> groups)
   }
 }
 
+std::size_t ReceiverTiles::group_of(std::size_t receiver) const {
+  const auto behind = std::upper_bound(before_.begin(), before_.end(), receiver);
+  return static_cast<std::size_t>(behind - before_.begin()) - 1;
+}
+
 std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) {
   if (receiver.empty()) return {};
   glm::dvec3 low = receiver.front().position_m;

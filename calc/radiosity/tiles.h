@@ -23,6 +23,8 @@ class ReceiverTiles {
   explicit ReceiverTiles(std::vector<ReceiverGroup> groups);
 
   std::span<const ReceiverGroup> groups() const { return groups_; }
+  // The group of a receiver, counted in their order. receiver < receivers().
+  std::size_t group_of(std::size_t receiver) const;
   // Receivers in the groups before this one; groups().size() is allowed.
   std::size_t receivers_before(std::size_t group) const { return before_[group]; }
   std::size_t receivers() const { return before_.back(); }

@@ -1,6 +1,10 @@
 // Points whose short rays are asked for, as short_ray_pass.h says, and the directions of these.
 
-layout(std430, binding = 9) readonly buffer Requests { uvec4 request_words[]; };
+// Which of the block's receivers, and the first of its rays; one more behind the last.
+layout(std430, binding = 9) readonly buffer Requests { uvec2 request_words[]; };
+layout(std430, binding = 15) readonly buffer Points { uvec4 point_words[]; };  // device_points.h
+
+uniform uint key_low, key_high;  // of all points: calc::NearFieldBatch::key
 
 struct Request {
   dvec3 position_m, axis;
@@ -10,23 +14,24 @@ struct Request {
   uint first_ray, rays;
 };
 
+uint first_ray_of(uint r) { return request_words[r].y; }
+
 Request request_at(uint r) {
-  const uvec4 a = request_words[6u * r], b = request_words[6u * r + 1u],
-              c = request_words[6u * r + 2u], d = request_words[6u * r + 3u],
-              e = request_words[6u * r + 4u], f = request_words[6u * r + 5u];
+  const uint at = 5u * request_words[r].x;
+  const uvec4 a = point_words[at], b = point_words[at + 1u], c = point_words[at + 2u],
+              d = point_words[at + 3u];
   Request request;
   request.position_m = dvec3(packDouble2x32(a.xy), packDouble2x32(a.zw), packDouble2x32(b.xy));
   request.axis = dvec3(packDouble2x32(b.zw), packDouble2x32(c.xy), packDouble2x32(c.zw));
   request.origin_m = uintBitsToFloat(d.xyz);
   request.kernel = d.w;
-  request.scramble = e.xy;
-  request.key = e.zw;
-  request.first_ray = f.x;
-  request.rays = f.y;
+  request.key = key_with(uvec2(key_low, key_high), point_words[at + 4u].x);
+  // calc::ScrambledSobol::scramble() of its two dimensions
+  request.scramble = uvec2(key_with(request.key, PART_0).y, key_with(request.key, PART_1).y);
+  request.first_ray = first_ray_of(r);
+  request.rays = first_ray_of(r + 1u) - request.first_ray;
   return request;
 }
-
-uint first_ray_of(uint r) { return request_words[6u * r + 5u].x; }
 
 // The last of some requests that begins at or before the ray.
 uint request_of(uint ray, uint requests) {

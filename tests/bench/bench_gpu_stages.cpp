@@ -87,24 +87,23 @@ int main(int argc, char** argv) {
       [&] { path_tracer->trace(tracer, emitter, batch); });
   fmt::print("  {:.2f} vertices per path\n", static_cast<double>(vertices) / paths);
 
-  std::vector<calc::NearFieldRequest> requests;
+  std::vector<calc::Receiver> receivers;
   for (std::uint32_t i = 0; i < 8192; ++i) {
     const calc::RandomKey key = calc::RandomKey(3).with(i);
-    requests.push_back({{{7.0 * key.with(0).uniform() - 3.5, 5.0 * key.with(1).uniform() - 2.5,
+    receivers.push_back({{7.0 * key.with(0).uniform() - 3.5, 5.0 * key.with(1).uniform() - 2.5,
                           0.1 + key.with(2).uniform()},
                          {0, 0, 1},
-                         calc::ReceiverKernel::planar},
-                        key,
-                        rays});
+                         calc::ReceiverKernel::planar});
   }
+  const test_support::NearPoints open(receivers, rays);
   const float least_m = 1e-4f, most_m = 0.7f;
-  std::vector<calc::FirstHit> hits(requests.size() * rays);
+  std::vector<calc::FirstHit> hits(receivers.size() * rays);
   std::vector<calc::SurfaceHit> met;
   measure(
       "short rays", *device, static_cast<double>(hits.size()),
       [&] {
         std::array<calc::SurfaceHit, calc::RayPacket::kSize> hit;
-        for (const calc::NearFieldRequest& request : requests) {
+        for (const calc::NearFieldRequest& request : open.requests) {
           const calc::ScrambledSobol sobol(request.key);
           for (std::uint32_t first = 0; first < rays; first += calc::RayPacket::kSize) {
             calc::RayPacket packet;
@@ -117,35 +116,36 @@ int main(int argc, char** argv) {
           }
         }
       },
-      [&] { short_rays->cast(tracer, least_m, most_m, requests, hits); });
+      [&] { short_rays->cast(tracer, least_m, most_m, open.batch(), hits); });
 
   const test_support::NearScene scene(hall.scene, 4096);
-  const std::vector<calc::NearFieldRequest> points = test_support::points_in_hall(2048, rays);
+  const test_support::NearPoints points = test_support::points_in_hall(2048, rays);
   std::vector<calc::HitLight> found;
   std::uint64_t near_rays = 0;
   const auto add = [&](bool is_found) {
     near_rays = 0;
     std::size_t first = 0;
-    for (std::size_t r = 0; r < points.size(); ++r) {
+    for (std::size_t r = 0; r < points.requests.size(); ++r) {
       double sums[2] = {};
       float largest = 0.0f;
       std::size_t last = first;
       while (is_found && last < found.size() && found[last].request == r) ++last;
       std::optional<std::span<const calc::HitLight>> own;
       if (is_found) own = std::span<const calc::HitLight>(found).subspan(first, last - first);
-      near_rays += calc::add_near_field(scene.near(), points[r], own, sums, 1, largest);
+      near_rays += calc::add_near_field(scene.near(), points.requests[r], own, sums, 1, largest);
       first = last;
     }
   };
   measure(
-      "near field", *device, static_cast<double>(points.size() * rays), [&] { add(false); },
+      "near field", *device, static_cast<double>(points.requests.size() * rays),
+      [&] { add(false); },
       [&] {
         found.clear();
-        short_rays->find_light(scene.near(), points, found);
+        short_rays->find_light(scene.near(), points.batch(), found);
         add(true);
       });
   fmt::print("  {:.3f} hits and {:.2f} rays per short ray\n",
-             static_cast<double>(found.size()) / static_cast<double>(points.size() * rays),
-             static_cast<double>(near_rays) / static_cast<double>(points.size() * rays));
+             static_cast<double>(found.size()) / static_cast<double>(points.requests.size() * rays),
+             static_cast<double>(near_rays) / static_cast<double>(points.requests.size() * rays));
   return 0;
 }

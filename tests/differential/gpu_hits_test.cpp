@@ -3,6 +3,7 @@
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/vertex_tree.h"
+#include "gpu/plane_blocks.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/near_points.h"
 #include "tests/support/opengl.h"
@@ -26,7 +27,6 @@ namespace {
 
 using namespace test_support;
 using calc::HitLight;
-using calc::NearFieldRequest;
 using calc::OpeningShape;
 using calc::ReceiverKernel;
 using ::testing::HasSubstr;
@@ -55,13 +55,13 @@ struct Sums {
   std::vector<std::uint64_t> rays;
 };
 
-Sums sums_of(const NearScene& field, const std::vector<NearFieldRequest>& requests,
-             const std::vector<HitLight>* found) {
+Sums sums_of(const NearScene& field, const NearPoints& points, const std::vector<HitLight>* found) {
   const std::size_t channels = field.scene.channels.size();
-  Sums sums{
-      std::vector<double>(channels * requests.size()), std::vector<float>(requests.size()), {}};
+  Sums sums{std::vector<double>(channels * points.requests.size()),
+            std::vector<float>(points.requests.size()),
+            {}};
   std::size_t first = 0;
-  for (std::size_t r = 0; r < requests.size(); ++r) {
+  for (std::size_t r = 0; r < points.requests.size(); ++r) {
     std::optional<std::span<const HitLight>> own;
     if (found != nullptr) {
       std::size_t last = first;
@@ -69,17 +69,17 @@ Sums sums_of(const NearScene& field, const std::vector<NearFieldRequest>& reques
       own = std::span<const HitLight>(*found).subspan(first, last - first);
       first = last;
     }
-    sums.rays.push_back(calc::add_near_field(field.near(), requests[r], own, &sums.lx[channels * r],
-                                             1, sums.largest[r]));
+    sums.rays.push_back(calc::add_near_field(field.near(), points.requests[r], own,
+                                             &sums.lx[channels * r], 1, sums.largest[r]));
   }
   EXPECT_TRUE(found == nullptr || first == found->size());
   return sums;
 }
 
 std::vector<HitLight> find(calc::ShortRayCaster& gl, const NearScene& field,
-                           const std::vector<NearFieldRequest>& requests) {
+                           const NearPoints& points) {
   std::vector<HitLight> found;
-  gl.find_light(field.near(), requests, found);
+  gl.find_light(field.near(), points.batch(), found);
   return found;
 }
 
@@ -125,11 +125,11 @@ Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
 constexpr double kRounding = 1e-6;
 
 // grazed: values that may differ by more than rounding; returns what the device did.
-Kinds expect_same(const NearScene& field, const std::vector<NearFieldRequest>& requests,
-                  calc::ShortRayCaster& gl, double grazed) {
-  const Sums cpu = sums_of(field, requests, nullptr);
-  const std::vector<HitLight> found = find(gl, field, requests);
-  const Sums device = sums_of(field, requests, &found);
+Kinds expect_same(const NearScene& field, const NearPoints& points, calc::ShortRayCaster& gl,
+                  double grazed) {
+  const Sums cpu = sums_of(field, points, nullptr);
+  const std::vector<HitLight> found = find(gl, field, points);
+  const Sums device = sums_of(field, points, &found);
   std::size_t lit = 0, differing = 0;
   double largest = 0.0, cpu_lx = 0.0, device_lx = 0.0;
   for (std::size_t i = 0; i < cpu.lx.size(); ++i) {
@@ -147,7 +147,7 @@ Kinds expect_same(const NearScene& field, const std::vector<NearFieldRequest>& r
   }
   std::size_t unlike = 0;
   std::uint64_t cpu_rays = 0, device_rays = 0;
-  for (std::size_t r = 0; r < requests.size(); ++r) {
+  for (std::size_t r = 0; r < points.requests.size(); ++r) {
     cpu_rays += cpu.rays[r];
     device_rays += device.rays[r];
     const bool is_same =
@@ -159,9 +159,9 @@ Kinds expect_same(const NearScene& field, const std::vector<NearFieldRequest>& r
       "%zu of %zu values differ by more than %.0e, the others by %.2g; sums by %.2g; %zu of "
       "%zu points in rays or the largest\n",
       differing, lit, kRounding, largest, std::abs(device_lx / cpu_lx - 1.0), unlike,
-      requests.size());
-  const double most = grazed * static_cast<double>(requests.size());
-  EXPECT_GT(lit, requests.size() / 4);
+      points.requests.size());
+  const double most = grazed * static_cast<double>(points.requests.size());
+  EXPECT_GT(lit, points.requests.size() / 4);
   EXPECT_LE(static_cast<double>(differing), most);
   EXPECT_LE(static_cast<double>(unlike), most);
   EXPECT_NEAR(device_lx / cpu_lx, 1.0, 1e-4);
@@ -198,16 +198,16 @@ TEST_F(GlHits, GiveItBesideBrightSpots) {
   add_luminaire(scene, other, {0.2, 1.2, 1.5});
   set_extent(scene);
   const NearScene field(scene, 4096);
-  std::vector<NearFieldRequest> requests;
+  std::vector<calc::Receiver> receivers;
   for (std::size_t i = 0; i < 300; ++i) {
     const calc::RandomKey key = calc::RandomKey(31).with(i);
     const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
     const glm::dvec3 at(0.002 + 0.1 * u(0), 0.8 + 1.4 * u(1), 0.8 + 1.4 * u(2));
-    requests.push_back(
-        {{at, {0, 0, i % 2 == 0 ? 1 : -1}, ReceiverKernel::planar}, key.with(9), 64});
+    receivers.push_back({at, {0, 0, i % 2 == 0 ? 1 : -1}, ReceiverKernel::planar});
   }
+  const NearPoints points(receivers, 64);
   const auto gl = caster();
-  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  const Kinds kinds = expect_same(field, points, *gl, 0.01);
   EXPECT_GT(kinds.without_light, 100u);  // where the bound is as large as the geometry term
   EXPECT_GT(kinds.bounded, 10u);
   EXPECT_GT(kinds.direct, 1000u);
@@ -230,18 +230,17 @@ TEST_F(GlHits, ChooseTheLuminaireOfTheCpu) {
   }
   set_extent(scene);
   const NearScene field(scene, 512);
-  std::vector<NearFieldRequest> requests;
+  std::vector<calc::Receiver> receivers;
   for (std::size_t i = 0; i < 150; ++i) {
     const calc::RandomKey key = calc::RandomKey(37).with(i);
-    requests.push_back({{{10.0 * key.with(0).uniform(), 0.02 + 0.2 * key.with(1).uniform(),
+    receivers.push_back({{10.0 * key.with(0).uniform(), 0.02 + 0.2 * key.with(1).uniform(),
                           0.1 + 2.6 * key.with(2).uniform()},
                          {0, 0, i % 3 == 0 ? -1 : 1},
-                         ReceiverKernel::planar},
-                        key.with(9),
-                        64});
+                         ReceiverKernel::planar});
   }
+  const NearPoints points(receivers, 64);
   const auto gl = caster();
-  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  const Kinds kinds = expect_same(field, points, *gl, 0.01);
   EXPECT_GT(std::count_if(kinds.of_luminaire.begin(), kinds.of_luminaire.end(),
                           [](std::size_t count) { return count > 0; }),
             30);
@@ -259,18 +258,17 @@ TEST_F(GlHits, LeaveWhatIsTooNearToTheCpu) {
   add_quad(scene, {3, 3, 1.99}, {2, 0, -1.6}, {0, 2, 0}, 0.6);
   set_extent(scene);
   const NearScene field(scene, 512);
-  std::vector<NearFieldRequest> requests;
+  std::vector<calc::Receiver> receivers;
   for (std::size_t i = 0; i < 100; ++i) {
     const calc::RandomKey key = calc::RandomKey(41).with(i);
     const double along = 2.0 * key.with(0).uniform();
-    requests.push_back({{{3.0 + along, 3.0 + 2.0 * key.with(1).uniform(), 2.1 - 0.8 * along},
+    receivers.push_back({{3.0 + along, 3.0 + 2.0 * key.with(1).uniform(), 2.1 - 0.8 * along},
                          {0, 0, -1},
-                         ReceiverKernel::planar},
-                        key.with(9),
-                        32});
+                         ReceiverKernel::planar});
   }
+  const NearPoints points(receivers, 32);
   const auto gl = caster();
-  const Kinds kinds = expect_same(field, requests, *gl, 0.01);
+  const Kinds kinds = expect_same(field, points, *gl, 0.01);
   EXPECT_GT(kinds.left, 100u);
   EXPECT_GT(kinds.direct, 100u);
 }
@@ -284,24 +282,23 @@ TEST_F(GlHits, GiveItWithoutShadowsAndWithoutVertices) {
   add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.5);
   add_luminaire(scene, web, {2, 1.5, 2.4});
   set_extent(scene);
-  std::vector<NearFieldRequest> requests;
+  std::vector<calc::Receiver> receivers;
   for (std::size_t i = 0; i < 60; ++i) {
     const calc::RandomKey key = calc::RandomKey(43).with(i);
-    requests.push_back({{{0.05, 3.0 * key.with(0).uniform(), 0.1 + key.with(1).uniform()},
+    receivers.push_back({{0.05, 3.0 * key.with(0).uniform(), 0.1 + key.with(1).uniform()},
                          {0, 0, 1},
-                         ReceiverKernel::planar},
-                        key.with(9),
-                        32});
+                         ReceiverKernel::planar});
   }
+  const NearPoints points(receivers, 32);
   const auto gl = caster();
   NearScene field(scene, 256);
   field.tracer.leave_out_shadows();
-  const Kinds free = expect_same(field, requests, *gl, 0.0);
+  const Kinds free = expect_same(field, points, *gl, 0.0);
   EXPECT_EQ(free.hidden + free.hidden_draws, 0u);
   NearScene none(scene, 1);
   none.tree = calc::VertexTree({}, 1);
   none.cut = calc::Cut();
-  const Kinds dark = expect_same(none, requests, *gl, 0.0);
+  const Kinds dark = expect_same(none, points, *gl, 0.0);
   EXPECT_EQ(dark.draws, 0u);
   EXPECT_GT(dark.direct, 100u);
 }
@@ -330,23 +327,22 @@ TEST_F(GlHits, HowWorkIsCutChangesNoBit) {
   const LampHall hall(0.6);
   const NearScene field(hall.scene, 256), other(hall.scene, 128);
   const auto whole = caster();
-  const std::vector<NearFieldRequest> requests = points_in_hall(100, 32);
-  const std::vector<HitLight> expected = find(*whole, field, requests);
-  const std::vector<HitLight> elsewhere = find(*whole, other, requests);
+  const NearPoints points = points_in_hall(100, 32);
+  const std::vector<HitLight> expected = find(*whole, field, points);
+  const std::vector<HitLight> elsewhere = find(*whole, other, points);
   EXPECT_GT(expected.size(), 200u);
   EXPECT_FALSE(are_same_bits(expected, elsewhere));
   EXPECT_TRUE(are_same_bits(
-      expected, find(*gpu::make_gl_short_rays(device(), gpu::HitLimits{37}), field, requests)));
-  EXPECT_TRUE(are_same_bits(expected,
-                            find(*gl_short_rays(gpu::Fault::no_buffer_storage), field, requests)));
-  // Some requests at a time, into one list.
+      expected, find(*gpu::make_gl_short_rays(device(), gpu::HitLimits{37}), field, points)));
+  EXPECT_TRUE(
+      are_same_bits(expected, find(*gl_short_rays(gpu::Fault::no_buffer_storage), field, points)));
+  // Some points at a time, into one list.
   std::vector<HitLight> parts;
-  for (std::size_t first = 0; first < requests.size(); first += 13) {
-    const std::size_t before = parts.size();
-    whole->find_light(
-        field.near(),
-        std::span(requests).subspan(first, std::min<std::size_t>(13, requests.size() - first)),
-        parts);
+  const calc::NearFieldBatch all = points.batch();
+  for (std::size_t first = 0; first < all.points.size(); first += 13) {
+    const std::size_t before = parts.size(),
+                      count = std::min<std::size_t>(13, all.points.size() - first);
+    whole->find_light(field.near(), {all.tiles, all.key, all.points.subspan(first, count)}, parts);
     for (std::size_t k = before; k < parts.size(); ++k) {
       parts[k].request += static_cast<std::uint32_t>(first);
     }
@@ -354,24 +350,39 @@ TEST_F(GlHits, HowWorkIsCutChangesNoBit) {
   EXPECT_TRUE(are_same_bits(expected, parts));
   std::vector<char> is_same(12);
   tbb::parallel_for(std::size_t{0}, is_same.size(), [&](std::size_t k) {
-    is_same[k] = k % 2 == 0 ? are_same_bits(expected, find(*whole, field, requests))
-                            : are_same_bits(elsewhere, find(*whole, other, requests));
+    is_same[k] = k % 2 == 0 ? are_same_bits(expected, find(*whole, field, points))
+                            : are_same_bits(elsewhere, find(*whole, other, points));
   });
   EXPECT_EQ(std::count(is_same.begin(), is_same.end(), 1), 12);
+}
+
+// A plane of more tiles than are kept together.
+TEST_F(GlHits, GoOnInTheNextBlockOfTiles) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.6);
+  const NearScene field(hall.scene, 256);
+  std::vector<calc::Receiver> receivers;
+  for (const auto& request : points_in_hall(gpu::kTilesPerBlock + 40, 1).requests) {
+    receivers.push_back(request.receiver);
+  }
+  NearPoints points(receivers, 32, 1);
+  points.points.erase(points.points.begin(), points.points.end() - 80);
+  points.requests.erase(points.requests.begin(), points.requests.end() - 80);
+  expect_same(field, points, *caster(), 0.02);
 }
 
 TEST_F(GlHits, FailuresAreNoResults) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.6);
   const NearScene field(hall.scene, 64);
-  const std::vector<NearFieldRequest> requests = points_in_hall(30, 32);
+  const NearPoints points = points_in_hall(30, 32);
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
                                     {gpu::Fault::context_lost, "reset"},
                                     {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gpu::make_gl_short_rays(gl_device(fault), gpu::HitLimits{37});  // in pieces
     for (int k = 0; k < 2; ++k) {  // not only the first time
       try {
-        find(*gl, field, requests);
+        find(*gl, field, points);
         ADD_FAILURE() << text;
       } catch (const calc::BackendFailure& failure) {
         EXPECT_THAT(failure.what(), HasSubstr(text));
@@ -385,10 +396,10 @@ TEST_F(GlHits, TakeNoEarlierHits) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.6);
   const NearScene field(hall.scene, 64);
-  const std::vector<NearFieldRequest> requests = points_in_hall(30, 32);
+  const NearPoints points = points_in_hall(30, 32);
   const auto gl = gl_short_rays(gpu::Fault::results_lost);
-  EXPECT_GT(find(*gl, field, requests).size(), 37u);
-  EXPECT_THROW(find(*gl, field, requests), calc::BackendFailure);
+  EXPECT_GT(find(*gl, field, points).size(), 37u);
+  EXPECT_THROW(find(*gl, field, points), calc::BackendFailure);
 }
 
 // A driver that leaves long loops early must not look like a free view: the lamp's light passes by
@@ -405,13 +416,12 @@ TEST_F(GlHits, DoNotTakeALoopCutShortForAnAnswer) {
   add_luminaire(pile, web, {252, 251, 90});
   set_extent(pile);
   const NearScene field(pile, 16);
-  const std::vector<NearFieldRequest> requests{
-      {{{250, 250, 0.2}, {0, 0, -1}, ReceiverKernel::planar}, calc::RandomKey(1), 64}};
+  const NearPoints points({{{250, 250, 0.2}, {0, 0, -1}, ReceiverKernel::planar}}, 64);
   const auto gl = caster();
   try {
-    const std::vector<HitLight> found = find(*gl, field, requests);
+    const std::vector<HitLight> found = find(*gl, field, points);
     EXPECT_FALSE(device()->device().is_software);
-    const Sums cpu = sums_of(field, requests, nullptr), own = sums_of(field, requests, &found);
+    const Sums cpu = sums_of(field, points, nullptr), own = sums_of(field, points, &found);
     EXPECT_GT(found.size(), 10u);
     EXPECT_NEAR(own.lx[0] / cpu.lx[0], 1.0, 0.01);
   } catch (const calc::BackendFailure& failure) {

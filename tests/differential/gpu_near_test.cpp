@@ -61,15 +61,15 @@ TEST(GlShortRays, MeetWhatTheCpuMeets) {
   const calc::Tracer tracer(hall.scene);
   const auto gl = gl_short_rays();
   const auto least_m = static_cast<float>(tracer.offset_m());
-  const std::vector<calc::NearFieldRequest> requests = points_in_hall(1000, 100);
+  const NearPoints points = points_in_hall(1000, 100);
   std::size_t total = 0, differing = 0, met = 0;
   double largest = 0.0;
   for (const float most_m : {0.5f, 2.0f, 1e30f}) {
     const double begin_s = calc::now_s();
-    const std::vector<Cast> expected = cast_by_cpu(tracer, least_m, most_m, requests);
+    const std::vector<Cast> expected = cast_by_cpu(tracer, least_m, most_m, points.requests);
     const double middle_s = calc::now_s();
     std::vector<calc::FirstHit> hits(expected.size());
-    gl->cast(tracer, least_m, most_m, requests, hits);
+    gl->cast(tracer, least_m, most_m, points.batch(), hits);
     const double end_s = calc::now_s();
     for (std::size_t k = 0; k < hits.size(); ++k) {
       ++total;
@@ -104,10 +104,10 @@ TEST(GlShortRays, GiveTheSameBitsAgainAndOnManyThreads) {
   const LampHall hall(0.5), other(0.5, true);
   const calc::Tracer tracer(hall.scene), other_tracer(other.scene);
   const auto gl = gl_short_rays();
-  const std::vector<calc::NearFieldRequest> requests = points_in_hall(100, 16);
+  const NearPoints points = points_in_hall(100, 16);
   const auto cast = [&](calc::ShortRayCaster& caster, const calc::Tracer& with) {
     std::vector<calc::FirstHit> hits(1600);
-    caster.cast(with, 1e-4f, 3.0f, requests, hits);
+    caster.cast(with, 1e-4f, 3.0f, points.batch(), hits);
     std::vector<std::uint32_t> bits;
     for (const calc::FirstHit& hit : hits) {
       bits.push_back(hit.triangle_and_side);
@@ -137,13 +137,12 @@ TEST(GlShortRays, DoNotTakeALoopCutShortForAnAnswer) {
   }
   set_extent(pile);
   const calc::Tracer tracer(pile);
-  const std::vector<calc::NearFieldRequest> requests{
-      {{{250, 250, 90}, {0, 0, -1}, calc::ReceiverKernel::planar}, calc::RandomKey(1), 16}};
-  const std::vector<Cast> expected = cast_by_cpu(tracer, 0.0f, 1e30f, requests);
+  const NearPoints points({{{250, 250, 90}, {0, 0, -1}, calc::ReceiverKernel::planar}}, 16);
+  const std::vector<Cast> expected = cast_by_cpu(tracer, 0.0f, 1e30f, points.requests);
   std::vector<calc::FirstHit> hits(16);
   const auto device = gl_device();
   try {
-    gpu::make_gl_short_rays(device)->cast(tracer, 0.0f, 1e30f, requests, hits);
+    gpu::make_gl_short_rays(device)->cast(tracer, 0.0f, 1e30f, points.batch(), hits);
   } catch (const calc::BackendFailure& failure) {
     EXPECT_TRUE(device->device().is_software);
     EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
@@ -158,7 +157,7 @@ TEST(GlShortRays, FailWithAReason) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.5);
   const calc::Tracer tracer(hall.scene);
-  const std::vector<calc::NearFieldRequest> requests = points_in_hall(2, 4);
+  const NearPoints points = points_in_hall(2, 4);
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
                                     {gpu::Fault::context_lost, "reset"},
                                     {gpu::Fault::fence_lost, "has not answered"}}) {
@@ -166,7 +165,7 @@ TEST(GlShortRays, FailWithAReason) {
     for (int k = 0; k < 2; ++k) {  // not only the first time
       std::vector<calc::FirstHit> hits(8);
       try {
-        gl->cast(tracer, 0.0f, 1.0f, requests, hits);
+        gl->cast(tracer, 0.0f, 1.0f, points.batch(), hits);
         ADD_FAILURE() << text;
       } catch (const calc::BackendFailure& failure) {
         EXPECT_THAT(failure.what(), HasSubstr(text));
@@ -180,12 +179,12 @@ TEST(GlShortRays, TakeNoEarlierHits) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.5);
   const calc::Tracer tracer(hall.scene);
-  const std::vector<calc::NearFieldRequest> requests = points_in_hall(20, 4);
+  const NearPoints points = points_in_hall(20, 4);
   std::vector<calc::FirstHit> hits(80);
   const auto gl = gl_short_rays(gpu::Fault::results_lost);
-  gl->cast(tracer, 0.0f, 1e30f, requests, hits);
+  gl->cast(tracer, 0.0f, 1e30f, points.batch(), hits);
   try {
-    gl->cast(tracer, 0.0f, 1e30f, requests, hits);
+    gl->cast(tracer, 0.0f, 1e30f, points.batch(), hits);
     ADD_FAILURE();
   } catch (const calc::BackendFailure& failure) {
     EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
@@ -197,10 +196,10 @@ TEST(GlShortRays, GiveTheSameBitsWithoutBufferStorage) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.5);
   const calc::Tracer tracer(hall.scene);
-  const std::vector<calc::NearFieldRequest> requests = points_in_hall(20, 4);
+  const NearPoints points = points_in_hall(20, 4);
   std::vector<calc::FirstHit> a(80), b(80);
-  gl_short_rays()->cast(tracer, 0.0f, 1e30f, requests, a);
-  gl_short_rays(gpu::Fault::no_buffer_storage)->cast(tracer, 0.0f, 1e30f, requests, b);
+  gl_short_rays()->cast(tracer, 0.0f, 1e30f, points.batch(), a);
+  gl_short_rays(gpu::Fault::no_buffer_storage)->cast(tracer, 0.0f, 1e30f, points.batch(), b);
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].triangle_and_side, b[k].triangle_and_side);
     if (a[k].triangle_and_side == calc::FirstHit::kNothing) continue;

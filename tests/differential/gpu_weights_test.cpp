@@ -60,7 +60,7 @@ std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
   std::vector<std::uint32_t> words(piece.tile_count * piece.words_per_tile());
   const gpu::GlProgram program("choose", gpu::choose_shader());
   gpu::GlBuffer views("views"), tiles("tiles");
-  views.assign(gpu::pack_points(piece.batch->tracer, piece.batch->tiles, piece.block).views);
+  views.assign(gpu::DrawPoints::pack(piece.batch->tracer, piece.batch->tiles, piece.block).views);
   tiles.assign(words.size() * sizeof(std::uint32_t), gpu::kNotDone);
   pool.bind_nodes();
   views.bind(4);
@@ -89,7 +89,7 @@ std::vector<float> weights_by_device(const gpu::DrawPiece& piece, const calc::Ve
     gpu::GlBuffer receivers("points"), tiles("tiles"), result("weights");
     tiles.assign(tiles_by_device(piece, pool));
     receivers.assign(
-        gpu::pack_points(piece.batch->tracer, piece.batch->tiles, piece.block).receivers);
+        gpu::DrawPoints::pack(piece.batch->tracer, piece.batch->tiles, piece.block).receivers);
     result.reserve(weights.size() * sizeof(float));
     pool.bind_vertices();
     pool.bind_tree();

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace test_support {
@@ -42,9 +43,32 @@ struct NearScene {
   }
 };
 
-// Points of all kinds in LampHall, some of them in the plane of a floor or wall.
-inline std::vector<calc::NearFieldRequest> points_in_hall(std::size_t count, std::uint32_t rays) {
+// Points that are asked for short rays: as the CPU takes them, one by one, and as devices do.
+struct NearPoints {
+  calc::ReceiverTiles tiles;
+  calc::RandomKey key{23};
+  std::vector<calc::PointRays> points;
   std::vector<calc::NearFieldRequest> requests;
+
+  NearPoints(const std::vector<calc::Receiver>& receivers, std::uint32_t rays,
+             std::size_t tile_points = 32) {
+    std::vector<calc::ReceiverGroup> groups;
+    for (std::uint32_t i = 0; i < receivers.size(); ++i) {
+      if (i % tile_points == 0) groups.emplace_back();
+      groups.back().point.push_back(i);
+      groups.back().receiver.push_back(receivers[i]);
+      points.push_back({i, rays});
+      requests.push_back({receivers[i], key.with(i), rays});
+    }
+    tiles = calc::ReceiverTiles(std::move(groups));
+  }
+
+  calc::NearFieldBatch batch() const { return {tiles, key, points}; }
+};
+
+// Points of all kinds in LampHall, some of them in the plane of a floor or wall.
+inline NearPoints points_in_hall(std::size_t count, std::uint32_t rays) {
+  std::vector<calc::Receiver> receivers;
   for (std::size_t i = 0; i < count; ++i) {
     const calc::RandomKey key = calc::RandomKey(23).with(i);
     const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
@@ -62,9 +86,9 @@ inline std::vector<calc::NearFieldRequest> points_in_hall(std::size_t count, std
     if (kernel == calc::ReceiverKernel::semicylindrical && i % 15 != 5) {
       axis = glm::normalize(glm::dvec3(axis.x, axis.y, 0.0));
     }
-    requests.push_back({{position, axis, kernel}, key.with(9), rays});
+    receivers.push_back({position, axis, kernel});
   }
-  return requests;
+  return {receivers, rays};
 }
 
 }  // namespace test_support
