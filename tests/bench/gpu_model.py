@@ -445,7 +445,7 @@ def predict(device, work, visits, threads):
     casts = math.ceil(first / (1 << 18))  # kShortRaysPerCast
     phases["near field"] = phase(limits, {
         "CPU beside": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
-        "PCIe": device.pcie_s(96 * work.receivers * work.looks + 128 * hits),
+        "PCIe": device.pcie_s((8 + 80 / work.replicates) * work.receivers * work.looks + 128 * hits),
         "launches": casts * (24 * A["launch_s"] + 3 * A["read_s"])})
     return phases
 
