@@ -43,9 +43,32 @@ DrawPrograms::DrawPrograms(const DeviceState& device, const DrawShape& shape)
       trace("trace", draw_shader(DrawStage::trace, shape), device.programs),
       add("add", draw_shader(DrawStage::add, shape), device.programs) {}
 
-DrawPass::DrawPass(const Device& device, std::size_t most_places)
-    : pacer_({std::min(kFewestPlaces, most_places), most_places,
-              std::min(device.is_software ? kFirstSoftwarePlaces : kFirstPlaces, most_places)}) {}
+DrawPass::DrawPass(const Device& device, const DrawLimits& limits)
+    : most_bytes_(most_bytes(limits)),
+      pacer_(
+          {std::min(kFewestPlaces, limits.dispatch), limits.dispatch,
+           std::min(device.is_software ? kFirstSoftwarePlaces : kFirstPlaces, limits.dispatch)}) {
+  for (std::unique_ptr<Slot>& slot : slot_) slot = std::make_unique<Slot>();
+}
+
+std::size_t DrawPass::Slot::bytes() const {
+  return sent_tiles.bytes() + tiles.bytes() + weights.bytes() + cumulated.bytes() +
+         spacings.bytes() + results.bytes() + sums.bytes() + bounded.bytes() +
+         read_back.room_bytes() + rest_back.room_bytes();
+}
+
+std::size_t DrawPass::bytes() const {
+  std::size_t sum = 0;
+  for (const std::unique_ptr<Slot>& slot : slot_) sum += slot->bytes();
+  return sum;
+}
+
+// Of four large pieces: three waves take no more room than three.
+std::size_t DrawPass::most_bytes(const DrawLimits& limits) {
+  constexpr std::size_t kPerWeight = sizeof(float) + sizeof(double);
+  constexpr std::size_t kPerPlace = sizeof(std::uint32_t) + 2 * sizeof(BoundedDraw);
+  return 4 * (limits.weights * kPerWeight + limits.places * kPerPlace);
+}
 
 const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShape& shape) {
   std::unique_ptr<DrawPrograms>& made = programs_[shape];
@@ -64,15 +87,28 @@ std::optional<std::size_t> DrawPass::take_slot(const DrawPiece& piece) {
   };
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < kSlots; ++k) {
-    if (slot_[k].is_free && (!best || fits_better(slot_[k], slot_[*best]))) best = k;
+    if (slot_[k]->is_free && (!best || fits_better(*slot_[k], *slot_[*best]))) best = k;
   }
-  if (best) slot_[*best].is_free = false;
+  if (best) slot_[*best]->is_free = false;
   return best;
+}
+
+// Pieces of all sizes would otherwise make every slot as large as the largest of them.
+void DrawPass::give_back() {
+  while (bytes() > most_bytes_) {
+    std::unique_ptr<Slot>* largest = nullptr;
+    for (std::unique_ptr<Slot>& slot : slot_) {
+      if (!slot->is_free || !slot->has_all()) continue;
+      if (largest == nullptr || slot->bytes() > (*largest)->bytes()) largest = &slot;
+    }
+    if (largest == nullptr || (*largest)->bytes() == 0) return;
+    *largest = std::make_unique<Slot>();
+  }
 }
 
 void DrawPass::upload(const DrawTask& task) {
   const DrawPiece& piece = *task.piece;
-  Slot& slot = slot_[task.slot];
+  Slot& slot = *slot_[task.slot];
   const std::size_t answer_bytes =
       piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t);
   if (piece.chooses_nodes()) {
@@ -95,7 +131,7 @@ void DrawPass::upload(const DrawTask& task) {
 
 void DrawPass::bind(DeviceState& device, const DrawTask& task) {
   const calc::DrawBatch& batch = *task.piece->batch;
-  const Slot& slot = slot_[task.slot];
+  const Slot& slot = *slot_[task.slot];
   const DevicePool& pool = device.pools.find_or_send(batch.tree, task.pool);
   pool.bind_vertices();
   pool.bind_tree();
@@ -113,6 +149,7 @@ void DrawPass::bind(DeviceState& device, const DrawTask& task) {
 void DrawPass::send(DeviceState& device, std::span<const DrawTask> fresh,
                     std::span<const DrawTask> drawn) {
   for (const DrawTask& task : fresh) upload(task);
+  give_back();
   // Groups first: there are few, which wait for memory, round after round, beside many rays.
   for (const DrawTask& task : fresh) choose(device, task);
   trace(device, drawn);
@@ -143,7 +180,7 @@ void DrawPass::choose(DeviceState& device, const DrawTask& task) {
   device.pools.find_or_send(batch.tree, task.pool).bind_nodes();
   device.draw_points.find_or_send(batch.tracer, batch.tiles, piece.block, task.points)
       .views.bind(4);
-  slot_[task.slot].tiles.bind(5);
+  slot_[task.slot]->tiles.bind(5);
   glDispatchCompute(word(piece.tile_count), 1, 1);
   check_gl("choosing groups of light vertices");
 }
@@ -179,7 +216,7 @@ void DrawPass::add(DeviceState& device, const DrawTask& task) {
 // The list of bounded draws begins behind its length. How long it is nobody knows yet.
 void DrawPass::fetch(const DrawTask& task) {
   const DrawPiece& piece = *task.piece;
-  Slot& slot = slot_[task.slot];
+  Slot& slot = *slot_[task.slot];
   std::vector<GlReadBack::Part> parts{
       {slot.sums, 0, piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t)}};
   slot.bounded_fetched = 0;
@@ -242,12 +279,12 @@ void DrawPass::dispatch_rays(DeviceState& device, const Stretch& stretch) {
 }
 
 bool DrawPass::is_ready(const DrawTask& task, double most_s) {
-  return slot_[task.slot].read_back.wait_for(most_s, kDoing);
+  return slot_[task.slot]->read_back.wait_for(most_s, kDoing);
 }
 
 void DrawPass::finish(DeviceState& device, const DrawTask& task) {
   DrawPiece& piece = *task.piece;
-  Slot& slot = slot_[task.slot];
+  Slot& slot = *slot_[task.slot];
   slot.is_free = true;
   slot.read_back.wait(kDoing);
   const std::size_t answers = piece.receivers * piece.words_per_answer() * sizeof(std::uint32_t);

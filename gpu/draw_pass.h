@@ -39,8 +39,8 @@ struct DrawTask {
 class DrawPass {
  public:
   static constexpr std::size_t kSlots = 24;
-  // most_places: rays of one dispatch, never changes a result.
-  DrawPass(const Device& device, std::size_t most_places);
+  // limits: of the pieces; never change a result.
+  DrawPass(const Device& device, const DrawLimits& limits);
 
   // A free one, for this piece; none: all are in use. It is free again after finish(), though
   // another thread may still read what came back: then send() waits for that.
@@ -54,6 +54,9 @@ class DrawPass {
   bool is_ready(const DrawTask& task, double most_s);
   // Waits for the piece, whose rays were sent, and lends what came back. Throws GlError.
   void finish(DeviceState& device, const DrawTask& task);
+  // What buffers of all slots take; after send() no more than most_bytes(), but for those in use.
+  std::size_t bytes() const;
+  static std::size_t most_bytes(const DrawLimits& limits);
   // Rays of a dispatch, by what the last ones took.
   std::size_t places_per_dispatch() const { return pacer_.items(); }
 
@@ -71,6 +74,7 @@ class DrawPass {
     std::size_t bounded_fetched = 0;  // of the list, with the sums
 
     bool has_all() { return read_back.has_all() && rest_back.has_all(); }
+    std::size_t bytes() const;
   };
   // Some of a piece's places.
   struct Stretch {
@@ -78,6 +82,7 @@ class DrawPass {
     std::size_t first, count;
   };
 
+  void give_back();
   void upload(const DrawTask& task);
   // Binds what stages after choosing read and write.
   void bind(DeviceState& device, const DrawTask& task);
@@ -90,7 +95,8 @@ class DrawPass {
   void fetch(const DrawTask& task);
   const DrawPrograms& programs(const DeviceState& device, const DrawShape& shape);
 
-  std::array<Slot, kSlots> slot_;
+  const std::size_t most_bytes_;
+  std::array<std::unique_ptr<Slot>, kSlots> slot_;
   std::unique_ptr<GlProgram> choose_;
   std::map<DrawShape, std::unique_ptr<DrawPrograms>> programs_;
   DispatchPacer pacer_;

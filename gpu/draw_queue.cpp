@@ -94,7 +94,7 @@ void DrawQueue::finish_oldest(DeviceState& device) {
 
 void DrawQueue::advance(DeviceState& device) {
   try {
-    if (!pass_) pass_ = std::make_unique<DrawPass>(device.context.device(), limits_.dispatch);
+    if (!pass_) pass_ = std::make_unique<DrawPass>(device.context.device(), limits_);
     while (has_room()) {
       Wave wave = next_wave();
       if (wave.empty()) break;

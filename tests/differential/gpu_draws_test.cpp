@@ -516,6 +516,54 @@ TEST(GlDrawQueue, TellsAllOfAFailure) {
   }
 }
 
+// Small pieces in all buffers that are large make the next large piece fill others.
+TEST(GlDrawPass, KeepsNoMoreMemoryThanItsLimitsSay) {
+  LUXGATE_NEEDS_OPENGL();
+  const gpu::DrawLimits limits{4000, 80'000};
+  const Batch batch(0.3);
+  const calc::ReceiverTiles few({batch.tiles.groups()[0]});
+  const std::vector<calc::GatherSums> wanted(batch.tiles.groups().size());
+  const auto batch_of = [&](const calc::ReceiverTiles& tiles, std::size_t nodes) {
+    return calc::DrawBatch{batch.tracer,
+                           *batch.tree,
+                           batch.bounds,
+                           {nodes, 0.5f, true},
+                           50,
+                           true,
+                           0.0,
+                           calc::RandomKey(77),
+                           tiles,
+                           0,
+                           std::span(wanted).first(tiles.groups().size())};
+  };
+  const calc::DrawBatch large = batch_of(batch.tiles, 1000), small = batch_of(few, 10);
+  const auto device = gl_device();
+  device->run([&](gpu::DeviceState& state) {
+    gpu::DrawPass pass(device->device(), limits);
+    std::array<gpu::DrawPiece, 8> pieces;
+    std::vector<gpu::DrawTask> held;
+    const auto send = [&](const calc::DrawBatch& of, gpu::DrawPiece& piece) {
+      ASSERT_TRUE(gpu::DrawPacker(of, limits).next(piece));
+      held.push_back({&piece, nullptr, nullptr, pass.take_slot(piece).value()});
+      pass.send(state, std::span(held).last(1), {});
+      pass.send(state, {}, std::span(held).last(1));
+    };
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      send(small, pieces[k]);
+      gpu::DrawPiece piece;
+      send(large, piece);
+      pass.finish(state, held.back());
+      held.pop_back();
+    }
+    EXPECT_GT(pass.bytes(), gpu::DrawPass::most_bytes(limits));  // in use
+    for (const gpu::DrawTask& task : held) pass.finish(state, task);
+    held.clear();
+    send(small, pieces[0]);
+    EXPECT_LE(pass.bytes(), gpu::DrawPass::most_bytes(limits));
+    pass.finish(state, held.back());
+  });
+}
+
 // A plane of more tiles than are kept together.
 TEST(GlDraws, GoOnInTheNextBlockOfTiles) {
   LUXGATE_NEEDS_OPENGL();
