@@ -17,6 +17,14 @@ int hardware_device(const DeviceList& list) {
   return -1;
 }
 
+int software_device(const DeviceList& list) {
+  for (const Device& device : list.devices) {
+    const bool may_work = device.is_usable() || device.problem == kNotOpened;
+    if (device.is_software && may_work) return device.index;
+  }
+  return -1;
+}
+
 int preferred_device(const DeviceList& list) {
   if (const int hardware = hardware_device(list); hardware >= 0) return hardware;
   for (const Device& device : list.devices) {

@@ -9,6 +9,9 @@ namespace gpu {
 // Compute shaders came with this version.
 inline constexpr int kLeastMajor = 4, kLeastMinor = 3;
 
+// Device::problem of what list_hardware() leaves closed.
+inline constexpr const char* kNotOpened = "not opened: software";
+
 struct Device {
   int index = 0;                          // as --gl-device names it
   std::string renderer, vendor, version;  // "" if it gives no context at all
@@ -29,6 +32,9 @@ struct DeviceList {
   std::string advice = {};
 };
 
+// In place of an index: the first device that is software, if there is any, else as by -1.
+inline constexpr int kPreferSoftware = -2;
+
 // By GL_RENDERER.
 bool is_software_renderer(const std::string& renderer);
 
@@ -37,6 +43,9 @@ int preferred_device(const DeviceList& list);
 
 // The first usable device that is not software; -1 = none.
 int hardware_device(const DeviceList& list);
+
+// The first software device that can be used, or that list_hardware() left closed; -1 = none.
+int software_device(const DeviceList& list);
 
 // For messages: why none of them is usable.
 std::string why_none_is_usable(const DeviceList& list);

@@ -21,7 +21,7 @@
 namespace gpu {
 
 struct DeviceRequest {
-  int device = -1;  // as in list_devices(); -1 = preferred_device()
+  int device = -1;  // as in list_devices(); -1 = preferred_device(), or kPreferSoftware
   Fault fault = Fault::none;
   std::filesystem::path program_folder = {};  // of ProgramCache, "" = none
   DriverMessages* messages = nullptr;         // as in EglContext::open(), outlives the thread

@@ -264,13 +264,21 @@ DeviceList list_candidates(Fault fault, bool opens_software) {
     if (candidate.is_software && !opens_software) {
       device.index = index;
       device.is_software = true;
-      device.problem = "not opened: software";
+      device.problem = kNotOpened;
     } else {
       open_device(candidate, index, device);
     }
   }
   if (hardware_device(result) < 0) result.advice = missing_hardware_advice(fault);
   return result;
+}
+
+// Hardware is not opened for it where EGL says which candidate is software.
+int first_software(const Candidates& candidates, Fault fault) {
+  for (std::size_t k = 0; k < candidates.list.size(); ++k) {
+    if (candidates.list[k].is_software) return static_cast<int>(k);
+  }
+  return software_device(list_candidates(fault, true));
 }
 
 std::string joined(const std::string& problem, const std::string& advice) {
@@ -285,6 +293,8 @@ std::string no_such_device(int index, std::size_t count) {
 }  // namespace
 
 DeviceList list_devices(Fault fault) { return list_candidates(fault, true); }
+
+bool may_have_hardware() { return read_device_facts(this_machine()).has_graphics_node; }
 
 DeviceList list_hardware(Fault fault) {
   const DeviceFacts facts = read_device_facts(this_machine());
@@ -346,6 +356,7 @@ std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string
     return nullptr;
   }
   problem = "";
+  if (index == kPreferSoftware) index = first_software(candidates, fault);
   if (index < 0) {
     const DeviceList list = list_devices(fault);
     index = preferred_device(list);

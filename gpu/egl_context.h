@@ -23,6 +23,9 @@ enum class Fault {
 // Opens every device that EGL knows, one after the other: a tenth of a second or more.
 DeviceList list_devices(Fault fault = Fault::none);
 
+// Whether EGL is worth asking for hardware; quick.
+bool may_have_hardware();
+
 // As list_devices(), but quick where there is no hardware: EGL is not even asked if the machine has
 // no graphics device, and devices that EGL itself calls software are not opened.
 DeviceList list_hardware(Fault fault = Fault::none);
@@ -35,8 +38,9 @@ struct EglHandles;
 // A context of one device, current on the thread that opened it until it is destroyed there.
 class EglContext {
  public:
-  // index: as in list_devices(), -1 = preferred_device(). Null: `problem` says why, in words.
-  // messages: what the driver says goes there, which may cost time; null = it is not asked.
+  // index: as in list_devices(), -1 = preferred_device(), or kPreferSoftware. Null: `problem` says
+  // why, in words. messages: what the driver says goes there, which may cost time; null = it is not
+  // asked.
   static std::unique_ptr<EglContext> open(int index, Fault fault, std::string& problem,
                                           DriverMessages* messages = nullptr);
   ~EglContext();

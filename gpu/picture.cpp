@@ -1,5 +1,6 @@
 #include "gpu/picture.h"
 
+#include "calc/radiosity/gatherer.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_error.h"
 #include "gpu/gl_render_program.h"
@@ -236,11 +237,22 @@ int height_of(const Camera& camera, int width) {
 Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
                      int width, Picture recycled) {
   Picture picture;
+  std::string failure;
   thread.run([&](DeviceState& device) {
-    picture = draw(scene, upside_down(camera), width, height_of(camera, width), device,
-                   std::move(recycled));
+    try {
+      picture = draw(scene, upside_down(camera), width, height_of(camera, width), device,
+                     std::move(recycled));
+      check_gl("drawing a picture");
+    } catch (const GlError& error) {
+      // The calculation may use this device, too: a picture must neither take it away from it, nor
+      // what is kept on it.
+      failure = error.what();
+      device.pictures.clear();
+      forget_gl_errors();
+    }
     device.check("drawing a picture");
   });
+  if (!failure.empty()) throw calc::BackendFailure(failure);
   return picture;
 }
 

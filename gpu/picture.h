@@ -53,7 +53,7 @@ struct Picture {
 
 // width: pixels; the height follows from the camera. Sizes in pixels are those of this picture. The
 // same device gives the same bits. recycled: a picture that is no longer needed, for its memory.
-// Throws calc::BackendFailure.
+// Throws calc::BackendFailure; the device may be used again, unless it is lost.
 Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
                      int width, Picture recycled = {});
 

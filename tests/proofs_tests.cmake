@@ -5,6 +5,7 @@ luxgate_test(proofs_tests
     unit/calc/proofs/convex_space_test.cpp
     unit/calc/forecast/cost_model_test.cpp
     unit/calc/forecast/device_cost_test.cpp
+    unit/calc/forecast/drawing_cost_test.cpp
     unit/calc/forecast/memory_need_test.cpp
     unit/calc/proofs/predicates_test.cpp
     unit/calc/forecast/scene_plan_test.cpp

@@ -49,9 +49,6 @@ constexpr double kTripsPerPiece = 1.0;
 constexpr double kPathsPerTrip = 16384.0;  // a round of a bundle of batches
 constexpr double kTripsPerCast = 3.0;      // of short rays: how many hits, their list, their light
 
-// What any driver takes to open, at least.
-constexpr double kLeastOpen_s = 0.15;
-
 double trips(double items, double per_trip) { return std::ceil(items / per_trip); }
 
 double known(double measured, double assumed) {
@@ -132,6 +129,9 @@ void DeviceWork::add(const Prediction& prediction, const SpaceWorkload& space,
     receivers += static_cast<double>(plane.seeing_points) * settings.replicates;
   }
   triangles += static_cast<double>(space.triangles);
+  if (settings.shadow_map_texels > 0) {
+    drawing.add_shadow_maps(prediction, space, settings.shadow_map_texels);
+  }
 }
 
 DeviceCost weigh_device(const DeviceWork& work, const DeviceRates& rates,

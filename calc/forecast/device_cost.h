@@ -2,6 +2,7 @@
 // Whether a graphics device is worth its way: both times by stages, from counts, rates and threads.
 
 #include "calc/forecast/cost_model.h"
+#include "calc/forecast/drawing_cost.h"
 
 namespace calc {
 
@@ -24,6 +25,9 @@ inline constexpr DeviceRates kAssumedRates{1e9, 5e8, 1e8, 1e10, 5e9, 1e-4, 0.4};
 // The same with what is not measured, or is no sane number, assumed.
 DeviceRates with_assumptions(const DeviceRates& measured);
 
+// What any driver takes to open, at least.
+inline constexpr double kLeastOpen_s = 0.15;
+
 // What a device does; the rest is the CPU's.
 struct DeviceStages {
   bool direct_light = true, light_paths = true, connections = true, near_field = true;
@@ -40,6 +44,7 @@ struct DeviceWork {
   double receivers = 0;  // that gather, in all replicates
   double triangles = 0;
   int threads = 1;
+  DrawingWork drawing;  // shadow maps, where settings want them
 
   // predicted_threads: those that the prediction is for; `threads` stays as it is.
   void add(const Prediction& prediction, const SpaceWorkload& space,

@@ -6,6 +6,7 @@
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "gpu/shadow_map_gatherer.h"
+#include "report/check/drawing_device.h"
 
 #include <fmt/format.h>
 
@@ -21,18 +22,6 @@ constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
     {"light-paths", &GpuStages::light_paths},
     {"connections", &GpuStages::connections},
     {"near-field", &GpuStages::near_field}};
-
-std::string why_no_hardware(const gpu::DeviceList& hardware) {
-  std::string text = hardware.problem;
-  const auto add = [&](const std::string& part) { text += text.empty() ? part : "; " + part; };
-  for (const gpu::Device& device : hardware.devices) {
-    add(fmt::format("OpenGL device {} {}", device.index,
-                    device.is_software ? "is software, slower than the CPU backend"
-                                       : "cannot be used: " + device.problem));
-  }
-  if (!hardware.advice.empty()) add(hardware.advice);
-  return text;
-}
 
 std::string describe(const gpu::Device& device, const GpuStages& stages) {
   const std::string gpu =
@@ -84,16 +73,6 @@ bool GpuStages::*find_gpu_stage(std::string_view name) {
   return nullptr;
 }
 
-RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder) {
-  return [fault, program_folder](const gpu::Device& device, bool may_measure,
-                                 std::string& problem) {
-    if (may_measure && !program_folder.empty()) {
-      gpu::measured_rates({device.index, fault, program_folder}, gpu::kCalibrationLimit_s, problem);
-    }
-    return gpu::kept_rates(device, program_folder);
-  };
-}
-
 std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
   if (name.empty()) return gpu::Fault::none;
   if (name == "no-egl") return gpu::Fault::no_egl;
@@ -109,7 +88,10 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
                                    const std::function<calc::DeviceWork()>& work,
                                    const RatesOf& rates_of) {
   const int device = gpu::hardware_device(hardware);
-  if (device < 0) return {Backend::cpu, -1, why_no_hardware(hardware)};
+  if (device < 0) {
+    return {Backend::cpu, -1,
+            why_no_hardware(hardware, "is software, slower than the CPU backend")};
+  }
   const gpu::Device& found = hardware.devices[static_cast<std::size_t>(device)];
   const calc::DeviceWork amount = work();
   const GpuStages possible;
@@ -142,20 +124,26 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 }
 
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
-                             gpu::Fault fault, const std::string& program_folder,
-                             const std::function<calc::DeviceWork()>& work) {
+                             Hardware& hardware, const std::function<calc::DeviceWork()>& work) {
   if (shadow_map_texels > 0) {
     // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
     const GpuStages wanted = request.stages.value_or(GpuStages{false, false, true, false});
-    return {Backend::gpu, request.gl_device, "--visibility shadow-map draws with OpenGL",
-            GpuStages{wanted.direct_light, wanted.light_paths, true, false}, shadow_map_texels};
+    BackendChoice choice{
+        Backend::gpu, request.gl_device, "--visibility shadow-map draws with OpenGL",
+        GpuStages{wanted.direct_light, wanted.light_paths, true, false}, shadow_map_texels};
+    if (request.backend == Backend::automatic) {
+      const DrawingChoice drawing = choose_to_draw(hardware, [&] { return work().drawing; });
+      choice.device = drawing.device;
+      choice.why +=
+          fmt::format("; {}: {}", drawing.is_hardware ? "a GPU" : "software", drawing.why);
+    }
+    return choice;
   }
   if (request.backend != Backend::automatic) {
     return {request.backend, request.gl_device, "asked for with --backend",
             request.stages.value_or(GpuStages())};
   }
-  return choose_automatically(gpu::list_hardware(fault), work,
-                              rates_on_this_machine(fault, program_folder));
+  return choose_automatically(hardware.list(), work, hardware.rates_of());
 }
 
 std::string backend_line(const BackendChoice& choice) {
@@ -176,7 +164,7 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
   if (!thread) return std::nullopt;
-  if (thread->device().is_software) {
+  if (thread->device().is_software && choice.device != gpu::kPreferSoftware) {
     warning = thread->device().renderer;
     const std::string advice =
         choice.device < 0 ? gpu::missing_hardware_advice(fault) : std::string();
@@ -199,6 +187,7 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
     if (stages.light_paths) backend.description += "; light paths too";
     if (stages.direct_light) backend.description += "; direct light too";
   }
+  backend.device = thread;
   const gpu::Device& device = thread->device();
   backend.identity = fmt::format("{}; {}; {}; {}", backend.description, device.vendor,
                                  device.renderer, device.version);

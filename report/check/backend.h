@@ -4,6 +4,7 @@
 #include "calc/forecast/device_cost.h"
 #include "calc/radiosity/stages.h"
 #include "gpu/gl_gatherer.h"
+#include "report/check/hardware.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,20 +38,11 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name);
 // A backend that was asked for, or the answer to `auto`, and the reason in words.
 struct BackendChoice {
   Backend backend = Backend::cpu;  // never automatic
-  int device = -1;                 // for the gpu; -1 = the first that is usable
+  int device = -1;                 // for the gpu, of gpu::DeviceRequest
   std::string why;
   GpuStages stages{};                   // of the gpu
   std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
-
-// Rates of a device. may_measure: whether the work is worth the second that measuring may take;
-// else only what was kept is asked for. Empty: nothing is known, or `problem` says how the device
-// failed.
-using RatesOf = std::function<std::optional<calc::DeviceRates>(
-    const gpu::Device& device, bool may_measure, std::string& problem)>;
-// Measured by gpu::measured_rates(), and kept in the folder of compiled shaders: what cannot be
-// kept does not count, so that one machine chooses alike every time.
-RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder);
 
 // The answer to --backend auto: a GPU if there is one that is not software, and it gains more than
 // it costs to open and to feed; of its stages those that it does faster. By the cost model for
@@ -60,10 +52,10 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
                                    const std::function<calc::DeviceWork()>& work,
                                    const RatesOf& rates_of);
 // What --backend means on this machine, whose devices are only looked for if that matters.
-// shadow_map_texels: as in calc::RadiositySettings. program_folder: as for open_backend().
+// shadow_map_texels: as in calc::RadiositySettings; without --backend gpu the sooner device draws
+// such maps (choose_to_draw()).
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
-                             gpu::Fault fault, const std::string& program_folder,
-                             const std::function<calc::DeviceWork()>& work);
+                             Hardware& hardware, const std::function<calc::DeviceWork()>& work);
 
 // "backend: cpu: this machine has no graphics device\n"; of a gpu also what runs on it.
 std::string backend_line(const BackendChoice& choice);
@@ -74,6 +66,7 @@ struct OpenBackend {
   std::unique_ptr<calc::PathTracer> path_tracer;      // null: the CPU
   std::unique_ptr<calc::ShortRayCaster> short_rays;   // null: the CPU
   std::unique_ptr<calc::DirectTracer> direct_tracer;  // null: the CPU
+  std::shared_ptr<gpu::DeviceThread> device;          // that they use; null: none
   // For reports: "cpu (Embree 3.13.5)", "gpu (...): light-paths; cpu (...): connections, ...".
   std::string description;
   // The same with all that bits may depend on, the driver's version too: of looks that are kept.
@@ -85,7 +78,8 @@ struct OpenBackend {
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
-// software, `warning` names its renderer, and why hardware that is there was not found.
+// software and nobody chose that, `warning` names its renderer, and why hardware that is there was
+// not found.
 // program_folder: where compiled shaders are kept, "" = nowhere.
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
                                         const std::string& program_folder, std::string& problem,

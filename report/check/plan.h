@@ -47,8 +47,9 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        std::string_view day, const calc::Budget& budget = {},
                                        const Selection& selection = {});
 
-// First looks at all of these projects, as far as they are planned, on the threads that the machine
-// has: what `auto` chooses must not depend on settings.jobs, as no result does.
+// First looks at all of these projects, with their shadow maps, as far as they are planned, on the
+// threads that the machine has: what `auto` chooses must not depend on settings.jobs, as no result
+// does.
 calc::DeviceWork first_look_work(const std::vector<ProjectPlan>& projects,
                                  const calc::RadiositySettings& settings);
 

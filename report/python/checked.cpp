@@ -177,9 +177,9 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
       check::load_rule_packs(options.input.rule_files, files, diagnostics);
   if (diagnostics.has_errors()) return refused(diagnostics);
 
-  const check::BackendChoice choice = check::choose_backend(
-      options.backend, radiosity.shadow_map_texels, gpu::Fault::none, environment.program_folder,
-      [&] {
+  check::Hardware hardware(gpu::Fault::none, environment.program_folder);
+  const check::BackendChoice choice =
+      check::choose_backend(options.backend, radiosity.shadow_map_texels, hardware, [&] {
         return first_look_work(check::plan_projects(options.input.projects, files, packs, radiosity,
                                                     options.settings.today, options.settings.budget,
                                                     options.settings.selection),

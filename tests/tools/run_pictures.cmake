@@ -50,6 +50,32 @@ file(READ ${WORK}/1/report.html html)
 expect_in("${html}" "data:image/png;base64,iVBOR")
 expect_in("${html}" "seen from above a corner")
 
+# The plan says what draws them.
+run_luxgate(0 ARGS plan ${cornell})
+expect_in("${out}" "\npictures: ")
+run_luxgate(0 ARGS plan ${cornell} --format json)
+string(JSON drawn_by GET "${out}" pictures)
+string(JSON why GET "${out}" why_pictures)
+if(NOT devices MATCHES "hardware" AND NOT drawn_by STREQUAL "software")
+  message(SEND_ERROR "pictures are drawn by '${drawn_by}', because ${why}")
+endif()
+run_luxgate(0 ARGS check -q ${cornell} --explain-cost --format html=${WORK}/cost.html)
+expect_in("${err}" "\npictures: ")
+
+# On the device of the calculation they change none of its numbers.
+foreach(pictures auto off)
+  run_luxgate(0 ARGS check -q ${cornell} --backend gpu --pictures ${pictures}
+    --format points-csv=${WORK}/${pictures}.csv --format html=${WORK}/gpu.html)
+  file(SHA256 ${WORK}/${pictures}.csv hash_${pictures})
+  file(READ ${WORK}/gpu.html html)
+  if(pictures STREQUAL "auto" AND NOT html MATCHES "seen from above a corner")
+    message(SEND_ERROR "no pictures on the device of the calculation")
+  endif()
+endforeach()
+if(NOT hash_auto STREQUAL hash_off)
+  message(SEND_ERROR "pictures change points")
+endif()
+
 # Instant radiosity with shadow maps says what ran, and fails in words.
 set(instant check -q ${cornell} --method instant-radiosity --visibility shadow-map:32 --max-paths 32)
 run_luxgate(0 ARGS ${instant} --format json --timing --goal accuracy)

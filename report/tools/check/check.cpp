@@ -80,13 +80,13 @@ void print_timing(const report::ProjectPart& project) {
 // Projects wait for their turn.
 class Gallery {
  public:
-  Gallery(const CheckOptions& options, const RunContext& context) {
-    if (!options.pictures || !wants_pictures(options.output)) return;
+  // device: null = none are wanted.
+  Gallery(const CheckOptions& options, std::optional<check::PictureDevice::Request> device) {
+    if (!device) return;
     const calc::RadiositySettings& radiosity = options.settings.radiosity;
-    pictures_.emplace(PictureSettings{options.output.images, radiosity.seed, radiosity.jobs,
-                                      options.backend.gl_device, context.gl_fault,
-                                      context.environment.program_folder},
-                      [] { return !interrupted(); });
+    pictures_.emplace(
+        PictureSettings{options.output.images, radiosity.seed, radiosity.jobs, *std::move(device)},
+        [] { return !interrupted(); });
     is_done_.resize(options.input.projects.size());
   }
 
@@ -280,7 +280,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
                                         {environment.git_dir, environment.git_work_tree}, files);
     if (!old_state) return kNotJudged;
   }
-  const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
+  std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
   if (!setup) return kNotJudged;
   const check::Backend backend = setup->backend.backend;
   const std::string& identity = setup->opened.identity;
@@ -338,7 +338,19 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   };
   CheckedResults results(options, context.environment, provenance,
                          baseline ? CheckedResults::Revise(revise) : nullptr);
-  Gallery gallery(options, context);
+  std::optional<check::PictureDevice::Request> picture_device;
+  if (options.pictures && wants_pictures(options.output)) {
+    picture_device = {
+        choose_for_pictures(options, files, *setup), context.gl_fault,
+        context.environment.program_folder, setup->opened.device, [&](const std::string& failure) {
+          calc::Diagnostics diagnostics;
+          diagnostics.report(calc::DiagnosticId::picture_device_failed, {}, failure);
+          progress.aside([&] { print_diagnostics(diagnostics.all(), options.output.quiet); });
+        }};
+  }
+  const std::string pictures_line =
+      picture_device ? check::pictures_line(picture_device->choice) : "";
+  Gallery gallery(options, std::move(picture_device));
   MissingUnits missing;
   std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
   std::string cost_log;
@@ -391,7 +403,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   progress.clear();
   if (!begin_to_write()) return told_of_interrupt(options);
   if (options.explain_cost) {
-    tell("{}{}{}", check::backend_line(setup->backend), cost_log,
+    tell("{}{}{}{}", check::backend_line(setup->backend), pictures_line, cost_log,
          folder || old_state ? looks_line(looks, options) : "");
   }
   bool is_written = results.finish(backend, recorded.paths());

@@ -43,6 +43,14 @@ bool may_compile(const CheckOptions& options) {
          (fs::exists("/dev/dri", ignored) || fs::exists("/dev/nvidiactl", ignored));
 }
 
+std::vector<check::ProjectPlan> plans_of(const CheckOptions& options,
+                                         const std::vector<rules::RulePack>& packs,
+                                         const calc::FileReader& files) {
+  return check::plan_projects(options.input.projects, files, packs, options.settings.radiosity,
+                              options.settings.today, options.settings.budget,
+                              options.settings.selection);
+}
+
 }  // namespace
 
 bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context) {
@@ -78,20 +86,33 @@ std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const Run
   auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return std::nullopt;
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
-  check::BackendChoice backend = check::choose_backend(
-      options.backend, radiosity.shadow_map_texels, context.gl_fault,
-      context.environment.program_folder, [&] {
-        return first_look_work(
-            check::plan_projects(options.input.projects, files, *packs, radiosity,
-                                 options.settings.today, options.settings.budget,
-                                 options.settings.selection),
-            radiosity);
+  check::Hardware hardware(context.gl_fault, context.environment.program_folder);
+  std::optional<calc::DrawingWork> pictures;
+  check::BackendChoice backend =
+      check::choose_backend(options.backend, radiosity.shadow_map_texels, hardware, [&] {
+        const std::vector<check::ProjectPlan> plans = plans_of(options, *packs, files);
+        pictures = picture_work(plans);
+        return first_look_work(plans, radiosity);
       });
   std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
   if (!opened) return std::nullopt;
   const check::Crew crew{radiosity.jobs, check::most_at_once(options.settings, backend.backend)};
-  return CheckSetup{*std::move(packs), std::move(backend), *std::move(opened), crew};
+  return CheckSetup{*std::move(packs),   std::move(backend),
+                    *std::move(opened),  crew,
+                    std::move(hardware), pictures};
+}
+
+check::DrawingChoice choose_for_pictures(const CheckOptions& options, const calc::FileReader& files,
+                                         CheckSetup& setup) {
+  const gpu::DeviceThread* const open = setup.opened.device.get();
+  return check::choose_for_pictures(open == nullptr ? nullptr : &open->device(),
+                                    options.backend.gl_device >= 0, setup.hardware, [&] {
+                                      if (!setup.pictures)
+                                        setup.pictures =
+                                            picture_work(plans_of(options, setup.packs, files));
+                                      return *setup.pictures;
+                                    });
 }
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include "calc/base/file_reader.h"
 #include "report/check/backend.h"
+#include "report/check/drawing_device.h"
 #include "report/check/in_order.h"
 #include "report/shell/command.h"
 #include "report/tools/check/check_options.h"
@@ -18,6 +19,8 @@ struct CheckSetup {
   check::BackendChoice backend;
   check::OpenBackend opened;
   check::Crew crew;  // projects at once; of each project so many spaces, too
+  check::Hardware hardware;
+  std::optional<calc::DrawingWork> pictures;  // of all projects, if they were planned
 };
 
 // First of all, before anything that a stranger may have written is read and a thread started.
@@ -27,5 +30,9 @@ bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context);
 // options: with the day by which waivers end. Empty after an error, which has been printed.
 std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const RunContext& context,
                                           const calc::FileReader& files);
+
+// On which device pictures of rooms are drawn; setup: of the same options.
+check::DrawingChoice choose_for_pictures(const CheckOptions& options, const calc::FileReader& files,
+                                         CheckSetup& setup);
 
 }  // namespace cli

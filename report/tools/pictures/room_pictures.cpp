@@ -17,9 +17,9 @@ namespace cli {
 namespace {
 
 constexpr int kCornerWidth = 1000, kPlanWidth = 640, kMostHeight = 720, kVertexWidth = 1400;
-constexpr int kMostRoomsOnSoftware = 24;
 constexpr std::size_t kMostTriangles = 60'000;
-constexpr double kLift = 2e-3;  // of the room's diagonal
+constexpr double kMeshTriangles = 5500.0;  // of a lit mesh, in most rooms  [counted]
+constexpr double kLift = 2e-3;             // of the room's diagonal
 constexpr double kDotRadius_px = 2.6, kFewestDotPixels = 0.9;
 constexpr double kScale = report::kOversampling;
 
@@ -193,24 +193,37 @@ bool wants_pictures(const OutputOptions& options) {
          std::any_of(options.formats.begin(), options.formats.end(), is_html);
 }
 
-PictureMaker::PictureMaker(PictureSettings settings, std::function<bool()> go_on)
-    : settings_(std::move(settings)), go_on_(std::move(go_on)) {}
-
-std::string PictureMaker::open_device() {
-  if (!device_ && problem_.empty()) {
-    device_ = gpu::DeviceThread::open(
-        {settings_.gl_device, settings_.gl_fault, settings_.program_folder}, problem_);
+calc::DrawingWork picture_work(const std::vector<check::ProjectPlan>& projects) {
+  calc::DrawingWork work;
+  for (const check::ProjectPlan& project : projects) {
+    for (const check::SpacePlan& space : project.spaces) {
+      if (space.triangles == 0 || space.triangles > kMostTriangles) continue;
+      work.rooms += 1.0;
+      for (const int width : {kCornerWidth, kPlanWidth}) {
+        work.pixels += kScale * kScale * width * kMostHeight;  // at most
+        work.triangles += kMeshTriangles + static_cast<double>(space.triangles);
+      }
+    }
   }
-  return device_ ? "" : problem_;
+  return work;
 }
+
+PictureMaker::PictureMaker(PictureSettings settings, std::function<bool()> go_on)
+    : settings_(std::move(settings)), go_on_(std::move(go_on)), device_(settings_.device) {}
 
 void PictureMaker::add_pictures(const std::string& project_path, const calc::Space& space,
                                 const calc::PreparedScene& scene, report::SpacePart& part) {
   std::string problem;
-  try {
-    problem = draw(project_path, space, scene, part);
-  } catch (const std::exception& error) {
-    problem = error.what();
+  for (bool again = true; again;) {
+    again = false;
+    try {
+      problem = draw(project_path, space, scene, part);
+    } catch (const calc::BackendFailure& failure) {
+      problem = failure.what();
+      again = device_.falls_back(problem);
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
   }
   if (problem.empty()) return;
   part.pictures = {};
@@ -221,9 +234,11 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
                                const calc::PreparedScene& scene, report::SpacePart& part) {
   if (scene.triangle.empty()) return "it has no surfaces";
   if (scene.triangle.size() > kMostTriangles) return "it has too many surfaces for a picture";
-  if (std::string problem = open_device(); !problem.empty()) return problem;
-  if (device_->device().is_software && ++rooms_ > kMostRoomsOnSoftware) {
-    return "without a GPU only the first " + std::to_string(kMostRoomsOnSoftware) +
+  std::string problem;
+  gpu::DeviceThread* const device = device_.get(problem);
+  if (device == nullptr) return problem;
+  if (device->device().is_software && ++rooms_ > calc::kMostRoomsOnSoftware) {
+    return "without a GPU only the first " + std::to_string(calc::kMostRoomsOnSoftware) +
            " rooms are drawn";
   }
   const calc::Tracer tracer(scene);
@@ -242,7 +257,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   for (std::size_t v = 0; v < views.size(); ++v) {
     const gpu::PictureScene picture = surfaces_of(lit, sides.is_shown[v]);
     bare.push_back(
-        drawn_room(gpu::draw_picture(*device_, picture, views[v].camera, views[v].width / 4)));
+        drawn_room(gpu::draw_picture(*device, picture, views[v].camera, views[v].width / 4)));
   }
   const report::ColourScale scale = report::room_scale(bare, point_values(part));
   report::RoomPictures pictures;
@@ -254,7 +269,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
     add_planes(picture, part, scene.origin_m, view, scale);
     gpu::add_luminaires(picture, scene, kScale);
     report::DrawnRoom drawn = cropped(drawn_room(gpu::draw_picture(
-        *device_, picture, view.camera, drawn_width(view.width), std::move(recycled_))));
+        *device, picture, view.camera, drawn_width(view.width), std::move(recycled_))));
     const report::Raster raster = report::paint_room(drawn, report::band_palette(scale));
     report::RoomPicture& made = pictures.list.emplace_back();
     made.name = view.name;
@@ -276,9 +291,17 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   pictures.step_lx = scale.step;
   pictures.bands = scale.bands;
   pictures.error_share = lit.error_share;
-  pictures.device = device_->device().name();
+  pictures.device = device->device().name();
   part.pictures = std::move(pictures);
   return "";
+}
+
+calc::DrawingWork view_work() {
+  calc::DrawingWork work;
+  work.rooms = 1.0;
+  work.pixels = kScale * kScale * kVertexWidth * kVertexWidth;
+  work.triangles = kMeshTriangles;
+  return work;
 }
 
 report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& tracer,

@@ -6,6 +6,8 @@
 #include "gpu/device_thread.h"
 #include "gpu/picture.h"
 #include "gpu/room_drawing.h"
+#include "report/check/drawing_device.h"
+#include "report/check/plan.h"
 #include "report/document/document.h"
 #include "report/images/room_picture.h"
 #include "report/shell/output_options.h"
@@ -28,13 +30,15 @@ struct PictureSettings {
   bool has_files = false;  // of --images: pictures with their legend, and EXR
   std::uint64_t seed = 1;
   int jobs = 0;
-  int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
-  gpu::Fault gl_fault = gpu::Fault::none;
-  std::string program_folder;  // see Environment
+  check::PictureDevice::Request device;
 };
 
+// Of all rooms of these projects that are drawn.
+calc::DrawingWork picture_work(const std::vector<check::ProjectPlan>& projects);
+
 // Draws rooms one after the other. The device is opened for the first; a room without pictures says
-// why (RoomPictures::problem), and is a room like any other otherwise.
+// why (RoomPictures::problem), and is a room like any other otherwise. Where a GPU that was chosen
+// by cost fails, that room and those that follow are drawn by software.
 class PictureMaker {
  public:
   // go_on: false stops the light on surfaces.
@@ -44,18 +48,18 @@ class PictureMaker {
                     const calc::PreparedScene& scene, report::SpacePart& part);
 
  private:
-  std::string open_device();  // "" or why there is none
   std::string draw(const std::string& project_path, const calc::Space& space,
                    const calc::PreparedScene& scene, report::SpacePart& part);
 
   PictureSettings settings_;
   std::function<bool()> go_on_;
-  std::shared_ptr<gpu::DeviceThread> device_;
-  std::string problem_;
+  check::PictureDevice device_;
   gpu::Picture recycled_;  // the last one's memory
   int rooms_ = 0;
 };
 
+// Of such a picture of a room whose surfaces nobody has counted.
+calc::DrawingWork view_work();
 // A room with its light vertices as dots over grey surfaces, their area in proportion to their flux
 // and their colour from dark (little) to bright. Throws calc::BackendFailure.
 report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& tracer,

@@ -8,6 +8,7 @@
 #include "report/shell/print.h"
 #include "report/shell/project_reader.h"
 #include "report/shell/selection_option.h"
+#include "report/tools/pictures/room_pictures.h"
 #include "report/tools/plan/units_list.h"
 #include "rules/verdict/outcome.h"
 
@@ -44,13 +45,16 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
     print_nothing_chosen(options.selection);
     outcome = graver(outcome, Outcome::not_judged);
   }
+  check::Hardware hardware(context.gl_fault, context.environment.program_folder);
   const check::BackendChoice backend =
-      check::choose_backend(options.backend, options.radiosity.shadow_map_texels, context.gl_fault,
-                            context.environment.program_folder,
+      check::choose_backend(options.backend, options.radiosity.shadow_map_texels, hardware,
                             [&] { return first_look_work(plans, options.radiosity); });
-  if (!open_or_complain(backend, context.gl_fault, "", options.quiet)) {
-    outcome = graver(outcome, Outcome::not_judged);
-  }
+  const std::optional<check::OpenBackend> opened =
+      open_or_complain(backend, context.gl_fault, "", options.quiet);
+  if (!opened) outcome = graver(outcome, Outcome::not_judged);
+  const check::DrawingChoice pictures = check::choose_for_pictures(
+      opened && opened->device ? &opened->device->device() : nullptr,
+      options.backend.gl_device >= 0, hardware, [&] { return picture_work(plans); });
   warnings.print(options.quiet);
   outcome = graver(outcome, warnings.outcome());
   if (options.as_units) {
@@ -59,8 +63,9 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
                           options.as_json ? render_units_json(units) : render_units_text(units),
                           {}});
   }
-  const std::string text = options.as_json ? render_plan_json(plans, options.radiosity, backend)
-                                           : render_plan_text(plans, options.radiosity, backend);
+  const std::string text = options.as_json
+                               ? render_plan_json(plans, options.radiosity, backend, pictures)
+                               : render_plan_text(plans, options.radiosity, backend, pictures);
   return print_outcome({exit_code_of(outcome), text, {}});
 }
 

@@ -2,6 +2,7 @@
 // `luxgate plan`: what a check would do, in words and as JSON.
 
 #include "calc/base/budget.h"
+#include "report/check/drawing_device.h"
 #include "report/check/plan.h"
 #include "report/shell/command.h"
 #include "report/shell/project_options.h"
@@ -33,12 +34,15 @@ struct PlanOptions {
 Command plan_syntax(PlanOptions& options);
 Command plan_command();
 
+// pictures: of rooms, if a check makes some.
 std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const check::BackendChoice& backend);
+                             const check::BackendChoice& backend,
+                             const check::DrawingChoice& pictures);
 std::string render_plan_json(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const check::BackendChoice& backend);
+                             const check::BackendChoice& backend,
+                             const check::DrawingChoice& pictures);
 
 // For --explain-cost: the plan's prediction for the looks that were taken, and what they took.
 // solution: of these tasks.

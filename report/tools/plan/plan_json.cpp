@@ -63,10 +63,13 @@ Json space_json(const check::SpacePlan& space, const calc::RadiositySettings& se
 
 std::string render_plan_json(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const check::BackendChoice& backend) {
+                             const check::BackendChoice& backend,
+                             const check::DrawingChoice& pictures) {
   Json json = {{"backend", backend.backend == check::Backend::gpu ? "gpu" : "cpu"},
                {"why_backend", backend.why},
                {"gpu_stages", Json::array()},
+               {"pictures", pictures.is_hardware ? "gpu" : "software"},
+               {"why_pictures", pictures.why},
                {"projects", Json::array()}};
   if (backend.backend == check::Backend::gpu) {
     for (const std::string_view name : check::gpu_stage_names(backend.stages)) {

@@ -125,7 +125,8 @@ std::string comparison_row(const char* label, const std::string& predicted,
 
 std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const check::BackendChoice& backend) {
+                             const check::BackendChoice& backend,
+                             const check::DrawingChoice& pictures) {
   std::string text;
   for (const check::ProjectPlan& project : projects) {
     text += report::printable_path(project.path);
@@ -135,7 +136,7 @@ std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
     for (const check::SpacePlan& space : project.spaces) text += space_text(space, settings);
     text += "\n";
   }
-  return text + check::backend_line(backend);
+  return text + check::backend_line(backend) + check::pictures_line(pictures);
 }
 
 std::string explain_cost(const std::string& path, const std::string& space_id,

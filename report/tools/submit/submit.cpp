@@ -277,10 +277,11 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.closing_jobs = options.closing_jobs;
   if (job.closing_jobs == 0 && job.engine == Engine::slurm) job.closing_jobs = job.jobs;
   job.at_once = options.at_once;
-  job.needs_gpu = check::choose_backend(check.backend, radiosity.shadow_map_texels,
-                                        context.gl_fault, context.environment.program_folder,
-                                        [&] { return first_look_work(plans, radiosity); })
-                      .backend == check::Backend::gpu;
+  check::Hardware hardware(context.gl_fault, context.environment.program_folder);
+  const check::BackendChoice backend =
+      check::choose_backend(check.backend, radiosity.shadow_map_texels, hardware,
+                            [&] { return first_look_work(plans, radiosity); });
+  job.needs_gpu = backend.backend == check::Backend::gpu && backend.device != gpu::kPreferSoftware;
   const std::string units_text = render_units_json(units);
   const std::string projects = render_project_list(check.input.projects);
   job.job_folder += "/" + batch_id(job, units_text, projects);

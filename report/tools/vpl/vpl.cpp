@@ -2,6 +2,7 @@
 
 #include "calc/project/project_xml.h"
 #include "calc/scene/prepared_scene.h"
+#include "report/check/drawing_device.h"
 #include "report/check/vertex_source.h"
 #include "report/formats/write.h"
 #include "report/images/exr.h"
@@ -101,10 +102,20 @@ class VertexWriter {
 
   bool open_device(const Environment& environment, gpu::Fault gl_fault) {
     if (options_.view.empty()) return true;
+    check::PictureDevice::Request request{
+        {}, gl_fault, environment.program_folder, {}, [this](const std::string& failure) {
+          diagnostics_.report(calc::DiagnosticId::picture_device_failed, {}, failure);
+        }};
+    if (options_.gl_device >= 0) {
+      request.choice.device = options_.gl_device;
+    } else {
+      check::Hardware hardware(gl_fault, environment.program_folder);
+      request.choice = check::choose_to_draw(hardware, view_work);
+    }
+    picture_device_.emplace(std::move(request));
     std::string problem;
-    device_ = gpu::DeviceThread::open({options_.gl_device, gl_fault, environment.program_folder},
-                                      problem);
-    return device_ || fail(fmt::format("cannot draw '{}': {}", options_.view, problem));
+    device_ = picture_device_->get(problem);
+    return device_ != nullptr || fail(fmt::format("cannot draw '{}': {}", options_.view, problem));
   }
 
   bool write_cache(const calc::VertexCache& cache, std::string& text) {
@@ -151,7 +162,8 @@ class VertexWriter {
   const VplOptions& options_;
   const RecordingReader& files_;
   calc::Diagnostics& diagnostics_;
-  std::shared_ptr<gpu::DeviceThread> device_;
+  std::optional<check::PictureDevice> picture_device_;
+  gpu::DeviceThread* device_ = nullptr;  // of picture_device_
 };
 
 CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk,

@@ -41,8 +41,8 @@ Command vpl_syntax(VplOptions& options) {
        "first 1024 paths, or --paths if that is less) as dots: area by flux, drawn by OpenGL",
        some_text(options.view)},
       {"--gl-device", "N",
-       "OpenGL device of 'luxgate devices' for --view; default the first that works, hardware\n"
-       "before software",
+       "OpenGL device of 'luxgate devices' for --view; default hardware or software, whatever\n"
+       "draws sooner",
        whole_number(options.gl_device, 0, 1000)},
       {"--paths", "N", "Light paths of each replicate, a power of two; default 4096",
        power_of_two(settings.max_paths, 16, calc::kMostPaths)},

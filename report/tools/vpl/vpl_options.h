@@ -13,7 +13,7 @@ struct VplOptions {
   std::string project;
   std::string output;  // the vertices, "" = only the picture
   std::string view;    // a picture of them, .png or .exr; "" = none
-  int gl_device = -1;  // that draws it, as of `luxgate devices`; -1 = the first that is usable
+  int gl_device = -1;  // that draws it, as of `luxgate devices`; -1 = what draws sooner
   std::string space;   // "" = the only one
   std::vector<std::string> allowed;                      // see --allow
   calc::RadiositySettings radiosity = first_settings();  // max_paths: what is traced

@@ -181,15 +181,13 @@ class Watch {
   bool open_backend(const RecordingReader& files, const std::vector<rules::RulePack>& packs) {
     if (backend_) return true;
     const calc::RadiositySettings& radiosity = options_.settings.radiosity;
-    choice_ = check::choose_backend(
-        options_.backend, radiosity.shadow_map_texels, context_.gl_fault,
-        context_.environment.program_folder, [&] {
-          return first_look_work(
-              check::plan_projects(options_.input.projects, files, packs, radiosity,
-                                   options_.settings.today, options_.settings.budget,
-                                   options_.settings.selection),
-              radiosity);
-        });
+    check::Hardware hardware(context_.gl_fault, context_.environment.program_folder);
+    choice_ = check::choose_backend(options_.backend, radiosity.shadow_map_texels, hardware, [&] {
+      return first_look_work(check::plan_projects(options_.input.projects, files, packs, radiosity,
+                                                  options_.settings.today, options_.settings.budget,
+                                                  options_.settings.selection),
+                             radiosity);
+    });
     backend_ = open_or_complain(choice_, context_.gl_fault, context_.environment.program_folder,
                                 options_.output.quiet);
     if (!backend_) return false;

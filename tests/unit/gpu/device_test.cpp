@@ -29,6 +29,13 @@ TEST(HardwareDevice, IsNeverSoftware) {
   EXPECT_EQ(gpu::hardware_device({{device(0, true, ""), device(1, false, "")}, ""}), 1);
 }
 
+TEST(SoftwareDevice, MayNotBeOpenedYet) {
+  EXPECT_EQ(gpu::software_device({{device(0, false, ""), device(1, true, "broken")}, ""}), -1);
+  EXPECT_EQ(gpu::software_device({{device(0, false, ""), device(1, true, gpu::kNotOpened)}, ""}),
+            1);
+  EXPECT_EQ(gpu::software_device({{device(0, false, ""), device(1, true, "")}, ""}), 1);
+}
+
 TEST(SoftwareRenderers, AreKnownByTheirNames) {
   for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer",
                            "Mesa swrast", "Google SwiftShader"}) {

@@ -196,6 +196,22 @@ TEST(Picture, EndsWithTheReasonWhenTheDeviceFails) {
                calc::BackendFailure);
 }
 
+// Others use the device, too.
+TEST(Picture, ThatCannotBeDrawnLeavesTheDevice) {
+  LUXGATE_NEEDS_OPENGL();
+  const auto device = gl_device();
+  const gpu::Camera plan = gpu::plan_camera(kLetterBox);
+  const gpu::Picture before = gpu::draw_picture(*device, letter(), plan, 100);
+  EXPECT_THROW(gpu::draw_picture(*device, letter(), plan, 10'000'000), calc::BackendFailure);
+  bool has_run = false;
+  device->run([&](gpu::DeviceState& state) {
+    state.check("going on");
+    has_run = true;
+  });
+  EXPECT_TRUE(has_run);
+  EXPECT_EQ(gpu::draw_picture(*device, letter(), plan, 100).value, before.value);
+}
+
 TEST(VertexView, ShowsEachVertexByItsFlux) {
   LUXGATE_NEEDS_OPENGL();
   calc::PreparedScene scene;

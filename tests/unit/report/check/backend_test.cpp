@@ -175,8 +175,9 @@ TEST(Backend, WhatIsAskedForIsTaken) {
   for (const check::Backend backend : {check::Backend::cpu, check::Backend::gpu}) {
     check::BackendRequest request;
     request.backend = backend;
-    const check::BackendChoice choice = check::choose_backend(request, 0, gpu::Fault::no_egl, "",
-                                                              [] { return calc::DeviceWork{}; });
+    check::Hardware hardware(gpu::Fault::no_egl, "");
+    const check::BackendChoice choice =
+        check::choose_backend(request, 0, hardware, [] { return calc::DeviceWork{}; });
     EXPECT_EQ(choice.backend, backend);
     EXPECT_EQ(choice.why, "asked for with --backend");
   }
@@ -194,8 +195,8 @@ TEST(Backend, StagesAreNamed) {
   request.backend = check::Backend::gpu;
   request.stages = check::GpuStages{false, true, false, true};
   const auto chosen = [&] {
-    return check::choose_backend(request, 0, gpu::Fault::no_egl, "",
-                                 [] { return calc::DeviceWork(); });
+    check::Hardware hardware(gpu::Fault::no_egl, "");
+    return check::choose_backend(request, 0, hardware, [] { return calc::DeviceWork(); });
   };
   EXPECT_EQ(check::backend_line(chosen()),
             "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
@@ -210,8 +211,9 @@ TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
   check::BackendRequest request;
   request.backend = check::Backend::gpu;
   const auto line = [&] {
-    return check::backend_line(check::choose_backend(request, 64, gpu::Fault::no_egl, "",
-                                                     [] { return calc::DeviceWork(); }));
+    check::Hardware hardware(gpu::Fault::no_egl, "");
+    return check::backend_line(
+        check::choose_backend(request, 64, hardware, [] { return calc::DeviceWork(); }));
   };
   EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
   request.stages = check::GpuStages{false, true, false, true};
@@ -236,7 +238,7 @@ TEST(Devices, AreListedWithWhatKeepsThemFromUse) {
   EXPECT_THAT(text, HasSubstr("0   Card \"A\" \n    Maker, OpenGL 4.6.0 Driver 1\n"
                               "    hardware\n    usable\n"));
   EXPECT_THAT(text, HasSubstr("1   (no OpenGL)\n"));
-  EXPECT_THAT(text, HasSubstr("software: only used with --backend gpu\n"
+  EXPECT_THAT(text, HasSubstr("software: draws, and calculates with --backend gpu only\n"
                               "    not usable: EGL cannot start it\n"));
   const auto json = nlohmann::json::parse(cli::render_devices_json(list));
   EXPECT_EQ(json["devices"][0]["renderer"], "Card \"A\"\n");

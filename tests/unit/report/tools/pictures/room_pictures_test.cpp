@@ -36,7 +36,7 @@ struct Room {
     }
   }
   void draw(gpu::Fault fault = gpu::Fault::none) {
-    settings.gl_fault = fault;
+    settings.device.fault = fault;
     cli::PictureMaker maker(settings, {});
     maker.add_pictures("a.xml", space, scene, part);
   }
@@ -60,6 +60,57 @@ TEST(RoomPictures, AreTheSameBytesAgain) {
   }
   EXPECT_GT(once.part.pictures.highest_lx, 10.0);
   EXPECT_GT(once.part.pictures.error_share, 0.0);
+}
+
+// The calculation goes on with it.
+TEST(RoomPictures, AreDrawnOnTheDeviceOfTheCalculation) {
+  LUXGATE_NEEDS_OPENGL();
+  Room own, shared;
+  own.draw();
+  const auto device = gl_device();
+  shared.settings.device.open = device;
+  shared.settings.device.choice.is_open = true;
+  shared.settings.device.choice.device = 1000;  // not even asked for
+  shared.draw();
+  ASSERT_EQ(shared.part.pictures.problem, "");
+  EXPECT_EQ(shared.part.pictures.list.at(0).png, own.part.pictures.list.at(0).png);
+  EXPECT_EQ(shared.part.pictures.device, device->device().name());
+  bool has_run = false;
+  device->run([&](gpu::DeviceState&) { has_run = true; });
+  EXPECT_TRUE(has_run);
+}
+
+TEST(RoomPictures, AreDrawnBySoftwareWhereAGpuFails) {
+  LUXGATE_NEEDS_OPENGL();
+  Room direct, fallen;
+  direct.draw();
+  std::vector<std::string> warnings;
+  fallen.settings.device.choice = {1000, true, true, false, "sooner"};
+  fallen.settings.device.warn = [&](const std::string& why) { warnings.push_back(why); };
+  fallen.draw();
+  ASSERT_EQ(fallen.part.pictures.problem, "");
+  EXPECT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(fallen.part.pictures.list.at(0).png, direct.part.pictures.list.at(0).png);
+  // While it draws: the other fails as well, and the room says so.
+  Room lost;
+  warnings.clear();
+  lost.settings.device.choice = {0, true, true, false, "sooner"};
+  lost.settings.device.warn = fallen.settings.device.warn;
+  lost.draw(gpu::Fault::context_lost);
+  EXPECT_THAT(lost.part.pictures.problem, HasSubstr("the device was reset"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("the device was reset"));
+}
+
+TEST(RoomPictures, AreCountedAsTheyAreDrawn) {
+  check::ProjectPlan project;
+  for (const std::size_t triangles : {12u, 0u, 200u, 1'000'000u}) {
+    project.spaces.emplace_back().triangles = triangles;
+  }
+  const calc::DrawingWork work = cli::picture_work({project, project});
+  EXPECT_EQ(work.rooms, 4.0);  // others have none
+  EXPECT_GT(work.pixels, 4.0 * 2e6);
+  EXPECT_GT(work.triangles, 4.0 * (12.0 + 200.0));
 }
 
 TEST(RoomPictures, MakeImagesOnlyIfAskedFor) {
