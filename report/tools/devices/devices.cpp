@@ -20,7 +20,8 @@ std::string device_lines(const gpu::Device& device) {
     text += fmt::format("    {}, OpenGL {}\n", report::printable(device.vendor),
                         report::printable(device.version));
   }
-  text += device.is_software ? "    software: draws, and calculates with --backend gpu only\n" : "    hardware\n";
+  text += device.is_software ? "    software: draws, and calculates with --backend gpu only\n"
+                             : "    hardware\n";
   return text + (device.is_usable() ? "    usable\n"
                                     : fmt::format("    not usable: {}\n", device.problem));
 }
