@@ -16,7 +16,8 @@
 namespace gpu {
 namespace {
 
-// Paths of one pass: a large device runs 270,000 threads, and 64 MiB of vertices hold a round.
+// Paths of one pass: a large device runs 270,000 threads, and 64 MiB of vertices hold a round (of
+// which three may be read at once).
 constexpr std::uint32_t kPathsPerPass = std::uint32_t{1} << 18;
 constexpr std::uint32_t kPathsPerSoftwarePass = std::uint32_t{1} << 13;
 

@@ -370,14 +370,21 @@ TEST(GlPathTracer, FailsWithAReason) {
                                     {gpu::Fault::context_lost, "reset"},
                                     {gpu::Fault::fence_lost, "has not answered"}}) {
     const auto gl = gl_path_tracer(fault);
-    for (int k = 0; k < 2; ++k) {  // not only the first time
+    const auto fails = [&, &what = text](std::uint32_t paths) {
       try {
-        source.gl(*gl, {1, 0, 0, 16});
-        ADD_FAILURE() << text;
+        source.gl(*gl, {1, 0, 0, paths});
+        ADD_FAILURE() << what;
       } catch (const calc::BackendFailure& failure) {
-        EXPECT_THAT(failure.what(), HasSubstr(text));
+        EXPECT_THAT(failure.what(), HasSubstr(what));
       }
+    };
+    for (int k = 0; k < 2; ++k) fails(16);  // not only the first time
+    // In bundles, with others that wait behind them.
+    std::vector<std::thread> threads;
+    for (const std::uint32_t paths : {16u, 3000u, 9000u, 16u, 6000u}) {
+      threads.emplace_back(fails, paths);
     }
+    for (std::thread& thread : threads) thread.join();
   }
 }
 
