@@ -55,8 +55,8 @@ void DispatchPacer::begin(std::size_t items, const std::string& doing) {
   next_ = Mark::set();
 }
 
-void DispatchPacer::end(std::size_t items) {
-  under_way_.push_back({std::move(next_), Mark::set(), items});
+void DispatchPacer::end(std::size_t items, bool teaches) {
+  under_way_.push_back({std::move(next_), Mark::set(), items, teaches});
   items_under_way_ += items;
   while (look_at_oldest()) take_oldest();
 }
@@ -69,8 +69,10 @@ bool DispatchPacer::look_at_oldest() {
 
 void DispatchPacer::take_oldest() {
   const UnderWay& oldest = under_way_.front();
-  size_.learn(oldest.items, oldest.after.least_s - oldest.before.most_s,
-              oldest.after.most_s - oldest.before.least_s);
+  if (oldest.teaches) {
+    size_.learn(oldest.items, oldest.after.least_s - oldest.before.most_s,
+                oldest.after.most_s - oldest.before.least_s);
+  }
   items_under_way_ -= oldest.items;
   under_way_.pop_front();
 }

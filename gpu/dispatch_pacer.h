@@ -35,12 +35,14 @@ class DispatchPacer {
 
   // For the next.
   std::size_t items() const { return size_.items(); }
-  // Waits until there is room, and sends what `dispatch` calls. Throws GlError.
+  // Waits until there is room, and sends what `dispatch` calls. teaches: nothing but the items
+  // takes time in it. Throws GlError.
   template <class Dispatch>
-  void run(std::size_t items, const std::string& doing, const Dispatch& dispatch) {
+  void run(std::size_t items, const std::string& doing, const Dispatch& dispatch,
+           bool teaches = true) {
     begin(items, doing);
     dispatch();
-    end(items);
+    end(items, teaches);
   }
 
   // Dispatches of items() each; or more, of smaller ones.
@@ -59,11 +61,12 @@ class DispatchPacer {
   struct UnderWay {
     Mark before, after;
     std::size_t items;
+    bool teaches;
   };
 
   bool has_room_for(std::size_t items) const;
   void begin(std::size_t items, const std::string& doing);
-  void end(std::size_t items);
+  void end(std::size_t items, bool teaches);
   bool look_at_oldest();
   void take_oldest();
 

@@ -150,9 +150,7 @@ void DrawPass::send(DeviceState& device, std::span<const DrawTask> fresh,
                     std::span<const DrawTask> drawn) {
   for (const DrawTask& task : fresh) upload(task);
   give_back();
-  // Groups first: there are few, which wait for memory, round after round, beside many rays.
-  for (const DrawTask& task : fresh) choose(device, task);
-  trace(device, drawn);
+  trace(device, drawn, fresh);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   for (const DrawTask& task : fresh) weigh(device, task);
   for (const DrawTask& task : drawn) add(device, task);
@@ -228,15 +226,25 @@ void DrawPass::fetch(const DrawTask& task) {
   slot.read_back.start(parts, kNotDone);
 }
 
-// As many rays in a dispatch as the last ones say, of several pieces where they are small.
-void DrawPass::trace(DeviceState& device, std::span<const DrawTask> tasks) {
+// As many rays in a dispatch as the last ones say, of several pieces where they are small. Beside
+// the first of them, with no fence between, groups are chosen for `fresh`: there are few, which
+// wait for memory, round after round.
+void DrawPass::trace(DeviceState& device, std::span<const DrawTask> tasks,
+                     std::span<const DrawTask> fresh) {
   std::vector<Stretch> next;
   std::size_t count = 0;
+  const auto choose_all = [&] {
+    for (const DrawTask& task : fresh) choose(device, task);
+    fresh = {};
+  };
   const auto run = [&] {
     if (next.empty()) return;
-    pacer_.run(count, kDoing, [&] {
+    const bool teaches = fresh.empty();
+    const auto dispatch = [&] {
+      choose_all();
       for (const Stretch& stretch : next) dispatch_rays(device, stretch);
-    });
+    };
+    pacer_.run(count, kDoing, dispatch, teaches);
     next.clear();
     count = 0;
   };
@@ -256,6 +264,7 @@ void DrawPass::trace(DeviceState& device, std::span<const DrawTask> tasks) {
     }
   }
   run();
+  choose_all();  // where there are no rays
   check_gl("tracing shadow rays");
 }
 

@@ -89,7 +89,7 @@ class DrawPass {
   void choose(DeviceState& device, const DrawTask& task);
   void weigh(DeviceState& device, const DrawTask& task);
   void share(DeviceState& device, const DrawTask& task);
-  void trace(DeviceState& device, std::span<const DrawTask> tasks);
+  void trace(DeviceState& device, std::span<const DrawTask> tasks, std::span<const DrawTask> fresh);
   void dispatch_rays(DeviceState& device, const Stretch& stretch);
   void add(DeviceState& device, const DrawTask& task);
   void fetch(const DrawTask& task);

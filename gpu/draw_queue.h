@@ -6,9 +6,9 @@
 #include <atomic>
 #include <cstddef>
 #include <deque>
+#include <exception>
 #include <memory>
 #include <mutex>
-#include <string>
 #include <vector>
 
 namespace gpu {
@@ -41,18 +41,18 @@ class DrawQueue {
   struct Entry {
     DrawTask task;
     bool is_done = false;
-    std::string problem;
+    std::exception_ptr failure;  // null: none
   };
   using Wave = std::vector<Entry*>;
 
   // On the context's thread: sends what waits as long as there is room, then finishes the oldest,
   // unless others might yet be sent meanwhile.
   void advance(DeviceState& device);
-  Wave next_wave();
-  void send(DeviceState& device, Wave wave);
+  void take_wave();
+  void send(DeviceState& device);
   bool has_room() const;
   void finish_oldest(DeviceState& device);
-  void fail_all(const std::string& problem);
+  void fail_all(const std::exception_ptr& failure);
 
   const DrawLimits limits_;
   std::atomic<std::size_t> places_per_dispatch_{0};
@@ -60,6 +60,7 @@ class DrawQueue {
   std::deque<Entry*> waiting_;
   // Of the context's thread alone.
   std::unique_ptr<DrawPass> pass_;
+  Wave next_;                   // not sent yet
   Wave drawn_;                  // the last wave, if its rays were not sent
   std::deque<Wave> under_way_;  // those before, oldest first; none is empty
   Sent sent_;

@@ -20,7 +20,7 @@ struct ReceiverGroup {
 class ReceiverTiles {
  public:
   ReceiverTiles() = default;  // none
-  explicit ReceiverTiles(std::vector<ReceiverGroup> groups);
+  explicit ReceiverTiles(std::vector<ReceiverGroup> groups);  // none of them empty
 
   std::span<const ReceiverGroup> groups() const { return groups_; }
   // The group of a receiver, counted in their order. receiver < receivers().
