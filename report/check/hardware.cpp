@@ -20,7 +20,8 @@ RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folde
 
 Hardware::Hardware(gpu::Fault fault, const std::string& program_folder)
     : Hardware(
-          gpu::may_have_hardware(), [fault] { return gpu::list_hardware(fault); },
+          fault != gpu::Fault::no_egl && gpu::may_have_hardware(),
+          [fault] { return gpu::list_hardware(fault); },
           rates_on_this_machine(fault, program_folder)) {}
 
 Hardware::Hardware(bool may_exist, Find find, RatesOf rates_of)
