@@ -102,10 +102,12 @@ class VertexWriter {
 
   bool open_device(const Environment& environment, gpu::Fault gl_fault) {
     if (options_.view.empty()) return true;
-    check::PictureDevice::Request request{
-        {}, gl_fault, environment.program_folder, {}, [this](const std::string& failure) {
-          diagnostics_.report(calc::DiagnosticId::picture_device_failed, {}, failure);
-        }};
+    check::PictureDevice::Request request;
+    request.fault = gl_fault;
+    request.program_folder = environment.program_folder;
+    request.warn = [this](const std::string& failure) {
+      diagnostics_.report(calc::DiagnosticId::picture_device_failed, {}, failure);
+    };
     if (options_.gl_device >= 0) {
       request.choice.device = options_.gl_device;
     } else {
