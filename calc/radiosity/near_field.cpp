@@ -251,13 +251,6 @@ double near_reach_m(const SurfaceSummary& surfaces) {
   return kMeanFreePathsPerReach * surfaces.mean_free_path_m;
 }
 
-NearFieldRequest NearFieldBatch::request(std::size_t k) const {
-  const std::size_t group = tiles.group_of(points[k].receiver);
-  const ReceiverGroup& tile = tiles.groups()[group];
-  const std::size_t at = points[k].receiver - tiles.receivers_before(group);
-  return {tile.receiver[at], key.with(tile.point[at]), points[k].rays};
-}
-
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
                              std::optional<std::span<const HitLight>> found, double* sums,
                              std::size_t stride, float& largest) {

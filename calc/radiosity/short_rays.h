@@ -33,8 +33,6 @@ struct NearFieldBatch {
   const ReceiverTiles& tiles;
   RandomKey key;                      // of all; a point's is key.with(its index in the plane)
   std::span<const PointRays> points;  // in order of receivers, each with rays
-
-  NearFieldRequest request(std::size_t k) const;
 };
 
 // What a first ray meets: a triangle, from which side, and where on it as in

@@ -19,7 +19,7 @@ struct ReceiverGroup {
 // them.
 class ReceiverTiles {
  public:
-  ReceiverTiles() = default;  // none
+  ReceiverTiles() = default;                                  // none
   explicit ReceiverTiles(std::vector<ReceiverGroup> groups);  // none of them empty
 
   std::span<const ReceiverGroup> groups() const { return groups_; }
