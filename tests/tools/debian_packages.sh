@@ -16,6 +16,7 @@ luxgate_test_packages=(
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
 luxgate_packaging_packages=(dpkg-dev file)  # of report/packages/build only
+luxgate_second_opengl_packages=(mesa-vulkan-drivers)  # of tests/second_opengl only
 luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
 
 # install_debian_packages NAME...
