@@ -4,10 +4,11 @@
 uniform uint corner_count;  // 4
 
 struct HalfSpace {
-  dvec3 normal;   // unit, outward
+  dvec3 normal;   // unit, outward; 0: there is none
   double height;  // inside: dot(normal, p) <= height
-  bool is_none;
 };
+
+bool is_none(HalfSpace plane) { return plane.normal == dvec3(DBL(0.0)); }
 
 double above(HalfSpace plane, dvec3 p) { return dot(plane.normal, p) - plane.height; }
 
@@ -16,10 +17,10 @@ HalfSpace half_space(dvec3 a, dvec3 b, dvec3 c, dvec3 inner) {
   const dvec3 u = b - a, v = c - a, across = cross(u, v);
   const double area = length(across);
   HalfSpace plane;
-  plane.is_none = !(area > DBL(1.0e-9) * length(u) * length(v));
-  plane.normal = plane.is_none ? dvec3(DBL(0.0)) : across / area;
+  const bool is_flat = !(area > DBL(1.0e-9) * length(u) * length(v));
+  plane.normal = is_flat ? dvec3(DBL(0.0)) : across / area;
   const double side = dot(plane.normal, inner - a);
-  if (side == DBL(0.0)) plane.is_none = true;
+  if (side == DBL(0.0)) plane.normal = dvec3(DBL(0.0));
   if (side > DBL(0.0)) plane.normal = -plane.normal;
   plane.height = dot(plane.normal, a);
   return plane;
@@ -93,11 +94,9 @@ FloatPyramid in_float(Pyramid pyramid) {
   quick.rounding_m = kFloatRounding * (size_m.x + size_m.y + size_m.z);
   for (int k = 0; k < 5; ++k) {
     // Beyond a plane that is none lies nothing.
-    quick.normal[k] = pyramid.plane[k].is_none ? vec3(0.0) : vec3(pyramid.plane[k].normal);
-    quick.offset_m[k] = pyramid.plane[k].is_none
-                              ? 0.0
-                              : float(above(pyramid.plane[k], pyramid.place[0]) -
-                                      pyramid.margin_m / DBL(64.0));
+    quick.normal[k] = vec3(pyramid.plane[k].normal);
+    quick.offset_m[k] =
+        float(above(pyramid.plane[k], pyramid.place[0]) - pyramid.margin_m / DBL(64.0));
   }
   return quick;
 }
@@ -151,7 +150,7 @@ bool meets_triangle(Pyramid pyramid, uint triangle) {
   const dvec3 a = corner_of(triangle, 0u), b = corner_of(triangle, 1u), c = corner_of(triangle, 2u);
   for (int k = 0; k < 5; ++k) {
     const HalfSpace plane = pyramid.plane[k];
-    if (!plane.is_none && above(plane, a) > DBL(0.0) && above(plane, b) > DBL(0.0) &&
+    if (!is_none(plane) && above(plane, a) > DBL(0.0) && above(plane, b) > DBL(0.0) &&
         above(plane, c) > DBL(0.0)) {
       return false;
     }
@@ -232,7 +231,7 @@ bool is_free(SightQuery query) {
 bool stands_between(SightQuery query, uint triangle) {
   const HalfSpace plane = half_space(corner_of(triangle, 0u), corner_of(triangle, 1u),
                                      corner_of(triangle, 2u), query.from_m);
-  if (plane.is_none || above(plane, query.from_m) > -query.clear_m) return false;
+  if (is_none(plane) || above(plane, query.from_m) > -query.clear_m) return false;
   for (int k = 0; k < 4; ++k) {
     if (!(above(plane, query.corner_m[k]) >= query.clear_m)) return false;
   }
@@ -242,7 +241,7 @@ bool stands_between(SightQuery query, uint triangle) {
 // All ends lie on one side of the plane through the point and an edge, that of `inner`.
 bool is_within(SightQuery query, dvec3 a, dvec3 b, dvec3 inner) {
   const HalfSpace plane = half_space(query.from_m, a, b, inner);
-  if (plane.is_none) return false;
+  if (is_none(plane)) return false;
   for (int k = 0; k < 4; ++k) {
     if (!(above(plane, query.corner_m[k]) <= -query.margin_m)) return false;
   }
@@ -257,13 +256,13 @@ bool hides(SightQuery query, uint triangle) {
 
 bool bounds(SightQuery query, dvec3 p, dvec3 q, dvec3 near, dvec3 far) {
   const HalfSpace plane = half_space(query.from_m, p, q, near);
-  return !plane.is_none && above(plane, far) < DBL(0.0) && is_within(query, p, q, near);
+  return !is_none(plane) && above(plane, far) < DBL(0.0) && is_within(query, p, q, near);
 }
 
 // Triangles a b c and a b d: as seen from the point, a convex figure a c b d that holds all ends.
 bool hides_quad(SightQuery query, dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
   const HalfSpace seam = half_space(query.from_m, a, b, c);
-  return !seam.is_none && above(seam, d) > DBL(0.0) && bounds(query, a, c, b, d) &&
+  return !is_none(seam) && above(seam, d) > DBL(0.0) && bounds(query, a, c, b, d) &&
          bounds(query, c, b, a, d) && bounds(query, b, d, a, c) && bounds(query, d, a, b, c);
 }
 
