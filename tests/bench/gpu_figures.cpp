@@ -1,18 +1,24 @@
 // All figures of the GPU backend that need a machine with a GPU, in one call:
 //   gpu_figures [--quick] [--device N] [--limit SECONDS]
 // Renderer and driver; rays a second of each stage in the office, the corridor and the hall; direct
-// light of 204 panels; whole runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and
-// with the GPU; where the two break even, measured and by the cost model of `--backend auto`. Every
-// run ends at the limit, and what is left out for it is named.
+// light of 204 panels; pictures and shadow maps; whole runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5
+// points, on all cores and with the GPU; where the two break even, measured and by the cost model
+// of `--backend auto`. Every run ends at the limit, and what is left out for it is named.
 #include "calc/forecast/device_cost.h"
+#include "calc/forecast/drawing_cost.h"
 #include "calc/forecast/scene_plan.h"
+#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/solve.h"
+#include "calc/radiosity/vertex_bounds.h"
 #include "gpu/calibration.h"
 #include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
+#include "gpu/room_drawing.h"
+#include "gpu/shadow_map_gatherer.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"
 
@@ -23,6 +29,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -221,6 +228,90 @@ void print_direct(const Settings& settings, const std::vector<Worker>& workers) 
                  o.is_late ? "-" : rate(pairs, o.seconds),
                  o.is_late ? "-" : rate(o.rays, o.seconds)});
     }
+  }
+  table.print();
+}
+
+// Instant radiosity by shadow maps: of some light vertices at all points of the scene's grid.
+class MapRun {
+ public:
+  MapRun(const BenchScene& scene, std::size_t maps) : tracer_(scene.scene), emitter_(scene.scene) {
+    const auto paths = static_cast<std::uint32_t>(maps);
+    vertices_ = calc::trace_light_paths(tracer_, emitter_, {7, 0, 0, paths}).vertices;
+    vertices_.resize(std::min(maps, vertices_.size()));
+    for (std::size_t i = 0; i < scene.points(); ++i) {
+      receivers_.push_back(
+          {scene.grid.position_m[i], scene.grid.normal[i], calc::ReceiverKernel::planar});
+    }
+    lx_.resize(scene.scene.channels.size() * receivers_.size());
+    largest_lx_.resize(receivers_.size());
+  }
+
+  std::size_t maps() const { return vertices_.size(); }
+  void run(calc::Gatherer& gatherer, double deadline_s) {
+    gatherer.gather_all({tracer_, vertices_, bounds_, receivers_, {}, true, 0, deadline_s},
+                        {lx_.data(), receivers_.size(), largest_lx_.data()});
+  }
+
+ private:
+  calc::Tracer tracer_;
+  calc::Emitter emitter_;
+  calc::VertexBounds bounds_{std::numeric_limits<double>::infinity()};
+  calc::LightVertices vertices_;
+  std::vector<calc::Receiver> receivers_;
+  std::vector<double> lx_;
+  std::vector<float> largest_lx_;
+};
+
+// Pictures of rooms without their light, which is the CPU's, and shadow maps of some light
+// vertices; beside them what `--backend auto` assumes of hardware for the next ones, without the
+// processor's sums of maps, which it has in any case.
+void print_drawing(const Settings& settings, const std::shared_ptr<gpu::DeviceThread>& device,
+                   const calc::DeviceRates& rates) {
+  const auto assumed_ms = [&](const calc::DrawingWork& work) {
+    const calc::DrawingCost cost = calc::weigh_drawing(work, rates, 1);
+    return fmt::format("{:.3g}", 1e3 * (cost.hardware_s - cost.open_s));
+  };
+  const auto timed_ms = [&](const auto& work) {
+    const double begin_s = calc::now_s();
+    work();
+    const double taken_s = calc::now_s() - begin_s;
+    return fmt::format("{}{:.3g}", taken_s > settings.limit_s ? "> " : "", 1e3 * taken_s);
+  };
+  Table table("Drawing, ms: pictures, and 64 shadow maps of 128 texels with all points looked up",
+              {"what", "scene", "triangles", "million pixels", "first", "next", "assumed"});
+  constexpr double kTexels = 128.0;
+  constexpr std::size_t kMaps = 64;
+  for (const char* name : {"office", "hall"}) {
+    if (settings.is_quick && std::string_view(name) == "hall") {
+      fmt::print("skipped for --quick: drawing the hall\n");
+      continue;
+    }
+    const BenchScene scene = make_scene(
+        settings.is_quick && std::string_view(name) == "office" ? office(14, 9) : find_room(name));
+    const calc::Tracer tracer(scene.scene);
+    const int width = settings.is_quick ? 500 : 2400;
+    const auto triangles = static_cast<double>(scene.scene.triangle.size());
+    gpu::Picture picture;
+    const auto draw = [&] {
+      picture = gpu::render_vertices(*device, tracer, {}, {}, true, width, 2.0);
+    };
+    const std::string first = timed_ms(draw), next = timed_ms(draw);
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    table.add({"picture", name, fmt::format("{:.0f}", triangles),
+               fmt::format("{:.2g}", 1e-6 * pixels), first, next,
+               assumed_ms({.rooms = 1, .pixels = pixels, .triangles = triangles})});
+    const auto gatherer =
+        gpu::make_shadow_map_gatherer(device, static_cast<std::uint32_t>(kTexels));
+    MapRun maps(scene, kMaps);
+    const auto draw_maps = [&] { maps.run(*gatherer, calc::now_s() + settings.limit_s); };
+    const std::string first_maps = timed_ms(draw_maps), next_maps = timed_ms(draw_maps);
+    const double faces = 5.0 * static_cast<double>(maps.maps()), texels = faces * kTexels * kTexels;
+    table.add({"maps", name, fmt::format("{:.0f}", triangles), fmt::format("{:.2g}", 1e-6 * texels),
+               first_maps, next_maps,
+               assumed_ms({.map_texels = texels,
+                           .map_triangles = faces * triangles,
+                           .lookups = static_cast<double>(maps.maps() * scene.points())})});
   }
   table.print();
 }
@@ -452,6 +543,12 @@ int measure(const Settings& settings) {
   const std::vector<Cell> cells = whole_runs(settings, workers);
   print_runs(cells, rates, open_s);
   print_break_even(cells, rates, open_s);
+  std::fflush(stdout);
+  try {
+    print_drawing(settings, device, rates);
+  } catch (const calc::BackendFailure& failure) {
+    fmt::print("drawing failed: {}\n", failure.what());
+  }
   if (settings.wants_messages) print_messages(messages);
   fmt::print("{}took {:.0f} s\n", settings.is_quick ? "--quick: small rooms, 2 % alone; " : "",
              calc::now_s() - begin_s);
