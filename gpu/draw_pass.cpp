@@ -304,7 +304,8 @@ void DrawPass::finish(DeviceState& device, const DrawTask& task) {
     slot.read_back.copy(answers, std::as_writable_bytes(std::span(&bounded, 1)));
     // If it is more than there can be, then it was not done, as the answers say.
     if (bounded <= piece.places()) {
-      bounded_expected_ = std::max<std::size_t>(bounded_expected_, bounded);
+      // One piece beside a bright spot must not make all later ones fetch as much.
+      bounded_expected_ = std::max<std::size_t>(bounded, bounded_expected_ - bounded_expected_ / 8);
       rest = bounded > fetched ? (bounded - fetched) * sizeof(BoundedDraw) : 0;
     }
   }

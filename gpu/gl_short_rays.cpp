@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -23,19 +24,62 @@ namespace {
 constexpr const char* kDoing = "tracing short rays";
 
 // kNotDone makes a double that is no number, too.
-bool is_done(const calc::HitLight& light) {
-  if (light.ray == calc::HitLight::kNotDone || std::isnan(light.weight)) return false;
-  if (!(light.weight > 0.0)) return true;
+bool is_done(const calc::HitLight& light, bool has_far_light) {
+  if (light.ray == calc::HitLight::kNotDone || !(light.weight > 0.0)) return false;
+  const auto is_draw_done = [](const calc::HitLight::Draw& draw) {
+    return draw.which != calc::HitLight::kNotDone;
+  };
   return light.luminaire != calc::HitLight::kNotDone && !std::isnan(light.direct_lx) &&
          light.next_triangle_and_side != calc::HitLight::kNotDone &&
-         std::none_of(light.draws.begin(), light.draws.end(), [](const calc::HitLight::Draw& draw) {
-           return draw.which == calc::HitLight::kNotDone;
-         });
+         (!has_far_light || std::all_of(light.draws.begin(), light.draws.end(), is_draw_done));
 }
 
-// Whoever takes them goes by it: one in another place would be lost.
-bool are_in_order(const calc::HitLight& a, const calc::HitLight& b) {
+bool is_before(const calc::HitLight& a, const calc::HitLight& b) {
   return a.request < b.request || (a.request == b.request && a.ray < b.ray);
+}
+
+// Appends the points of one call; each of its hits must be in it once.
+void append(const HitAnswers& answers, std::size_t points, bool has_far_light,
+            calc::ShortRayLight& found) {
+  const std::size_t before = found.points(), left_before = found.left.size();
+  found.lx.resize((before + points) * found.channels, 0.0);
+  found.largest_lx.resize(before + points, 0.0f);
+  found.rays.resize(before + points, 0);
+  if (answers.hits == 0) return;
+  const std::size_t bytes = hit_answer_bytes(found.channels);
+  std::size_t hits = 0, left = 0;
+  for (std::size_t k = 0; k < points; ++k) {
+    const std::byte* const at = answers.requests.bytes().data() + k * bytes;
+    HitAnswer answer;
+    std::memcpy(&answer, at, sizeof answer);
+    double* const lx = found.lx.data() + (before + k) * found.channels;
+    std::memcpy(lx, at + sizeof answer, found.channels * sizeof(double));
+    if (std::isnan(answer.largest_lx) ||
+        std::any_of(lx, lx + found.channels, [](double x) { return std::isnan(x); })) {
+      throw_not_done();
+    }
+    found.largest_lx[before + k] = answer.largest_lx;
+    found.rays[before + k] = answer.rays;
+    hits += answer.hits;
+    left += answer.left;
+  }
+  for (const HitAnswers::Left& some : answers.left) {
+    if (some.count == 0) continue;
+    const std::size_t first = found.left.size();
+    found.left.resize(first + some.count);
+    std::memcpy(found.left.data() + first, some.lights().data(), some.lights().size());
+  }
+  const auto own = found.left.begin() + static_cast<std::ptrdiff_t>(left_before);
+  std::sort(own, found.left.end(), is_before);
+  if (hits != answers.hits || left != found.left.size() - left_before) throw_not_done();
+  for (auto light = own; light != found.left.end(); ++light) {
+    if (!has_far_light) light->draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
+    if (!is_done(*light, has_far_light) || light->request >= points) throw_not_done();
+    if (light != own && !is_before(*(light - 1), *light)) throw_not_done();
+  }
+  for (auto light = own; light != found.left.end(); ++light) {
+    light->request += static_cast<std::uint32_t>(before);
+  }
 }
 
 class GlShortRays : public calc::ShortRayCaster {
@@ -53,7 +97,7 @@ class GlShortRays : public calc::ShortRayCaster {
 
   void cast(const calc::Tracer& tracer, float least_m, float most_m,
             const calc::NearFieldBatch& batch, std::span<calc::FirstHit> hits) override {
-    for (const ShortRayPart& part : parts_of(batch)) {
+    for (const ShortRayPart& part : parts_of(batch, batch.points.size())) {
       const std::span<calc::FirstHit> own = hits.first(part.rays());
       hits = hits.subspan(part.rays());
       const auto packed = packed_points(tracer, batch, part);
@@ -74,13 +118,12 @@ class GlShortRays : public calc::ShortRayCaster {
   }
 
   void find_light(const calc::NearField& field, const calc::NearFieldBatch& batch,
-                  std::vector<calc::HitLight>& found) override {
-    for (const ShortRayPart& part : parts_of(batch)) {
-      const std::size_t before = found.size();
+                  calc::ShortRayLight& found) override {
+    found.channels = field.channels;
+    const std::size_t most_points =
+        std::max<std::size_t>(1, limits_.answer_bytes / hit_answer_bytes(field.channels));
+    for (const ShortRayPart& part : parts_of(batch, most_points)) {
       find_light_of(field, batch, part, found);
-      for (std::size_t k = before; k < found.size(); ++k) {
-        found[k].request += static_cast<std::uint32_t>(part.first_point);
-      }
     }
   }
 
@@ -91,9 +134,14 @@ class GlShortRays : public calc::ShortRayCaster {
     return thread_->near_points().pack_unless_held(tracer, batch.tiles, part.block);
   }
 
+  // Past the deadline as if there were no hits.
   void find_light_of(const calc::NearField& field, const calc::NearFieldBatch& batch,
-                     const ShortRayPart& part, std::vector<calc::HitLight>& found) {
-    if (part.rays() == 0) return;
+                     const ShortRayPart& part, calc::ShortRayLight& found) {
+    const bool has_far_light = field.cut.size() > 0;
+    const auto append_to = [&](const HitAnswers& answers) {
+      append(answers, part.points(), has_far_light, found);
+    };
+    if (part.rays() == 0) return append_to({});
     const std::shared_ptr<const PackedPool> packed = thread_->pools().pack_unless_held(field.tree);
     const auto points = packed_points(field.tracer, batch, part);
     const ShortRayJob job{field.tracer,
@@ -109,25 +157,16 @@ class GlShortRays : public calc::ShortRayCaster {
     run([&](DeviceState& device) {
       goes_on = lights_of(device).start(device, *rays_, field, job, turn.buffers());
     });
-    if (!goes_on) return;
+    if (!goes_on) return append_to({});
     run([&](DeviceState& device) {
       goes_on = lights_of(device).find(device, *rays_, field, packed.get(), job, turn.buffers());
     });
-    if (!goes_on) return;
-    std::vector<LentBytes> lights;
-    run([&](DeviceState& device) { lights = lights_of(device).take(device, turn.buffers()); });
-    const std::size_t before = found.size();
-    for (const LentBytes& some : lights) {
-      const auto* const first = reinterpret_cast<const calc::HitLight*>(some.bytes().data());
-      found.insert(found.end(), first, first + some.bytes().size() / sizeof(calc::HitLight));
-    }
-    lights.clear();  // given back
-    const bool has_far_light = field.cut.size() > 0;
-    for (std::size_t k = before; k < found.size(); ++k) {
-      if (!has_far_light) found[k].draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
-      if (!is_done(found[k])) throw_not_done();
-      if (k > before && !are_in_order(found[k - 1], found[k])) throw_not_done();
-    }
+    if (!goes_on) return append_to({});
+    HitAnswers answers;
+    run([&](DeviceState& device) {
+      answers = lights_of(device).take(device, field, job, turn.buffers());
+    });
+    append_to(answers);  // before the next call has these buffers
   }
 
   HitPass& lights_of(DeviceState& device) {

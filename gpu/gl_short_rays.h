@@ -9,9 +9,12 @@
 
 namespace gpu {
 
-// Hits that the device has at once. No result depends on it.
+// For tests. Results depend on them by rounding at most.
 struct HitLimits {
-  std::size_t hits = std::size_t{1} << 15;
+  // That the device has at once: about what a cast meets in a room.
+  std::size_t hits = 40960;
+  std::size_t answer_bytes = std::size_t{1} << 26;  // sums that come back at once
+  bool leaves_all = false;                          // to the CPU, after the first step
 };
 
 // Origins and directions are those of the CPU, to the last bit but for rounding of a double; what

@@ -1,6 +1,6 @@
 #pragma once
-// Light at the hits of short rays on the device: the first step of every chain of
-// calc::add_near_field(). For the thread that owns the context.
+// Light at the hits of short rays on the device: the first steps of every chain of
+// calc::add_near_field(), and their sums. For the thread that owns the context.
 
 #include "calc/radiosity/near_field.h"
 #include "gpu/device_thread.h"
@@ -9,6 +9,7 @@
 #include "gpu/gl_program.h"
 #include "gpu/gl_read_back.h"
 #include "gpu/gl_short_rays.h"
+#include "gpu/hit_answer.h"
 #include "gpu/lent_bytes.h"
 #include "gpu/short_ray_pass.h"
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,9 +27,14 @@ namespace gpu {
 // Rays that met what may give light are listed in their order, and light is found for a piece of
 // the list at a time:
 //   list    [hit] two words: the request, and which of its rays
-//   places  [hit of the piece] four uvec4: position, normal, weight, key, see hit_places.glsl
-//   lights  [hit of the piece] a calc::HitLight
-// For their draws from afar hits are receivers of the tile that has all nodes of the field's cut;
+//   lights  [step][hit of the piece] a calc::HitLight; of later steps those of chains that go on
+//   links   [step][hit of the piece] the chain's row of lights in the next step
+//   chains  where the next step's places are, see hit_further.glsl
+//   places  [place of the step] four uvec4: position, normal, weight, key, see hit_places.glsl
+//   ends    [hit of the piece] of the whole chain: fate, rays, light; portions: that by channels
+//   answers [request] a HitAnswer and its channels
+//   left    calc::HitLight of rays that the CPU has to finish, in any order
+// For their draws from afar places are receivers of the tile that has all nodes of the field's cut;
 // those that nothing is to be found for, of one that has none.
 //
 // Buffers of one call, on its way through the three steps below; what calls share is written and
@@ -35,19 +42,44 @@ namespace gpu {
 struct HitBuffers {
   // Some of the list.
   struct Piece {
-    GlBuffer lights{"light at hits of short rays", BufferUse::by_device};
-    GlReadBack back{"light at hits of short rays"};
-    std::size_t hits = 0;
+    GlBuffer left{"what is left of short rays", BufferUse::by_device};
+    GlBuffer left_count{"number of short rays that are left", BufferUse::by_device};
+    GlReadBack back{"what is left of short rays"}, rest{"more that is left of short rays"};
+    std::size_t hits = 0, expected = 0;  // expected: come back with the count
   };
 
   ShortRayBuffers rays;
   GlBuffer field{"the near field"}, tiles{"groups of light vertices"};
   GlBuffer counts{"numbers of hits", BufferUse::by_device};
   GlBuffer list{"list of hits", BufferUse::by_device};
-  GlReadBack counts_back{"numbers of hits"};
+  GlBuffer answers{"light of short rays", BufferUse::by_device};
+  GlReadBack counts_back{"numbers of hits"}, answers_back{"light of short rays"};
+  std::size_t hits = 0;
   std::deque<Piece> pieces;  // some of them perhaps of an earlier call
   std::size_t used = 0;      // of these
 };
+
+// What came back of a call.
+struct HitAnswers {
+  // Some calc::HitLight, in any order.
+  struct Left {
+    LentBytes bytes;  // all that came back with them: what is lent in parts is not ready for more
+    std::size_t first_byte, count;
+
+    std::span<const std::byte> lights() const {
+      return bytes.bytes().subspan(first_byte, count * sizeof(calc::HitLight));
+    }
+  };
+
+  std::size_t hits = 0;  // 0: nothing else
+  LentBytes requests;    // [request] a HitAnswer, and a double for each channel
+  std::vector<Left> left;
+};
+
+// Of one request.
+constexpr std::size_t hit_answer_bytes(std::size_t channels) {
+  return sizeof(HitAnswer) + channels * sizeof(double);
+}
 
 class HitPass {
  public:
@@ -63,8 +95,9 @@ class HitPass {
   // DevicePools::find_or_send() takes it. False: the deadline passed.
   bool find(DeviceState& device, const ShortRayPass& rays, const calc::NearField& field,
             const PackedPool* packed, const ShortRayJob& job, HitBuffers& buffers);
-  // Waits for it: calc::HitLight in the order of rays, some behind others.
-  std::vector<LentBytes> take(DeviceState& device, HitBuffers& buffers);
+  // Waits for it.
+  HitAnswers take(DeviceState& device, const calc::NearField& field, const ShortRayJob& job,
+                  HitBuffers& buffers);
 
  private:
   // A stage with one invocation for each hit, or for some of each.
@@ -77,10 +110,12 @@ class HitPass {
   // Some of the listed hits.
   struct Piece {
     const calc::NearField& field;
+    const PackedPool* packed;
     const ShortRayJob& job;
     const ShortRayPass& rays;
-    const HitBuffers& buffers;
+    HitBuffers& buffers;
     std::size_t first, count;
+    std::uint32_t depth = 0;  // the step of its chains
   };
 
   void send_luminaires(const calc::NearField& field);
@@ -88,20 +123,27 @@ class HitPass {
                    const ShortRayJob& job, const HitBuffers& buffers) const;
   std::size_t list_hits(DeviceState& device, const ShortRayPass& rays, const ShortRayJob& job,
                         HitBuffers& buffers);
-  std::size_t most_hits(const calc::NearField& field) const;
-  bool find(DeviceState& device, const PackedPool* packed, const Piece& piece,
-            HitBuffers::Piece& found);
-  void weigh(DeviceState& device, const PackedPool* packed, const Piece& piece);
+  std::size_t most_hits(const DeviceState& device, const calc::NearField& field,
+                        const ShortRayJob& job) const;
+  bool find(DeviceState& device, Piece piece, HitBuffers::Piece& found);
+  void prepare(const Piece& piece, HitBuffers::Piece& found);
+  void bind(DeviceState& device, const Piece& piece) const;
+  bool do_step(DeviceState& device, const Piece& piece);
+  bool weigh(DeviceState& device, const Piece& piece);
+  void add_up(const Piece& piece, const HitBuffers::Piece& found) const;
   void start(const GlProgram& program, const Piece& piece) const;
-  bool run_stage(Stage& stage, const Piece& piece, std::size_t items);
+  bool run_stage(Stage& stage, const Piece& piece, std::size_t items, std::uint32_t size);
+  void run_rows(const GlProgram& program, const Piece& piece, std::size_t groups,
+                std::uint32_t size) const;
 
   const ProgramCache& programs_;
   const HitLimits limits_;
-  GlProgram counts_shader_, list_shader_;
-  Stage bounds_, direct_, further_, far_;
+  GlProgram counts_shader_, list_shader_, sizes_shader_, ends_shader_, sums_shader_;
+  Stage bounds_, later_bounds_, direct_, further_, far_;
   GlProgram weigh_;
   std::array<std::unique_ptr<GlProgram>, 2> share_;  // [many channels], made when first needed
-  GlBuffer tables_, choice_, firsts_, places_, receivers_;
+  GlBuffer tables_, choice_, firsts_, lights_, links_, chains_, sizes_, ends_, portions_, places_,
+      receivers_;
   GlBuffer channel_weights_, weights_, cumulated_, spacings_;
   std::uint32_t nodes_ = 0;      // of the scene at hand
   std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none

@@ -2,6 +2,8 @@
 // The sources of shaders for light paths, direct light and short rays, put together from shaders/
 // and the formulas of calc/.
 
+#include "calc/radiosity/short_rays.h"
+
 #include <cstdint>
 #include <string>
 
@@ -41,7 +43,23 @@ inline constexpr std::uint32_t kFieldSmallest = 0, kFieldPerLumen = 1, kFieldAmb
                                kFieldNeeded = 3, kFieldLeast = 4;
 inline constexpr std::uint32_t kChoiceSize = 19, kLobeSize = 33;
 
-enum class HitStage { counts, list, bounds, direct, further, far };
+// Steps of a chain that the device does, the first among them. Of 100 hits some 5 go on, of these
+// some 5 once more; all that are left go to the CPU.
+inline constexpr std::uint32_t kChainSteps = 3;
+// What may go on: a word for each step, how many do, and then the places that they go on from.
+inline constexpr std::uint32_t kChainHead = 16, kChainSize = 12;
+static_assert(kChainSteps < kChainHead);
+// Of a hit with its chain, kEndSize words; kMostPortions: channels one after the other that it has
+// light of, from each step a luminaire and draws.
+inline constexpr std::uint32_t kFateDone = 0, kFateLeft = 1;  // to the CPU
+inline constexpr std::uint32_t kEndSize = 8;
+inline constexpr std::uint32_t kMostPortions = kChainSteps * (1 + calc::kFarDraws + 1);
+// Sizes of a later step's dispatches: of one for each place, for each node of each, a group for
+// each, one for each draw.
+inline constexpr std::uint32_t kDispatchPlaces = 0, kDispatchNodes = 1, kDispatchRows = 2,
+                               kDispatchDraws = 3, kDispatches = 4;
+
+enum class HitStage { counts, list, bounds, later_bounds, sizes, direct, further, far, ends, sums };
 std::string hit_shader(HitStage stage);
 
 // What a point has of a luminaire; above it, of what is sampled, samples of one round.

@@ -20,12 +20,12 @@ constexpr std::size_t kFirstRays = std::size_t{1} << 16;
 
 }  // namespace
 
-std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch) {
+std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch, std::size_t most_points) {
   std::vector<ShortRayPart> parts;
   std::size_t begin = 0, end = 0;  // receivers of the block at hand
   for (std::size_t k = 0; k < batch.points.size(); ++k) {
     const calc::PointRays& point = batch.points[k];
-    if (parts.empty() || point.receiver >= end) {
+    if (parts.empty() || point.receiver >= end || parts.back().points() >= most_points) {
       ShortRayPart& part = parts.emplace_back();
       part.block = batch.tiles.group_of(point.receiver) / kTilesPerBlock;
       part.first_point = k;
@@ -41,6 +41,14 @@ std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch) {
     parts.back().requests.push_back({0, behind});
   }
   return parts;
+}
+
+std::uint32_t ShortRayPart::most_rays() const {
+  std::uint32_t most = 0;
+  for (std::size_t k = 0; k < points(); ++k) {
+    most = std::max(most, requests[k + 1].first_ray - requests[k].first_ray);
+  }
+  return most;
 }
 
 ShortRayPass::ShortRayPass(const ProgramCache& programs)

@@ -30,8 +30,10 @@ struct ShortRayPart {
 
   std::size_t points() const { return requests.size() - 1; }
   std::size_t rays() const { return requests.back().first_ray; }
+  std::uint32_t most_rays() const;  // of a point
 };
-std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch);
+// most_points: of a part.
+std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch, std::size_t most_points);
 
 struct ShortRayJob {
   const calc::Tracer& tracer;

@@ -14,24 +14,24 @@ constexpr double kBesideReceiver_ns = 55.0;  // adding what comes back
 constexpr double kBesideOpening_ns = 2.0;    // reading what is proved of it, listing samples
 constexpr double kBesidePath_ns = 60.0;      // copying its vertices
 constexpr double kSendPath_ns = 10.0;        // by the one thread that owns the device
-constexpr double kBesideShortRay_ns = 5.0;
+constexpr double kBesideShortRay_ns = 8.0;   // with the light at its hit
 constexpr double kSortVertex_ns = 45.0;
 constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
 constexpr double kPackTriangle_ns = 300.0;  // the device's own tree, by one thread
 // What a first short ray costs the CPU without the light at its end.
 constexpr double kFirstShortRay_ns = 75.0;
-// Light at hits that stays on the CPU: later steps of chains.  [5 to 6 of 100 hits go on, in three
-// rooms]
-constexpr double kLaterSteps = 0.06;
-constexpr double kRaysPerHit = 5.0;      // of a first step  [counted]
-constexpr double kBesideHit_ns = 100.0;  // assumed
+// Light at hits that stays on the CPU.  [1 to 9 of 100 hits are left, most of them without a ray
+// more]
+constexpr double kLeftLight = 0.005;
+constexpr double kRaysPerHit = 5.0;  // of a step  [counted]
 
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------
 constexpr double kVertexUp_bytes = 168.0;  // with its two groups
 constexpr double kVertexDown_bytes = 48.0;
 // Up: 64 and a share of its tile, once for all replicates of a look.
 constexpr double kReceiverUp_bytes = 5.0, kReceiverDown_bytes = 32.0;
-constexpr double kHitDown_bytes = 128.0;
+// Of a short ray its share of what a point gets; of a hit its share of those that are left.
+constexpr double kShortRayDown_bytes = 8.0, kHitDown_bytes = 16.0;
 constexpr double kTriangleUp_bytes = 150.0;  // corners, surface, order, its share of the tree
 
 // --- the device ----------------------------------------------------------------------------------
@@ -47,7 +47,8 @@ constexpr double kReceiversPerPiece = 2048.0;  // 64 tiles of 32, the fewest
 // Five dispatches and what is sent and set for them; reads are others' meanwhile. Assumed.
 constexpr double kTripsPerPiece = 1.0;
 constexpr double kPathsPerTrip = 16384.0;  // a round of a bundle of batches
-constexpr double kTripsPerCast = 3.0;      // of short rays: how many hits, their list, their light
+// Of short rays: how many hits, their list, their light; dispatches of later steps. Assumed.
+constexpr double kTripsPerCast = 5.0;
 
 double trips(double items, double per_trip) { return std::ceil(items / per_trip); }
 
@@ -86,15 +87,15 @@ struct Weigher {
   }
   double near_field() const {
     const double first = work.work.near_rays / kRaysPerShortRay;
-    const double hit_rays = (1.0 - kLaterSteps) * (work.work.near_rays - first);
+    const double hit_rays = (1.0 - kLeftLight) * (work.work.near_rays - first);
     const double hits = hit_rays / kRaysPerHit;
     const double light_ns =
         std::fmax(0.0, 1e9 * work.one_thread.near_field - kFirstShortRay_ns * first);
     return first / rates.closest_hit_per_s + kRaysPerHitRay * hit_rays / rates.any_hit_per_s +
-           hits * kHitDown_bytes / rates.down_bytes_per_s +
+           (first * kShortRayDown_bytes + hits * kHitDown_bytes) / rates.down_bytes_per_s +
            kTripsPerCast * rates.round_trip_s *
                trips(first, static_cast<double>(kShortRaysPerCast)) +
-           thread_s * (kBesideShortRay_ns * first + kBesideHit_ns * hits + kLaterSteps * light_ns);
+           thread_s * (kBesideShortRay_ns * first + kLeftLight * light_ns);
   }
 };
 

@@ -100,8 +100,8 @@ struct Chain {
   double weight;  // of its light
 };
 
-// Light at a chain's place, and one more ray from there to the next; false: the chain ends. Of the
-// first step gpu/shaders/hit_bounds.glsl and those after it do the same.
+// Light at a chain's place, and one more ray from there to the next; false: the chain ends.
+// gpu/shaders/hit_bounds.glsl and those after it do the same.
 bool add_step(const NearField& field, RandomKey ray_key, std::uint64_t depth, Chain& chain,
               double* sums, std::size_t stride, std::uint64_t& rays) {
   const Tracer& tracer = field.tracer;
@@ -251,8 +251,18 @@ double near_reach_m(const SurfaceSummary& surfaces) {
   return kMeanFreePathsPerReach * surfaces.mean_free_path_m;
 }
 
+PointLight ShortRayLight::of(std::size_t point) const {
+  const auto request = static_cast<std::uint32_t>(point);
+  const auto begin =
+      std::lower_bound(left.begin(), left.end(), request,
+                       [](const HitLight& light, std::uint32_t r) { return light.request < r; });
+  auto end = begin;
+  while (end != left.end() && end->request == request) ++end;
+  return {{lx.data() + point * channels, channels}, largest_lx[point], rays[point], {begin, end}};
+}
+
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
-                             std::optional<std::span<const HitLight>> found, double* sums,
+                             const std::optional<PointLight>& found, double* sums,
                              std::size_t stride, float& largest) {
   std::uint64_t rays = request.rays;
   const auto add = [&](const auto& add_ray) {  // which adds one ray's light
@@ -262,7 +272,10 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
     largest = std::max(largest, static_cast<float>(added));
   };
   if (found) {
-    for (const HitLight& light : *found) {
+    rays += found->rays;
+    for (std::size_t c = 0; c < field.channels; ++c) sums[c * stride] += found->lx[c];
+    largest = std::max(largest, found->largest_lx);
+    for (const HitLight& light : found->left) {
       add([&] { return add_found(field, light, request.key.with(light.ray), sums, stride); });
     }
     return rays;

@@ -95,10 +95,10 @@ double near_reach_m(const SurfaceSummary& surfaces);
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
 // where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the
 // pool and E_near(y) one more ray, ended by roulette on its weight. largest: raised to the largest
-// single ray's contribution. Returns the rays traced. found: of a ShortRayCaster, this
-// request's; none: the rays are traced here.
+// single ray's contribution. Returns the rays traced. found: what a ShortRayCaster found for the
+// request, and what it left; none: the rays are traced here.
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
-                             std::optional<std::span<const HitLight>> found, double* sums,
+                             const std::optional<PointLight>& found, double* sums,
                              std::size_t stride, float& largest);
 
 }  // namespace calc

@@ -40,8 +40,9 @@ std::size_t cut_nodes(std::uint32_t draws) {
                     std::max<std::size_t>(kLargestCut, draws));
 }
 
-// A tile has too few short rays for a device: so many tiles send theirs together, at least.
-constexpr std::size_t kTilesPerCast = 128;
+// A tile has too few short rays for a device: so many tiles send theirs together, at least. How
+// many fill a cast is told from so many of them.
+constexpr std::size_t kTilesPerCast = 128, kTilesLookedAt = 64;
 
 }  // namespace
 
@@ -118,21 +119,17 @@ std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatc
                          {sums.lx.data(), tile.point.size(), sums.largest_lx.data()});
 }
 
-// Light at hits of short rays of some tiles, request by request, as far as a device found it.
+// Light of the short rays of some tiles, point by point, as far as a device found it.
 struct PlaneWork::ShortRays {
   bool is_found = false;      // else add_near_field() traces them itself
   std::size_t last_tile = 0;  // the first that is not among them
-  std::vector<HitLight> lights{};
-  std::uint32_t next_request = 0;
-  std::size_t next_light = 0;
+  ShortRayLight light{};
+  std::size_t next_point = 0;
 
-  // Of the next request.
-  std::optional<std::span<const HitLight>> next() {
+  // Of the next point that has rays.
+  std::optional<PointLight> next() {
     if (!is_found) return std::nullopt;
-    const std::size_t first = next_light;
-    while (next_light < lights.size() && lights[next_light].request == next_request) ++next_light;
-    ++next_request;
-    return std::span<const HitLight>(lights).subspan(first, next_light - first);
+    return light.of(next_point++);
   }
 };
 
@@ -153,7 +150,7 @@ NearField PlaneWork::near_field(const VertexBatch& batch) const {
           channels(), batch.deadline_s,  batch.has_endless_chain};
 }
 
-// Of all these tiles, or of so many that their rays fill a cast: hits take memory on every thread.
+// Of all these tiles, or of so many that their rays fill a cast.
 PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                                                 const VertexBatch& batch) const {
   ShortRays result;
@@ -180,13 +177,9 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
     for (last = first + 1; last < points.size(); ++last) {
       if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
     }
-    const std::size_t before = result.lights.size();
     batch.short_rays->find_light(
         field, {tiles_, near_key(batch), std::span(points).subspan(first, last - first)},
-        result.lights);
-    for (std::size_t k = before; k < result.lights.size(); ++k) {
-      result.lights[k].request += static_cast<std::uint32_t>(first);
-    }
+        result.light);
   }
   return result;
 }
@@ -208,14 +201,29 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
   return rays;
 }
 
+// Whose short rays fill a device's cast, if a thread has so many. Every cast costs dozens of
+// commands, whatever its size.
+std::size_t PlaneWork::tiles_per_cast(const VertexBatch& batch, std::size_t tiles_each) const {
+  if (batch.short_rays == nullptr) return 1;
+  const std::size_t apart = std::max<std::size_t>(1, tiles().size() / kTilesLookedAt);
+  std::uint64_t rays = 0, looked_at = 0;
+  for (std::size_t t = 0; t < tiles().size(); t += apart) {
+    ++looked_at;
+    for (const std::uint32_t point : tiles()[t].point) rays += short_rays_of(point, batch);
+  }
+  const std::uint64_t wanted = kShortRaysPerCast - kShortRaysPerCast / 16;  // a little less
+  return std::clamp<std::size_t>(rays > 0 ? wanted * looked_at / rays : 0, kTilesPerCast,
+                                 std::max(kTilesPerCast, tiles_each));
+}
+
 // Results do not depend on it.
 std::size_t PlaneWork::tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const {
   const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t wanted =
-      gatherer.tiles_per_batch({draws, cut_nodes(draws), look_points_ / tiles().size(),
-                                tiles().size() * field_.replicates / threads});
-  return std::max(wanted, batch.short_rays != nullptr ? kTilesPerCast : 1);
+  const std::size_t tiles_each = tiles().size() * field_.replicates / threads;
+  const std::size_t wanted = gatherer.tiles_per_batch(
+      {draws, cut_nodes(draws), look_points_ / tiles().size(), tiles_each});
+  return std::max(wanted, tiles_per_cast(batch, tiles_each));
 }
 
 void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {

@@ -120,6 +120,7 @@ class PlaneWork {
   // 0 if no surface is within reach.
   std::uint32_t short_rays_of(std::uint32_t point, const VertexBatch& batch) const;
   struct ShortRays;
+  std::size_t tiles_per_cast(const VertexBatch& batch, std::size_t tiles_each) const;
   std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const;
   NearField near_field(const VertexBatch& batch) const;
   ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,

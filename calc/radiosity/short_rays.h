@@ -52,6 +52,9 @@ inline constexpr std::uint32_t kFarDraws = 4;
 
 // What a first ray's hit gave: the first step of its chain (see add_near_field()), but for what
 // only the CPU can finish. Words of 4 bytes, as devices write them, each kNotDone before.
+//
+// A ray is left to the CPU so if the bound of one of its vertices has to be found, if a luminaire
+// is too near, or if its chain goes on for longer than devices follow it.
 struct HitLight {
   // In place of a number: nothing, without a ray; a ray, but something stood between.
   static constexpr std::uint32_t kNothing = FirstHit::kNothing, kNotDone = FirstHit::kNotDone;
@@ -85,8 +88,29 @@ struct HitLight {
 };
 static_assert(sizeof(HitLight) == 128);
 
-// Rays of one call to ShortRayCaster: enough for a large device, and where all of them meet what
-// may give light, in a corner, 32 MiB of HitLight for each thread.
+// Light that the short rays of one point brought, as a device found it.
+struct PointLight {
+  std::span<const double> lx;  // [channel]; of rays that are left to the CPU nothing
+  float largest_lx;            // of one ray, all channels; of those that are not left
+  std::uint32_t rays;          // traced for them, without the first ones
+  std::span<const HitLight> left;
+};
+
+// The same of points one after the other.
+struct ShortRayLight {
+  std::size_t channels = 0;
+  std::vector<double> lx;  // [point][channel]
+  std::vector<float> largest_lx;
+  std::vector<std::uint32_t> rays;
+  std::vector<HitLight> left;  // in the order of points (HitLight::request), then of rays
+
+  std::size_t points() const { return rays.size(); }
+  PointLight of(std::size_t point) const;
+};
+
+// Rays of one call to ShortRayCaster: enough for a large device. Where all of them meet what may
+// give light and all is left to the CPU, in a white corner, 32 MiB of HitLight for each thread;
+// sums of points take 8 bytes for each channel, too, of two rays and more.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 18;
 
 class ShortRayCaster {
@@ -100,11 +124,11 @@ class ShortRayCaster {
   virtual void cast(const Tracer& tracer, float least_m, float most_m, const NearFieldBatch& batch,
                     std::span<FirstHit> hits) = 0;
 
-  // The same rays within the reach of the field's bound, and the light at their hits: appends those
-  // that may give any, in the order of rays. Each is a function of its ray alone. Past the field's
-  // deadline what is there is worth nothing.
+  // The same rays within the reach of the field's bound, and the light at their hits: appends the
+  // points of the batch, of the field's channels. What a point gets is a function of its rays
+  // alone. Past the field's deadline what is there is worth nothing.
   virtual void find_light(const NearField& field, const NearFieldBatch& batch,
-                          std::vector<HitLight>& found) = 0;
+                          ShortRayLight& found) = 0;
 };
 
 }  // namespace calc

@@ -126,7 +126,7 @@ void main() {
   const uint i = first_item + gl_GlobalInvocationID.x;
   if (!is_lit(i)) return;
   const HitPlace place = place_at(i);
-  const uvec2 key = key_with(key_with(place.key, PART_0), PART_1);
+  const uvec2 key = key_with(key_of(place), PART_1);
   uint luminaire = LIGHT_NOTHING;
   double direct_lx = DBL(0.0);
   Choice chosen = Choice(0u, DBL(0.0));

@@ -1,4 +1,4 @@
-// Light at hits, stage 4, after `weigh` and `share`: one of the vertices that the hit's light from
+// Light at hits, stage 5, after `weigh` and `share`: one of the vertices that the hit's light from
 // afar is drawn from. add_far_draws() of near_field.cpp.
 
 uniform float lift_m, bounded_from_per_m2;

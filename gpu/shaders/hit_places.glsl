@@ -1,10 +1,11 @@
-// Hits of short rays that may give light, a piece of the list: where they are, and what is found
-// there, calc::HitLight. Both buffers have the piece's hits alone.
+// Where chains of short rays are at one of their steps: hits of a piece of the list, or what the
+// further rays of the step before met.
 
-layout(std430, binding = 12) buffer Lights { uint light_word[]; };
 layout(std430, binding = 13) buffer Places { uvec4 place_words[]; };
 
 uniform uint first_item, item_count;  // of this dispatch
+uniform uint depth;                   // the step; 0: the hits themselves
+uniform uint first_light;             // its first row of what is found
 
 struct HitPlace {
   dvec3 position_m, normal;
@@ -30,7 +31,12 @@ void store(uint i, HitPlace place) {
   place_words[4u * i + 3u] = uvec4(unpackDouble2x32(place.weight), place.key);
 }
 
-void write_light(uint i, uint what, uint value) { light_word[LIGHT_SIZE * i + what] = value; }
+// The random numbers of this step.
+uvec2 key_of(HitPlace place) { return key_with(place.key, depth); }
+
+void write_light(uint i, uint what, uint value) {
+  light_word[LIGHT_SIZE * (first_light + i) + what] = value;
+}
 
 void write_light(uint i, uint what, double value) {
   const uvec2 words = unpackDouble2x32(value);
@@ -38,9 +44,10 @@ void write_light(uint i, uint what, double value) {
   write_light(i, what + 1u, words.y);
 }
 
-// Whether anything is still to be found there: false, too, where the bound was not done.
+// Whether anything is still to be found there: false, too, where the bound was not done, and behind
+// the last of a step's places.
 bool is_lit(uint i) {
-  const uint at = LIGHT_SIZE * i + LIGHT_WEIGHT;
-  const double weight = packDouble2x32(uvec2(light_word[at], light_word[at + 1u]));
-  return weight > DBL(0.0);
+  const uint row = first_light + i;
+  return light_at(row, LIGHT_WEIGHT + 1u) != LIGHT_NOT_DONE &&
+         light_double(row, LIGHT_WEIGHT) > DBL(0.0);
 }

@@ -120,32 +120,29 @@ int main(int argc, char** argv) {
 
   const test_support::NearScene scene(hall.scene, 4096);
   const test_support::NearPoints points = test_support::points_in_hall(2048, rays);
-  std::vector<calc::HitLight> found;
+  calc::ShortRayLight found;
   std::uint64_t near_rays = 0;
   const auto add = [&](bool is_found) {
     near_rays = 0;
-    std::size_t first = 0;
     for (std::size_t r = 0; r < points.requests.size(); ++r) {
       double sums[2] = {};
       float largest = 0.0f;
-      std::size_t last = first;
-      while (is_found && last < found.size() && found[last].request == r) ++last;
-      std::optional<std::span<const calc::HitLight>> own;
-      if (is_found) own = std::span<const calc::HitLight>(found).subspan(first, last - first);
+      std::optional<calc::PointLight> own;
+      if (is_found) own = found.of(r);
       near_rays += calc::add_near_field(scene.near(), points.requests[r], own, sums, 1, largest);
-      first = last;
     }
   };
   measure(
       "near field", *device, static_cast<double>(points.requests.size() * rays),
       [&] { add(false); },
       [&] {
-        found.clear();
+        found = {};
         short_rays->find_light(scene.near(), points.batch(), found);
         add(true);
       });
-  fmt::print("  {:.3f} hits and {:.2f} rays per short ray\n",
-             static_cast<double>(found.size()) / static_cast<double>(points.requests.size() * rays),
-             static_cast<double>(near_rays) / static_cast<double>(points.requests.size() * rays));
+  fmt::print(
+      "  {:.4f} left to the processor and {:.2f} rays per short ray\n",
+      static_cast<double>(found.left.size()) / static_cast<double>(points.requests.size() * rays),
+      static_cast<double>(near_rays) / static_cast<double>(points.requests.size() * rays));
   return 0;
 }

@@ -70,9 +70,9 @@ OpenGlTime opengl_time() {
   if (asking_s == 0.0) asking_s = seconds_of_asking();
   install<glBindBuffer, glBindBufferBase, glBufferData, glBufferStorage, glBufferSubData,
           glClearBufferSubData, glClientWaitSync, glCopyBufferSubData, glDeleteBuffers,
-          glDeleteSync, glDispatchCompute, glFenceSync, glFlush, glGenBuffers, glGetBufferSubData,
-          glGetError, glGetInteger64v, glGetUniformLocation, glMapBufferRange, glMemoryBarrier,
-          glUniform1f, glUniform1ui, glUseProgram>();
+          glDeleteSync, glDispatchCompute, glDispatchComputeIndirect, glFenceSync, glFlush,
+          glGenBuffers, glGetBufferSubData, glGetError, glGetInteger64v, glGetUniformLocation,
+          glMapBufferRange, glMemoryBarrier, glUniform1f, glUniform1ui, glUseProgram>();
   return sum;
 }
 

@@ -52,7 +52,9 @@ ASSUMED = {
     "lit_share": (0.13, "hits of first short rays that may give light, of all first short rays (five rays each, counted)"),
     "hit_nodes": (128.0, "groups that a hit's light from afar is drawn from"),
     "bounds": (2.0, "luminaires whose photometry a hit's bound asks for, with a shadow ray each"),
-    "later_steps": (0.06, "light at hits that stays on the CPU: later steps of chains (counted in three rooms: 5 to 6 of 100 hits go on)"),
+    "later_steps": (0.06, "of hits, places of later steps of their chains (counted in three rooms: 5 to 6 of 100 hits go on)"),
+    "left": (0.005, "light at hits that stays on the CPU: bounds of vertices, chains that go on for longer (counted: 1 to 9 of 100 hits, most of them without a ray more)"),
+    "cast_fill": (0.75, "of a cast of short rays: tasks are halves of halves of a plane's tiles"),
     "launch_s": (5e-6, "of a dispatch or an upload, processor and driver"),
     "read_s": (3e-5, "of a blocking read, beside its bytes"),
     "pcie_share": (0.5, "share of the published PCIe rate that plain buffers reach"),
@@ -116,7 +118,7 @@ COUNTED = {
     # hit_bounds, hit_direct, hit_further of one hit, beside photometry, rays, weights and draws: places and keys; the bound
     # asks what each of 12 luminaires may give most (17 + d), the choice twice what it is likely to give (60 and three exact
     # quotients or roots); direction and place of the further ray 85 + 5 d and 107
-    "hit": (600 + 2 * 12 * (60 + 3 * (25 + F)), 250 + 12 * (17 + D) + 192 + 5 * D, 96 + 3 * 64 + 2 * 128),
+    "hit": (600 + 2 * 12 * (60 + 3 * (25 + F)), 250 + 12 * (17 + D) + 192 + 5 * D, 96 + 3 * 64 + 6 * 128),
 
     # --- direct light. key_with: twice mix_bits of 4 + 3 * 6 + 2 * 6, and 2 = 70 (mix: 34)
     # lamps.glsl point_illuminance_lx and intensity_cd. Way 3, response 6, length 5 + d, direction 3 + d, in_table 15,
@@ -161,7 +163,7 @@ COUNTED = {
 CPU_NS = {"connection": 95.0, "pool_ray": 480.0, "near_ray": 300.0, "direct_ray": 300.0,
           "known_opening": 350.0, "known_rest": 400.0, "obstructed": 800.0}  # calc/forecast/cost_model.cpp
 # path: by the thread that owns the device, for all others; path_taken, as all else, by any thread.
-BESIDE_NS = {"receiver": 55.0, "path": 10.0, "path_taken": 60.0, "vertex": 45.0 + 25.0, "short_ray": 5.0, "hit": 100.0, "pair": 2.0}
+BESIDE_NS = {"receiver": 55.0, "path": 10.0, "path_taken": 60.0, "vertex": 45.0 + 25.0, "short_ray": 8.0, "pair": 2.0}
 FIRST_SHORT_RAY_NS = 75.0
 RAYS_PER_SHORT_RAY = 1.7
 VERTEX_UP, VERTEX_DOWN = 168, 48
@@ -172,6 +174,7 @@ SOFTWARE = dict(lanes=8, per_clock=2.0, word_clocks=5.0, clock=2.46e9)
 PAIRS_PER_PIECE, POINTS_PER_BATCH, FIRST_DISPATCHES = 1 << 20, 1 << 14, 3 * 8
 PIECES_TOGETHER = 8  # gpu/draw_queue
 MOST_PLACES, MOST_WEIGHTS = 1 << 22, 1 << 23  # gpu/draw_piece: of what goes together
+LAUNCHES_PER_CAST = 50  # rays, counts, list; of three steps seven each, the first in two parts; ends, sums; fills and copies
 LAUNCHES_PER_PIECE = 11  # five dispatches, three or four fills, two copies back
 
 # A plane below many panels, first round. Shares of pairs: measured, 74 to 95 % free, of the rest half hidden, 2.6 to
@@ -432,21 +435,23 @@ def predict(device, work, visits, threads):
 
     first = work.near_rays / RAYS_PER_SHORT_RAY
     hits = A["lit_share"] * first
+    steps = (1.0 + A["later_steps"]) * hits
     light_ns = CPU_NS["near_ray"] * work.near_rays - FIRST_SHORT_RAY_NS * first
-    shadow_rays = hits * (A["bounds"] + 1 + 4)
+    shadow_rays = steps * (A["bounds"] + 1 + 4)
     limits = added(
         device.limits([(first, "short ray"), *ordered(first, visits["near_field"])],
                       A["rays_lanes"], still, threads=1 << 18),
-        device.limits([(hits, "hit"), ((A["bounds"] + 1) * hits, "photometry"),
-                       *ray_items(shadow_rays, visits["connections"]), *ordered(hits, visits["near_field"])],
+        device.limits([(steps, "hit"), ((A["bounds"] + 1) * steps, "photometry"),
+                       *ray_items(shadow_rays, visits["connections"]), *ordered(steps, visits["near_field"])],
                       A["rays_lanes"], still, threads=1 << 16, pieces=1),
-        device.limits([(A["hit_nodes"] * hits, "weight"), (A["hit_nodes"] * hits, "share"), (4 * hits, "draw")],
+        device.limits([(A["hit_nodes"] * steps, "weight"), (A["hit_nodes"] * steps, "share"), (4 * steps, "draw")],
                       A["code_lanes"], 0.0, 64 * vertices, threads=1 << 16, pieces=1))
-    casts = math.ceil(first / (1 << 18))  # kShortRaysPerCast
+    casts = math.ceil(first / (A["cast_fill"] * (1 << 18)))  # kShortRaysPerCast
     phases["near field"] = phase(limits, {
-        "CPU beside": ns * (A["later_steps"] * light_ns + BESIDE_NS["short_ray"] * first + BESIDE_NS["hit"] * hits),
-        "PCIe": device.pcie_s((8 + 80 / work.replicates) * work.receivers * work.looks + 128 * hits),
-        "launches": casts * (24 * A["launch_s"] + 3 * A["read_s"])})
+        "CPU beside": ns * (A["left"] * light_ns + BESIDE_NS["short_ray"] * first),
+        # Up: points, and which of them; down: sums, and one in eight hits.
+        "PCIe": device.pcie_s((8 + 80 / work.replicates + 24) * work.receivers * work.looks + 128 / 8 * hits),
+        "launches": casts * (LAUNCHES_PER_CAST * A["launch_s"] + 3 * A["read_s"])})
     return phases
 
 

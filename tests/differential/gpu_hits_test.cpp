@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ using namespace test_support;
 using calc::HitLight;
 using calc::OpeningShape;
 using calc::ReceiverKernel;
+using calc::ShortRayLight;
 using ::testing::HasSubstr;
 
 // One device for all tests that need no other: drivers compile for seconds.
@@ -40,8 +42,11 @@ class GlHits : public ::testing::Test {
     if (!device_) device_ = gl_device();
     return device_;
   }
-  static std::unique_ptr<calc::ShortRayCaster> caster() {
-    return gpu::make_gl_short_rays(device());
+  static std::unique_ptr<calc::ShortRayCaster> caster(const gpu::HitLimits& limits = {}) {
+    return gpu::make_gl_short_rays(device(), limits);
+  }
+  static std::unique_ptr<calc::ShortRayCaster> first_steps() {
+    return caster({.leaves_all = true});
   }
 
  private:
@@ -55,35 +60,31 @@ struct Sums {
   std::vector<std::uint64_t> rays;
 };
 
-Sums sums_of(const NearScene& field, const NearPoints& points, const std::vector<HitLight>* found) {
+Sums sums_of(const NearScene& field, const NearPoints& points, const ShortRayLight* found) {
   const std::size_t channels = field.scene.channels.size();
   Sums sums{std::vector<double>(channels * points.requests.size()),
             std::vector<float>(points.requests.size()),
             {}};
-  std::size_t first = 0;
   for (std::size_t r = 0; r < points.requests.size(); ++r) {
-    std::optional<std::span<const HitLight>> own;
-    if (found != nullptr) {
-      std::size_t last = first;
-      while (last < found->size() && (*found)[last].request == r) ++last;
-      own = std::span<const HitLight>(*found).subspan(first, last - first);
-      first = last;
-    }
+    std::optional<calc::PointLight> own;
+    if (found != nullptr) own = found->of(r);
     sums.rays.push_back(calc::add_near_field(field.near(), points.requests[r], own,
                                              &sums.lx[channels * r], 1, sums.largest[r]));
   }
-  EXPECT_TRUE(found == nullptr || first == found->size());
+  EXPECT_TRUE(found == nullptr || found->points() == points.requests.size());
   return sums;
 }
 
-std::vector<HitLight> find(calc::ShortRayCaster& gl, const NearScene& field,
-                           const NearPoints& points) {
-  std::vector<HitLight> found;
+ShortRayLight find(calc::ShortRayCaster& gl, const NearScene& field, const NearPoints& points) {
+  ShortRayLight found;
   gl.find_light(field.near(), points.batch(), found);
   return found;
 }
 
-// What the device was asked for, so that no test is about nothing.
+double sum_of(const std::vector<double>& lx) { return std::accumulate(lx.begin(), lx.end(), 0.0); }
+
+// What the device was asked for, so that no test is about nothing: of first steps, which it leaves
+// to the CPU if it is told to.
 struct Kinds {
   std::size_t hits = 0, without_light = 0, direct = 0, hidden = 0, unlit = 0, left = 0, next = 0;
   std::size_t draws = 0, hidden_draws = 0, bounded = 0;
@@ -95,10 +96,6 @@ Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
   kinds.of_luminaire.resize(field.scene.luminaires.size());
   for (const HitLight& light : found) {
     ++kinds.hits;
-    if (!(light.weight > 0.0)) {
-      ++kinds.without_light;
-      continue;
-    }
     kinds.left += light.luminaire == HitLight::kLeft ? 1 : 0;
     kinds.hidden += light.luminaire == HitLight::kHidden ? 1 : 0;
     kinds.unlit += light.luminaire == HitLight::kNothing ? 1 : 0;
@@ -114,22 +111,18 @@ Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
     }
   }
   std::printf(
-      "%zu hits, %zu without light; direct: %zu, hidden %zu, none %zu, left %zu; from afar: "
-      "%zu, hidden %zu, bounded %zu; %zu chains go on\n",
-      kinds.hits, kinds.without_light, kinds.direct, kinds.hidden, kinds.unlit, kinds.left,
-      kinds.draws, kinds.hidden_draws, kinds.bounded, kinds.next);
+      "%zu hits; direct: %zu, hidden %zu, none %zu, left %zu; from afar: %zu, hidden %zu, bounded "
+      "%zu; %zu chains go on\n",
+      kinds.hits, kinds.direct, kinds.hidden, kinds.unlit, kinds.left, kinds.draws,
+      kinds.hidden_draws, kinds.bounded, kinds.next);
   return kinds;
 }
 
 // A ray that grazes an edge, or a draw at the border of two, changes all of what hangs on it.
 constexpr double kRounding = 1e-6;
 
-// grazed: values that may differ by more than rounding; returns what the device did.
-Kinds expect_same(const NearScene& field, const NearPoints& points, calc::ShortRayCaster& gl,
-                  double grazed) {
-  const Sums cpu = sums_of(field, points, nullptr);
-  const std::vector<HitLight> found = find(gl, field, points);
-  const Sums device = sums_of(field, points, &found);
+// grazed: share of values that may differ by more than rounding.
+void expect_same_sums(const Sums& cpu, const Sums& device, double grazed) {
   std::size_t lit = 0, differing = 0;
   double largest = 0.0, cpu_lx = 0.0, device_lx = 0.0;
   for (std::size_t i = 0; i < cpu.lx.size(); ++i) {
@@ -147,7 +140,8 @@ Kinds expect_same(const NearScene& field, const NearPoints& points, calc::ShortR
   }
   std::size_t unlike = 0;
   std::uint64_t cpu_rays = 0, device_rays = 0;
-  for (std::size_t r = 0; r < points.requests.size(); ++r) {
+  const std::size_t points = cpu.rays.size();
+  for (std::size_t r = 0; r < points; ++r) {
     cpu_rays += cpu.rays[r];
     device_rays += device.rays[r];
     const bool is_same =
@@ -158,16 +152,29 @@ Kinds expect_same(const NearScene& field, const NearPoints& points, calc::ShortR
   std::printf(
       "%zu of %zu values differ by more than %.0e, the others by %.2g; sums by %.2g; %zu of "
       "%zu points in rays or the largest\n",
-      differing, lit, kRounding, largest, std::abs(device_lx / cpu_lx - 1.0), unlike,
-      points.requests.size());
-  const double most = grazed * static_cast<double>(points.requests.size());
-  EXPECT_GT(lit, points.requests.size() / 4);
+      differing, lit, kRounding, largest, std::abs(device_lx / cpu_lx - 1.0), unlike, points);
+  const double most = grazed * static_cast<double>(points);
+  EXPECT_GT(lit, points / 4);
   EXPECT_LE(static_cast<double>(differing), most);
   EXPECT_LE(static_cast<double>(unlike), most);
   EXPECT_NEAR(device_lx / cpu_lx, 1.0, 1e-4);
   EXPECT_NEAR(static_cast<double>(device_rays), static_cast<double>(cpu_rays),
               1e-3 * static_cast<double>(cpu_rays));
-  return kinds_of(field, found);
+}
+
+// Chains by the device, and first steps by it with all else by the CPU. Returns what it did;
+// most_left: of its hits, to the CPU.
+Kinds expect_same(const NearScene& field, const NearPoints& points, calc::ShortRayCaster& gl,
+                  calc::ShortRayCaster& first_steps, double grazed, double most_left) {
+  const Sums cpu = sums_of(field, points, nullptr);
+  const ShortRayLight found = find(gl, field, points), first = find(first_steps, field, points);
+  expect_same_sums(cpu, sums_of(field, points, &found), grazed);
+  expect_same_sums(cpu, sums_of(field, points, &first), grazed);
+  EXPECT_LE(static_cast<double>(found.left.size()),
+            most_left * static_cast<double>(first.left.size()));
+  std::printf("%zu of %zu hits are left to the CPU\n", found.left.size(), first.left.size());
+  for (const double lx : first.lx) EXPECT_EQ(lx, 0.0);
+  return kinds_of(field, first.left);
 }
 
 // Bodies, panels and points in two channels, walls of reflectance 0, points of all kernels.
@@ -175,8 +182,8 @@ TEST_F(GlHits, GiveTheLightOfTheCpu) {
   LUXGATE_NEEDS_OPENGL();
   const LampHall hall(0.6);
   const NearScene field(hall.scene, 512);
-  const auto gl = caster();
-  const Kinds kinds = expect_same(field, points_in_hall(600, 64), *gl, 0.01);
+  const Kinds kinds =
+      expect_same(field, points_in_hall(600, 64), *caster(), *first_steps(), 0.01, 0.05);
   EXPECT_GT(kinds.hits, 2000u);
   EXPECT_GT(kinds.hidden, 100u);
   EXPECT_GT(kinds.unlit, 100u);
@@ -206,9 +213,7 @@ TEST_F(GlHits, GiveItBesideBrightSpots) {
     receivers.push_back({at, {0, 0, i % 2 == 0 ? 1 : -1}, ReceiverKernel::planar});
   }
   const NearPoints points(receivers, 64);
-  const auto gl = caster();
-  const Kinds kinds = expect_same(field, points, *gl, 0.01);
-  EXPECT_GT(kinds.without_light, 100u);  // where the bound is as large as the geometry term
+  const Kinds kinds = expect_same(field, points, *caster(), *first_steps(), 0.01, 0.5);
   EXPECT_GT(kinds.bounded, 10u);
   EXPECT_GT(kinds.direct, 1000u);
 }
@@ -239,8 +244,7 @@ TEST_F(GlHits, ChooseTheLuminaireOfTheCpu) {
                          ReceiverKernel::planar});
   }
   const NearPoints points(receivers, 64);
-  const auto gl = caster();
-  const Kinds kinds = expect_same(field, points, *gl, 0.01);
+  const Kinds kinds = expect_same(field, points, *caster(), *first_steps(), 0.01, 0.5);
   EXPECT_GT(std::count_if(kinds.of_luminaire.begin(), kinds.of_luminaire.end(),
                           [](std::size_t count) { return count > 0; }),
             30);
@@ -267,10 +271,58 @@ TEST_F(GlHits, LeaveWhatIsTooNearToTheCpu) {
                          ReceiverKernel::planar});
   }
   const NearPoints points(receivers, 32);
-  const auto gl = caster();
-  const Kinds kinds = expect_same(field, points, *gl, 0.01);
+  const Kinds kinds = expect_same(field, points, *caster(), *first_steps(), 0.01, 0.5);
   EXPECT_GT(kinds.left, 100u);
   EXPECT_GT(kinds.direct, 100u);
+}
+
+// Between two sheets chains go on and on: the device follows them for some steps, and leaves to the
+// CPU what goes on longer.
+TEST_F(GlHits, FollowChainsBetweenSheets) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}, {"b", 1.0}};
+  add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.5);
+  add_quad(scene, {1, 1, 1.0}, {1, 0, 0}, {0, 1, 0}, 0.6);
+  add_quad(scene, {1, 1, 1.1}, {1, 0, 0}, {0, 1, 0}, 0.5);
+  add_luminaire(scene, web, {1.5, 1.5, 1.05});
+  add_luminaire(scene, web, {1.2, 0.8, 1.02});
+  scene.luminaires.back().channel = 1;
+  set_extent(scene);
+  const NearScene field(scene, 512);
+  std::vector<calc::Receiver> receivers;
+  for (std::size_t i = 0; i < 100; ++i) {
+    const calc::RandomKey key = calc::RandomKey(47).with(i);
+    receivers.push_back({{1.0 + key.with(0).uniform(), 1.0 + key.with(1).uniform(), 1.05},
+                         {0, 0, i % 2 == 0 ? 1 : -1},
+                         ReceiverKernel::planar});
+  }
+  const NearPoints points(receivers, 64);
+  const Kinds kinds = expect_same(field, points, *caster(), *first_steps(), 0.01, 0.5);
+  EXPECT_GT(kinds.next, kinds.hits / 4);
+}
+
+// Points with so many hits that one of them fills several pieces; llvmpipe leaves long loops.
+TEST_F(GlHits, AddUpManyHitsOfAPoint) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}, {"b", 1.0}};
+  add_box(scene, {0, 0, 0}, {6, 5, 2.5}, 0.5);
+  add_quad(scene, {1, 1, 1.1}, {1, 0, 0}, {0, 1, 0}, 0.3);
+  add_luminaire(scene, web, {4, 3, 0.5});
+  add_luminaire(scene, web, {5, 2, 0.4});
+  scene.luminaires.back().channel = 1;
+  set_extent(scene);
+  const NearScene field(scene, 64);
+  std::vector<calc::Receiver> receivers;
+  for (int k = 0; k < 3; ++k) {
+    receivers.push_back({{1.3 + 0.2 * k, 1.5, 1.05}, {0, 0, 1}, ReceiverKernel::planar});
+  }
+  const NearPoints points(receivers, 8192);
+  const Kinds kinds = expect_same(field, points, *caster(), *first_steps(), 0.0, 0.2);
+  EXPECT_GT(kinds.hits, 3u * 7000u);
 }
 
 // A convex room: nothing is in the way. One luminaire, and no vertex at all.
@@ -290,36 +342,30 @@ TEST_F(GlHits, GiveItWithoutShadowsAndWithoutVertices) {
                          ReceiverKernel::planar});
   }
   const NearPoints points(receivers, 32);
-  const auto gl = caster();
   NearScene field(scene, 256);
   field.tracer.leave_out_shadows();
-  const Kinds free = expect_same(field, points, *gl, 0.0);
+  const Kinds free = expect_same(field, points, *caster(), *first_steps(), 0.0, 0.2);
   EXPECT_EQ(free.hidden + free.hidden_draws, 0u);
   NearScene none(scene, 1);
   none.tree = calc::VertexTree({}, 1);
   none.cut = calc::Cut();
-  const Kinds dark = expect_same(none, points, *gl, 0.0);
+  const Kinds dark = expect_same(none, points, *caster(), *first_steps(), 0.0, 0.0);
   EXPECT_EQ(dark.draws, 0u);
   EXPECT_GT(dark.direct, 100u);
 }
 
-bool are_same_bits(const std::vector<HitLight>& a, const std::vector<HitLight>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    // Words that are not said may be anything.
-    const HitLight &x = a[k], &y = b[k];
-    if (x.triangle_and_side != y.triangle_and_side || x.request != y.request || x.ray != y.ray ||
-        x.weight != y.weight || std::memcmp(&x.place, &y.place, sizeof x.place) != 0) {
-      return false;
-    }
-    if (!(x.weight > 0.0)) continue;
-    if (x.luminaire != y.luminaire || x.direct_lx != y.direct_lx ||
-        x.next_triangle_and_side != y.next_triangle_and_side ||
-        std::memcmp(x.draws.data(), y.draws.data(), sizeof x.draws) != 0) {
-      return false;
-    }
-  }
-  return true;
+bool are_same_bits(const HitLight& x, const HitLight& y) {
+  return x.triangle_and_side == y.triangle_and_side && x.request == y.request && x.ray == y.ray &&
+         x.weight == y.weight && std::memcmp(&x.place, &y.place, sizeof x.place) == 0 &&
+         x.luminaire == y.luminaire && x.direct_lx == y.direct_lx &&
+         x.next_triangle_and_side == y.next_triangle_and_side &&
+         std::memcmp(x.draws.data(), y.draws.data(), sizeof x.draws) == 0;
+}
+
+bool are_same_bits(const ShortRayLight& a, const ShortRayLight& b) {
+  return a.lx == b.lx && a.largest_lx == b.largest_lx && a.rays == b.rays &&
+         std::equal(a.left.begin(), a.left.end(), b.left.begin(), b.left.end(),
+                    [](const HitLight& x, const HitLight& y) { return are_same_bits(x, y); });
 }
 
 TEST_F(GlHits, HowWorkIsCutChangesNoBit) {
@@ -328,24 +374,23 @@ TEST_F(GlHits, HowWorkIsCutChangesNoBit) {
   const NearScene field(hall.scene, 256), other(hall.scene, 128);
   const auto whole = caster();
   const NearPoints points = points_in_hall(100, 32);
-  const std::vector<HitLight> expected = find(*whole, field, points);
-  const std::vector<HitLight> elsewhere = find(*whole, other, points);
-  EXPECT_GT(expected.size(), 200u);
+  const ShortRayLight expected = find(*whole, field, points);
+  const ShortRayLight elsewhere = find(*whole, other, points);
+  EXPECT_GT(find(*first_steps(), field, points).left.size(), 200u);
+  EXPECT_GT(expected.left.size(), 3u);
   EXPECT_FALSE(are_same_bits(expected, elsewhere));
-  EXPECT_TRUE(are_same_bits(
-      expected, find(*gpu::make_gl_short_rays(device(), gpu::HitLimits{37}), field, points)));
+  EXPECT_TRUE(are_same_bits(expected, find(*caster({.hits = 37}), field, points)));
+  EXPECT_TRUE(are_same_bits(expected, find(*caster({.answer_bytes = 100}), field, points)));
   EXPECT_TRUE(
       are_same_bits(expected, find(*gl_short_rays(gpu::Fault::no_buffer_storage), field, points)));
+  EXPECT_TRUE(are_same_bits(find(*first_steps(), field, points),
+                            find(*caster({.hits = 37, .leaves_all = true}), field, points)));
   // Some points at a time, into one list.
-  std::vector<HitLight> parts;
+  ShortRayLight parts;
   const calc::NearFieldBatch all = points.batch();
   for (std::size_t first = 0; first < all.points.size(); first += 13) {
-    const std::size_t before = parts.size(),
-                      count = std::min<std::size_t>(13, all.points.size() - first);
+    const std::size_t count = std::min<std::size_t>(13, all.points.size() - first);
     whole->find_light(field.near(), {all.tiles, all.key, all.points.subspan(first, count)}, parts);
-    for (std::size_t k = before; k < parts.size(); ++k) {
-      parts[k].request += static_cast<std::uint32_t>(first);
-    }
   }
   EXPECT_TRUE(are_same_bits(expected, parts));
   std::vector<char> is_same(12);
@@ -368,7 +413,7 @@ TEST_F(GlHits, GoOnInTheNextBlockOfTiles) {
   NearPoints points(receivers, 32, 1);
   points.points.erase(points.points.begin(), points.points.end() - 80);
   points.requests.erase(points.requests.begin(), points.requests.end() - 80);
-  expect_same(field, points, *caster(), 0.02);
+  expect_same(field, points, *caster(), *first_steps(), 0.02, 0.1);
 }
 
 TEST_F(GlHits, FailuresAreNoResults) {
@@ -379,7 +424,7 @@ TEST_F(GlHits, FailuresAreNoResults) {
   for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
                                     {gpu::Fault::context_lost, "reset"},
                                     {gpu::Fault::fence_lost, "has not answered"}}) {
-    const auto gl = gpu::make_gl_short_rays(gl_device(fault), gpu::HitLimits{37});  // in pieces
+    const auto gl = gpu::make_gl_short_rays(gl_device(fault), {.hits = 37});  // in pieces
     for (int k = 0; k < 2; ++k) {  // not only the first time
       try {
         find(*gl, field, points);
@@ -398,7 +443,7 @@ TEST_F(GlHits, TakeNoEarlierHits) {
   const NearScene field(hall.scene, 64);
   const NearPoints points = points_in_hall(30, 32);
   const auto gl = gl_short_rays(gpu::Fault::results_lost);
-  EXPECT_GT(find(*gl, field, points).size(), 37u);
+  EXPECT_GT(sum_of(find(*gl, field, points).lx), 0.0);
   EXPECT_THROW(find(*gl, field, points), calc::BackendFailure);
 }
 
@@ -419,11 +464,36 @@ TEST_F(GlHits, DoNotTakeALoopCutShortForAnAnswer) {
   const NearPoints points({{{250, 250, 0.2}, {0, 0, -1}, ReceiverKernel::planar}}, 64);
   const auto gl = caster();
   try {
-    const std::vector<HitLight> found = find(*gl, field, points);
+    const ShortRayLight found = find(*gl, field, points);
     EXPECT_FALSE(device()->device().is_software);
     const Sums cpu = sums_of(field, points, nullptr), own = sums_of(field, points, &found);
-    EXPECT_GT(found.size(), 10u);
+    EXPECT_GT(sum_of(found.lx), 0.0);
     EXPECT_NEAR(own.lx[0] / cpu.lx[0], 1.0, 0.01);
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_TRUE(device()->device().is_software);
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+  }
+}
+
+// The same where light is found: a bound is a loop over all luminaires.
+TEST_F(GlHits, DoNotTakeABoundCutShortForDarkness) {
+  LUXGATE_NEEDS_OPENGL();
+  const calc::PhotometricWeb web = isotropic_web(10.0);
+  calc::PreparedScene scene;
+  scene.channels = {{"a", 1.0}};
+  add_box(scene, {0, 0, 0}, {20, 20, 3}, 0.5);
+  for (int k = 0; k < 70'000; ++k) {
+    add_luminaire(scene, web, {0.2 + 0.06 * (k % 320), 0.2 + 0.08 * (k / 320), 2.5});
+  }
+  set_extent(scene);
+  const NearScene field(scene, 16);
+  const NearPoints points({{{5.0, 5.0, 0.1}, {0, 0, -1}, ReceiverKernel::planar},
+                           {{9.0, 8.0, 0.1}, {0, 0, -1}, ReceiverKernel::planar}},
+                          64);
+  try {
+    const ShortRayLight found = find(*caster(), field, points);
+    EXPECT_FALSE(device()->device().is_software);
+    expect_same_sums(sums_of(field, points, nullptr), sums_of(field, points, &found), 0.0);
   } catch (const calc::BackendFailure& failure) {
     EXPECT_TRUE(device()->device().is_software);
     EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
@@ -435,7 +505,10 @@ TEST_F(GlHits, PastTheDeadlineThereIsNothing) {
   const LampHall hall(0.6);
   NearScene field(hall.scene, 64);
   field.deadline_s = 1e-9;
-  EXPECT_TRUE(find(*caster(), field, points_in_hall(30, 32)).empty());
+  const ShortRayLight found = find(*caster(), field, points_in_hall(30, 32));
+  EXPECT_EQ(found.points(), 30u);
+  EXPECT_EQ(sum_of(found.lx), 0.0);
+  EXPECT_TRUE(found.left.empty());
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+// What comes back of the short rays of a point, see hit_pass.h.
+
+#include <cstdint>
+
+namespace gpu {
+
+// And a double for each channel: lx.
+struct HitAnswer {
+  float largest_lx;  // of a ray
+  std::uint32_t rays;
+  std::uint32_t hits;  // that are in it, and that are left; more than these means not done
+  std::uint32_t left;  // to the CPU
+};
+static_assert(sizeof(HitAnswer) == 16);
+
+}  // namespace gpu
