@@ -1,6 +1,7 @@
 #pragma once
 // What comes back of the short rays of a point, see hit_pass.h.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace gpu {
@@ -13,5 +14,9 @@ struct HitAnswer {
   std::uint32_t left;  // to the CPU
 };
 static_assert(sizeof(HitAnswer) == 16);
+
+constexpr std::size_t hit_answer_bytes(std::size_t channels) {
+  return sizeof(HitAnswer) + channels * sizeof(double);
+}
 
 }  // namespace gpu

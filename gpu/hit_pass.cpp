@@ -47,10 +47,11 @@ enum Binding : unsigned {
 };
 
 constexpr const char* kDoing = "finding light at hits of short rays";
-constexpr std::size_t kMostGroups = 65535;         // in one direction, on any device
-constexpr std::size_t kMostWeights = 40960 * 128;  // of a piece: doubles
-// Later steps of a piece go without a look at the clock: it has no more hits than so many
-// dispatches of its slowest stage.
+constexpr std::size_t kMostGroups = 65535;  // in one direction, on any device
+// Of a piece: doubles. The cut of a field has 128 nodes, or as many as there are channels.
+constexpr std::size_t kMostWeights = HitLimits{}.hits * 128;
+// Each stage of a later step is one dispatch: a piece has no more hits than so many dispatches of
+// its slowest stage.
 constexpr std::size_t kMostDispatches = 4;
 // llvmpipe leaves all loops of an invocation after 65535 turns together: of a point that may have
 // more hits with their portions.
@@ -59,7 +60,6 @@ constexpr std::size_t kMostHitsInSoftware = 65535 / (1 + kMostPortions) / 2;
 constexpr std::uint32_t kNoSpacing = 0xbfbf'bfbf;
 const DispatchSize kHitsPerDispatch{std::size_t{1} << 8, std::size_t{1} << 20,
                                     std::size_t{1} << 14};
-constexpr std::uint32_t kPlacesPerHit = calc::kFarDraws + 1;
 constexpr std::size_t kPlaceBytes = 64, kReceiverBytes = sizeof(DrawReceiver);
 constexpr std::size_t kLightBytes = sizeof(calc::HitLight), kWordBytes = sizeof(std::uint32_t);
 constexpr std::size_t kSizeBytes = 3 * kWordBytes;     // of a dispatch
@@ -369,21 +369,26 @@ void HitPass::bind(DeviceState& device, const Piece& piece) const {
   places_.bind(kPlaces);
 }
 
+// Of a later step's dispatches.
+void HitPass::write_sizes(const Piece& piece) const {
+  chains_.bind(kChains);
+  sizes_.bind(kSizes);
+  start(sizes_shader_, piece);
+  glDispatchCompute(1, 1, 1);
+  wait_for_writes();
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, sizes_.name());
+}
+
 // False: the deadline passed.
 bool HitPass::do_step(DeviceState& device, const Piece& piece) {
-  bind(device, piece);
   const bool is_first = piece.depth == 0;
+  if (!is_first) write_sizes(piece);
+  bind(device, piece);
   if (is_first) {
     piece.buffers.list.bind(kList);
   } else {
     chains_.bind(kChains);
-    sizes_.bind(kSizes);
-    start(sizes_shader_, piece);
-    glDispatchCompute(1, 1, 1);
-    wait_for_writes();
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, sizes_.name());
-    piece.rays.bind(device, piece.job, piece.buffers.rays);
   }
   receivers_.bind(kReceivers);
   if (!run_stage(is_first ? bounds_ : later_bounds_, piece, piece.count, kDispatchPlaces)) {

@@ -76,11 +76,6 @@ struct HitAnswers {
   std::vector<Left> left;
 };
 
-// Of one request.
-constexpr std::size_t hit_answer_bytes(std::size_t channels) {
-  return sizeof(HitAnswer) + channels * sizeof(double);
-}
-
 class HitPass {
  public:
   HitPass(const ProgramCache& programs, const HitLimits& limits);  // programs must outlive it
@@ -128,6 +123,7 @@ class HitPass {
   bool find(DeviceState& device, Piece piece, HitBuffers::Piece& found);
   void prepare(const Piece& piece, HitBuffers::Piece& found);
   void bind(DeviceState& device, const Piece& piece) const;
+  void write_sizes(const Piece& piece) const;
   bool do_step(DeviceState& device, const Piece& piece);
   bool weigh(DeviceState& device, const Piece& piece);
   void add_up(const Piece& piece, const HitBuffers::Piece& found) const;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 namespace gpu {
 
@@ -50,10 +51,11 @@ inline constexpr std::uint32_t kChainSteps = 3;
 inline constexpr std::uint32_t kChainHead = 16, kChainSize = 12;
 static_assert(kChainSteps < kChainHead);
 // Of a hit with its chain, kEndSize words; kMostPortions: channels one after the other that it has
-// light of, from each step a luminaire and draws.
+// light of, from each step a luminaire and kPlacesPerHit draws.
 inline constexpr std::uint32_t kFateDone = 0, kFateLeft = 1;  // to the CPU
 inline constexpr std::uint32_t kEndSize = 8;
-inline constexpr std::uint32_t kMostPortions = kChainSteps * (1 + calc::kFarDraws + 1);
+inline constexpr std::uint32_t kPlacesPerHit = std::tuple_size_v<decltype(calc::HitLight::draws)>;
+inline constexpr std::uint32_t kMostPortions = kChainSteps * (1 + kPlacesPerHit);
 // Sizes of a later step's dispatches: of one for each place, for each node of each, a group for
 // each, one for each draw.
 inline constexpr std::uint32_t kDispatchPlaces = 0, kDispatchNodes = 1, kDispatchRows = 2,

@@ -28,7 +28,6 @@ std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch, std::size_
     if (parts.empty() || point.receiver >= end || parts.back().points() >= most_points) {
       ShortRayPart& part = parts.emplace_back();
       part.block = batch.tiles.group_of(point.receiver) / kTilesPerBlock;
-      part.first_point = k;
       part.requests.push_back({0, 0});  // the end
       const std::size_t first = part.block * kTilesPerBlock;
       begin = batch.tiles.receivers_before(first);

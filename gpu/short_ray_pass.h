@@ -25,7 +25,6 @@ struct ShortRayRequest {
 // Points of a batch that lie in one block.
 struct ShortRayPart {
   std::size_t block = 0;
-  std::size_t first_point = 0;              // of the batch
   std::vector<ShortRayRequest> requests{};  // and one behind the last, where its rays end
 
   std::size_t points() const { return requests.size() - 1; }

@@ -43,6 +43,8 @@ std::size_t cut_nodes(std::uint32_t draws) {
 // A tile has too few short rays for a device: so many tiles send theirs together, at least. How
 // many fill a cast is told from so many of them.
 constexpr std::size_t kTilesPerCast = 128, kTilesLookedAt = 64;
+// No more than have so many sums, 32 MiB on every thread: points times channels.
+constexpr std::size_t kMostSumsPerCast = std::size_t{1} << 22;
 
 }  // namespace
 
@@ -206,14 +208,17 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
 std::size_t PlaneWork::tiles_per_cast(const VertexBatch& batch, std::size_t tiles_each) const {
   if (batch.short_rays == nullptr) return 1;
   const std::size_t apart = std::max<std::size_t>(1, tiles().size() / kTilesLookedAt);
-  std::uint64_t rays = 0, looked_at = 0;
+  std::uint64_t rays = 0, sums = 0, looked_at = 0;
   for (std::size_t t = 0; t < tiles().size(); t += apart) {
     ++looked_at;
+    sums += channels() * tiles()[t].point.size();
     for (const std::uint32_t point : tiles()[t].point) rays += short_rays_of(point, batch);
   }
+  if (rays == 0) return kTilesPerCast;
   const std::uint64_t wanted = kShortRaysPerCast - kShortRaysPerCast / 16;  // a little less
-  return std::clamp<std::size_t>(rays > 0 ? wanted * looked_at / rays : 0, kTilesPerCast,
-                                 std::max(kTilesPerCast, tiles_each));
+  const std::size_t most = std::min<std::size_t>(tiles_each, kMostSumsPerCast * looked_at / sums);
+  return std::clamp<std::size_t>(wanted * looked_at / rays, kTilesPerCast,
+                                 std::max(kTilesPerCast, most));
 }
 
 // Results do not depend on it.

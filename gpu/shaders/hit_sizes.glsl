@@ -6,8 +6,8 @@ layout(std430, binding = 7) readonly buffer Chains { uint chain_word[]; };  // h
 layout(std430, binding = 4) writeonly buffer Sizes { uint size[]; };  // three for each dispatch
 
 uniform uint depth;
-uniform uint most_places;        // there are no more
-uniform uint items_per_place;    // of the stage that draws
+uniform uint most_places;      // there are no more
+uniform uint items_per_place;  // of the stage that draws
 uniform uint most_nodes;
 
 uint groups(uint items) { return (items + GROUP_SIZE - 1u) / GROUP_SIZE; }

@@ -1,9 +1,10 @@
 // All figures of the GPU backend that need a machine with a GPU, in one call:
 //   gpu_figures [--quick] [--device N] [--limit SECONDS]
 // Renderer and driver; rays a second of each stage in the office, the corridor and the hall; direct
-// light of 204 panels; pictures and shadow maps; whole runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5
-// points, on all cores and with the GPU; where the two break even, measured and by the cost model
-// of `--backend auto`. Every run ends at the limit, and what is left out for it is named.
+// light of 204 panels; whole runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and
+// with the GPU; where the two break even, measured and by the cost model of `--backend auto`;
+// pictures and shadow maps. Every run ends at the limit, but for a picture, and what is left out
+// for it is named.
 #include "calc/forecast/device_cost.h"
 #include "calc/forecast/drawing_cost.h"
 #include "calc/forecast/scene_plan.h"

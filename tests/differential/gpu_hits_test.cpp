@@ -86,7 +86,7 @@ double sum_of(const std::vector<double>& lx) { return std::accumulate(lx.begin()
 // What the device was asked for, so that no test is about nothing: of first steps, which it leaves
 // to the CPU if it is told to.
 struct Kinds {
-  std::size_t hits = 0, without_light = 0, direct = 0, hidden = 0, unlit = 0, left = 0, next = 0;
+  std::size_t hits = 0, direct = 0, hidden = 0, unlit = 0, left = 0, next = 0;
   std::size_t draws = 0, hidden_draws = 0, bounded = 0;
   std::vector<std::size_t> of_luminaire;
 };
