@@ -76,7 +76,7 @@ struct HitLight {
   };
 
   std::uint32_t triangle_and_side;  // as FirstHit's
-  std::uint32_t request, ray;       // the point's number in the call, the ray's of the point
+  std::uint32_t request, ray;       // number of the point in ShortRayLight, of the ray at the point
   std::uint32_t luminaire;          // asked for direct light; kNothing, kHidden, kLeft
   Place place;
   double weight;     // of all light from there; 0: none, and nothing below is said
@@ -109,8 +109,8 @@ struct ShortRayLight {
 };
 
 // Rays of one call to ShortRayCaster: enough for a large device. Where all of them meet what may
-// give light and all is left to the CPU, in a white corner, 32 MiB of HitLight for each thread;
-// sums of points take 8 bytes for each channel, too, of two rays and more.
+// give light and all is left to the CPU, in a white corner, 32 MiB of HitLight for each thread.
+// Beside them 8 bytes for each point, which has two rays and more, and channel.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 18;
 
 class ShortRayCaster {
