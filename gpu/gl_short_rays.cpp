@@ -27,7 +27,7 @@ constexpr const char* kDoing = "tracing short rays";
 bool is_done(const calc::HitLight& light, bool has_far_light) {
   if (light.ray == calc::HitLight::kNotDone || !(light.weight > 0.0)) return false;
   const auto is_draw_done = [](const calc::HitLight::Draw& draw) {
-    return draw.which != calc::HitLight::kNotDone;
+    return draw.channel != calc::HitLight::kNotDone;
   };
   return light.luminaire != calc::HitLight::kNotDone && !std::isnan(light.direct_lx) &&
          light.next_triangle_and_side != calc::HitLight::kNotDone &&
@@ -73,7 +73,7 @@ void append(const HitAnswers& answers, std::size_t points, bool has_far_light,
   std::sort(own, found.left.end(), is_before);
   if (hits != answers.hits || left != found.left.size() - left_before) throw_not_done();
   for (auto light = own; light != found.left.end(); ++light) {
-    if (!has_far_light) light->draws.fill({calc::HitLight::kNothing, 0.0f, 0.0f});
+    if (!has_far_light) light->draws.fill({calc::HitLight::kNothing, 0.0f});
     if (!is_done(*light, has_far_light) || light->request >= points) throw_not_done();
     if (light != own && !is_before(*(light - 1), *light)) throw_not_done();
   }

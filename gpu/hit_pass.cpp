@@ -43,6 +43,7 @@ enum Binding : unsigned {
   kReceivers,
   kChannelWeights = kReceivers,
   kPortions = kReceivers,
+  kNear = kReceivers,
   kAnswers = kReceivers
 };
 
@@ -128,6 +129,7 @@ HitPass::HitPass(const ProgramCache& programs, const HitLimits& limits)
       counts_shader_("numbers of hits", hit_shader(HitStage::counts), programs),
       list_shader_("list of hits", hit_shader(HitStage::list), programs),
       sizes_shader_("sizes of later steps", hit_shader(HitStage::sizes), programs),
+      near_shader_("bounds of near light vertices", hit_shader(HitStage::near), programs),
       ends_shader_("ends of chains", hit_shader(HitStage::ends), programs),
       sums_shader_("sums of short rays", hit_shader(HitStage::sums), programs),
       bounds_("bounds at hits", hit_shader(HitStage::bounds), programs),
@@ -143,6 +145,7 @@ HitPass::HitPass(const ProgramCache& programs, const HitLimits& limits)
       links_("links of chains", BufferUse::by_device),
       chains_("chains that go on", BufferUse::by_device),
       sizes_("sizes of later steps", BufferUse::by_device),
+      near_("near light vertices", BufferUse::by_device),
       ends_("ends of chains", BufferUse::by_device),
       portions_("light of chains by channels", BufferUse::by_device),
       places_("places of hits", BufferUse::by_device),
@@ -308,8 +311,8 @@ void HitPass::run_rows(const GlProgram& program, const Piece& piece, std::size_t
   wait_for_writes();
 }
 
-// Of the groups that the places' light from afar is drawn from. False: the deadline passed.
-bool HitPass::weigh(DeviceState& device, const Piece& piece) {
+// The places' light from afar. False: the deadline passed.
+bool HitPass::draw(DeviceState& device, const Piece& piece) {
   const calc::Cut& cut = piece.field.cut;
   const bool has_many_channels = cut.channels().size() > 1;
   std::unique_ptr<GlProgram>& share = share_[has_many_channels ? 1 : 0];
@@ -331,9 +334,31 @@ bool HitPass::weigh(DeviceState& device, const Piece& piece) {
   weights_.bind(kWeights);
   cumulated_.bind(kCumulated);
   spacings_.bind(kSpacings);
+  start_near(piece);
   run_rows(weigh_, piece, (cut.size() + kGroupSize - 1) / kGroupSize, kDispatchNodes);
   run_rows(*share, piece, 1, kDispatchRows);
-  return run_stage(far_, piece, piece.count * kPlacesPerHit, kDispatchDraws);
+  near_.bind(kNear);
+  return run_stage(far_, piece, piece.count * kPlacesPerHit, kDispatchDraws) &&
+         bound_near(device, piece);
+}
+
+// An empty list of draws whose vertex is near, as large as it can get; one group is always there.
+void HitPass::start_near(const Piece& piece) {
+  near_.reserve((kNearHead + piece.count * kPlacesPerHit * kNearSize) * kWordBytes);
+  near_.fill(kNearHead * kWordBytes, 0);
+  near_.fill(kSizeBytes, 1);
+}
+
+// False: the deadline passed.
+bool HitPass::bound_near(DeviceState& device, const Piece& piece) const {
+  if (calc::is_past(piece.field.deadline_s)) return false;
+  bind(device, piece);
+  start(near_shader_, piece);
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, near_.name());
+  glDispatchComputeIndirect(0);
+  wait_for_writes();
+  return true;
 }
 
 // Rows of all steps, each "not done".
@@ -400,7 +425,7 @@ bool HitPass::do_step(DeviceState& device, const Piece& piece) {
   chains_.bind(kChains);
   links_.bind(kLinks);
   if (!run_stage(further_, piece, piece.count, kDispatchPlaces)) return false;
-  return piece.field.cut.size() == 0 || weigh(device, piece);
+  return piece.field.cut.size() == 0 || draw(device, piece);
 }
 
 // What each chain brought, to its request.

@@ -31,6 +31,7 @@ namespace gpu {
 //   links   [step][hit of the piece] the chain's row of lights in the next step
 //   chains  where the next step's places are, see hit_further.glsl
 //   places  [place of the step] four uvec4: position, normal, weight, key, see hit_places.glsl
+//   near    draws whose vertex is so near that its own bound has to be found, see hit_far.glsl
 //   ends    [hit of the piece] of the whole chain: fate, rays, light; portions: that by channels
 //   answers [request] a HitAnswer and its channels
 //   left    calc::HitLight of rays that the CPU has to finish, in any order
@@ -125,7 +126,9 @@ class HitPass {
   void bind(DeviceState& device, const Piece& piece) const;
   void write_sizes(const Piece& piece) const;
   bool do_step(DeviceState& device, const Piece& piece);
-  bool weigh(DeviceState& device, const Piece& piece);
+  bool draw(DeviceState& device, const Piece& piece);
+  void start_near(const Piece& piece);
+  bool bound_near(DeviceState& device, const Piece& piece) const;
   void add_up(const Piece& piece, const HitBuffers::Piece& found) const;
   void start(const GlProgram& program, const Piece& piece) const;
   bool run_stage(Stage& stage, const Piece& piece, std::size_t items, std::uint32_t size);
@@ -134,12 +137,12 @@ class HitPass {
 
   const ProgramCache& programs_;
   const HitLimits limits_;
-  GlProgram counts_shader_, list_shader_, sizes_shader_, ends_shader_, sums_shader_;
+  GlProgram counts_shader_, list_shader_, sizes_shader_, near_shader_, ends_shader_, sums_shader_;
   Stage bounds_, later_bounds_, direct_, further_, far_;
   GlProgram weigh_;
   std::array<std::unique_ptr<GlProgram>, 2> share_;  // [many channels], made when first needed
-  GlBuffer tables_, choice_, firsts_, lights_, links_, chains_, sizes_, ends_, portions_, places_,
-      receivers_;
+  GlBuffer tables_, choice_, firsts_, lights_, links_, chains_, sizes_, near_, ends_, portions_,
+      places_, receivers_;
   GlBuffer channel_weights_, weights_, cumulated_, spacings_;
   std::uint32_t nodes_ = 0;      // of the scene at hand
   std::uint64_t tables_of_ = 0;  // identity of a tracer; 0 = none

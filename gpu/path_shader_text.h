@@ -61,7 +61,22 @@ inline constexpr std::uint32_t kMostPortions = kChainSteps * (1 + kPlacesPerHit)
 inline constexpr std::uint32_t kDispatchPlaces = 0, kDispatchNodes = 1, kDispatchRows = 2,
                                kDispatchDraws = 3, kDispatches = 4;
 
-enum class HitStage { counts, list, bounds, later_bounds, sizes, direct, further, far, ends, sums };
+// Draws whose vertex is near: the size of a dispatch, their number, and then so many words of each.
+inline constexpr std::uint32_t kNearCount = 3, kNearHead = 4, kNearSize = 10;
+
+enum class HitStage {
+  counts,
+  list,
+  bounds,
+  later_bounds,
+  sizes,
+  direct,
+  further,
+  far,
+  near,
+  ends,
+  sums
+};
 std::string hit_shader(HitStage stage);
 
 // What a point has of a luminaire; above it, of what is sampled, samples of one round.

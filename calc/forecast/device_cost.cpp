@@ -20,9 +20,8 @@ constexpr double kPackVertex_ns = 25.0;     // with its groups, by one thread
 constexpr double kPackTriangle_ns = 300.0;  // the device's own tree, by one thread
 // What a first short ray costs the CPU without the light at its end.
 constexpr double kFirstShortRay_ns = 75.0;
-// Light at hits that stays on the CPU.  [in rooms 1 to 9 of 100 hits are left, most of them without
-// a ray more]
-constexpr double kLeftLight = 0.005;
+// Light at hits that stays on the CPU.  [in rooms 0.1 to 0.7 of 100 hits are left]
+constexpr double kLeftLight = 0.002;
 constexpr double kRaysPerHit = 5.0;  // of a step  [counted]
 
 // --- bytes, by the layouts in gpu/ ---------------------------------------------------------------

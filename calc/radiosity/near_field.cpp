@@ -153,18 +153,10 @@ std::uint64_t add_found_draws(const NearField& field, const HitLight& light, dou
                               std::size_t stride) {
   std::uint64_t rays = 0;
   for (const HitLight::Draw& draw : light.draws) {
-    if (draw.which == HitLight::kNothing) continue;
+    if (draw.channel == HitLight::kNothing) continue;
     ++rays;
-    if (draw.which == HitLight::kHidden) continue;
-    std::uint32_t channel = draw.which;
-    float lm_per_m2 = draw.value;
-    if (draw.bounded_per_m2 > 0.0f) {
-      const LightVertex& v = field.tree.vertices()[draw.which];
-      channel = v.channel;
-      lm_per_m2 =
-          draw.value * v.flux_lm * field.vertex_bounds.limited(draw.which, draw.bounded_per_m2);
-    }
-    sums[channel * stride] += light.weight * static_cast<double>(lm_per_m2) / kPi;
+    if (draw.channel == HitLight::kHidden) continue;
+    sums[draw.channel * stride] += light.weight * static_cast<double>(draw.lm_per_m2) / kPi;
   }
   return field.tracer.has_shadows() ? rays : 0;
 }

@@ -53,8 +53,8 @@ inline constexpr std::uint32_t kFarDraws = 4;
 // What a first ray's hit gave: the first step of its chain (see add_near_field()), but for what
 // only the CPU can finish. Words of 4 bytes, as devices write them, each kNotDone before.
 //
-// A ray is left to the CPU so if the bound of one of its vertices has to be found, if a luminaire
-// is too near, or if its chain goes on for longer than devices follow it.
+// A ray is left to the CPU so if a luminaire is too near, or if its chain goes on for longer than
+// devices follow it.
 struct HitLight {
   // In place of a number: nothing, without a ray; a ray, but something stood between.
   static constexpr std::uint32_t kNothing = FirstHit::kNothing, kNotDone = FirstHit::kNotDone;
@@ -64,10 +64,8 @@ struct HitLight {
 
   // One of the vertices that the hit's light from afar is drawn from.
   struct Draw {
-    std::uint32_t which;  // the vertex's channel, or the vertex; kNothing, kHidden
-    float value;          // lm / m2 of the vertex with its weight; or Connection::weight
-    // 0; or the geometry term, above the lowest bound: the CPU has to find the vertex's own.
-    float bounded_per_m2;
+    std::uint32_t channel;  // the vertex's; kNothing, kHidden
+    float lm_per_m2;        // of the vertex, with its weight
   };
 
   // On a triangle, as in FirstHit, but not rounded: what hangs on it is compared with the CPU's.
@@ -85,8 +83,9 @@ struct HitLight {
   Place next_place;
   std::uint32_t next_triangle_and_side;
   std::array<Draw, kFarDraws + 1> draws;  // one more: rounding may let it in
+  std::uint32_t unused;
 };
-static_assert(sizeof(HitLight) == 128);
+static_assert(sizeof(HitLight) == 112);
 
 // Light that the short rays of one point brought, as a device found it.
 struct PointLight {
@@ -109,7 +108,7 @@ struct ShortRayLight {
 };
 
 // Rays of one call to ShortRayCaster: enough for a large device. Where all of them meet what may
-// give light and all is left to the CPU, in a white corner, 32 MiB of HitLight for each thread.
+// give light and all is left to the CPU, in a white corner, 28 MiB of HitLight for each thread.
 // Beside them 8 bytes for each point, which has two rays and more, and channel.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 18;
 

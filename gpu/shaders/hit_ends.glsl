@@ -26,15 +26,10 @@ uint fate_of(uint row) {
       !is_word_done(row, LIGHT_NEXT_TRIANGLE)) {
     return FATE_NOT_DONE;
   }
-  uint result = light_at(row, LIGHT_LUMINAIRE) == LIGHT_LEFT ? FATE_LEFT : FATE_DONE;
   for (uint k = 0u; k < has_far_light * PLACES_PER_HIT; ++k) {
-    const uint at = LIGHT_DRAWS + 3u * k;
-    if (!is_word_done(row, at)) return FATE_NOT_DONE;
-    if (light_at(row, at) < LIGHT_LEFT && uintBitsToFloat(light_at(row, at + 2u)) > 0.0) {
-      result = FATE_LEFT;
-    }
+    if (!is_word_done(row, LIGHT_DRAWS + 2u * k)) return FATE_NOT_DONE;
   }
-  return result;
+  return light_at(row, LIGHT_LUMINAIRE) == LIGHT_LEFT ? FATE_LEFT : FATE_DONE;
 }
 
 // Of the whole chain.
@@ -89,7 +84,7 @@ void add_row(uint hit, uint row, inout Sums sums) {
   }
   const double weight = light_double(row, LIGHT_WEIGHT) / DBL(3.14159265358979323846);
   for (uint k = 0u; k < has_far_light * PLACES_PER_HIT; ++k) {
-    const uint at = LIGHT_DRAWS + 3u * k, channel = light_at(row, at);
+    const uint at = LIGHT_DRAWS + 2u * k, channel = light_at(row, at);
     if (channel == LIGHT_NOTHING) continue;
     sums.rays += has_shadows;
     if (channel == LIGHT_HIDDEN) continue;

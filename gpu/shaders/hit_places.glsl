@@ -44,6 +44,13 @@ void write_light(uint i, uint what, double value) {
   write_light(i, what + 1u, words.y);
 }
 
+// Of the step's draws from afar, PLACES_PER_HIT for each place.
+void write_draw(uint draw, uvec2 found) {
+  const uint i = draw / PLACES_PER_HIT, at = LIGHT_DRAWS + 2u * (draw % PLACES_PER_HIT);
+  write_light(i, at, found.x);
+  write_light(i, at + 1u, found.y);
+}
+
 // Whether anything is still to be found there: false, too, where the bound was not done, and behind
 // the last of a step's places.
 bool is_lit(uint i) {

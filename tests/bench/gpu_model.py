@@ -53,7 +53,7 @@ ASSUMED = {
     "hit_nodes": (128.0, "groups that a hit's light from afar is drawn from"),
     "bounds": (2.0, "luminaires whose photometry a hit's bound asks for, with a shadow ray each"),
     "later_steps": (0.06, "of hits, places of later steps of their chains (counted in three rooms: 5 to 6 of 100 hits go on)"),
-    "left": (0.005, "light at hits that stays on the CPU: bounds of vertices, chains that go on for longer (counted: 1 to 9 of 100 hits, most of them without a ray more)"),
+    "left": (0.002, "light at hits that stays on the CPU: openings that fall into many parts, chains that go on for longer (counted: 0.1 to 0.7 of 100 hits in rooms)"),
     "cast_fill": (0.75, "of a cast of short rays: tasks are halves of halves of a plane's tiles"),
     "launch_s": (5e-6, "of a dispatch or an upload, processor and driver"),
     "read_s": (3e-5, "of a blocking read, beside its bytes"),
@@ -450,7 +450,7 @@ def predict(device, work, visits, threads):
     phases["near field"] = phase(limits, {
         "CPU beside": ns * (A["left"] * light_ns + BESIDE_NS["short_ray"] * first),
         # Up: points, and which of them; down: sums, and one in eight hits.
-        "PCIe": device.pcie_s((8 + 80 / work.replicates + 24) * work.receivers * work.looks + 128 / 8 * hits),
+        "PCIe": device.pcie_s((8 + 80 / work.replicates + 24) * work.receivers * work.looks + 112 / 8 * hits),
         "launches": casts * (LAUNCHES_PER_CAST * A["launch_s"] + 3 * A["read_s"])})
     return phases
 
