@@ -166,6 +166,22 @@ void warn_about_lost_light(const calc::Space& space, const calc::FluxBalance& ba
                      100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id);
 }
 
+// Whoever asks for an accuracy must see where it is not there: verdicts do not say it.
+void warn_about_accuracy(const calc::Space& space, const std::vector<calc::PlaneField>& fields,
+                         const Settings& settings, calc::Diagnostics& diagnostics) {
+  if (settings.goal != rules::Goal::accuracy) return;
+  const auto is_short = [](const calc::PlaneField& field) {
+    return field.problem.empty() && (field.stop == calc::StopReason::path_limit ||
+                                     field.stop == calc::StopReason::time_limit);
+  };
+  const auto count = std::count_if(fields.begin(), fields.end(), is_short);
+  if (count == 0) return;
+  const calc::PlaneField& first = *std::find_if(fields.begin(), fields.end(), is_short);
+  diagnostics.report(calc::DiagnosticId::accuracy_not_reached, space.where, count,
+                     count == 1 ? "" : "s", space.id, settings.tolerance, first.plane_id,
+                     calc::name_of(first.stop));
+}
+
 // What the calculation refused is an error of that plane.
 void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneField>& fields,
                    calc::Diagnostics& diagnostics) {
@@ -323,6 +339,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   if (lit == nullptr) return checked;
   auto& [jobs, scene, apart, not_apart, tasks, solution] = *lit;
   take_problems(jobs, solution.fields, diagnostics);
+  warn_about_accuracy(space, solution.fields, context.settings, diagnostics);
   warn_about_lost_light(space, solution.balance, diagnostics);
 
   const Stopwatch judge_watch;

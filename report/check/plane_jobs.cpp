@@ -56,12 +56,12 @@ void add_no_longer_left_out(const calc::Space& space, const rules::JudgedProject
   }
 }
 
-void warn_of_speck(const calc::CalcPlane& plane, const std::vector<rules::Requirement>& asked,
-                   calc::Diagnostics& diagnostics) {
+void warn_of_speck(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
+                   const std::vector<rules::Requirement>& asked, calc::Diagnostics& diagnostics) {
   const auto first = std::find_if(asked.begin(), asked.end(), [](const rules::Requirement& one) {
     return !one.origin.pack.empty() && !rules::is_of_space(one.metric);
   });
-  const std::string words = rules::speck_words(plane);
+  const std::string words = rules::speck_words(plane, grid);
   if (first == asked.end() || words.empty()) return;
   diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
 }
@@ -103,8 +103,10 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     job.grid = calc::make_sensor_grid(plane, space, of_grid);
     diagnostics.add(of_grid);
     if (job.grid) {
-      rules::check_fitness({loaded.project, space, plane, *job.grid, packs, day}, job.requirements);
-      warn_of_speck(plane, job.requirements, diagnostics);
+      rules::check_fitness(
+          {loaded.project, space, plane, *job.grid, packs, day, loaded.requirements},
+          job.requirements);
+      warn_of_speck(plane, *job.grid, job.requirements, diagnostics);
       warn_of_grid_trap(loaded.project, space, job, diagnostics);
     } else {
       job.reason = of_grid.all().back().message;

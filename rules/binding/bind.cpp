@@ -31,7 +31,8 @@ namespace {
 // What the project has let into the zone must count, too.
 void narrow_strips(Mask& mask, double margin_m) {
   for (MaskOperation& operation : mask.operations) {
-    const bool is_strip = operation.step == MaskStep::walls || operation.step == MaskStep::inset;
+    const bool is_strip = operation.step == MaskStep::walls || operation.step == MaskStep::inset ||
+                          operation.step == MaskStep::border;
     if (is_strip) operation.metres = std::min(operation.metres, margin_m);
   }
 }
@@ -318,6 +319,71 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
     report_unstated_maintenance(project, diagnostics);
 }
 
+LightSources sources_of(const Requirement& requirement, const std::vector<RulePack>& packs) {
+  for (const RulePack& pack : packs) {
+    if (pack.full_id() != requirement.origin.pack) continue;
+    const RuleCheck* check = pack.find_check(requirement.origin.check);
+    if (check != nullptr) return check->sources;
+  }
+  return LightSources::all;
+}
+
+double level_in(const calc::LightScene& scene, const std::string& group) {
+  for (const auto& [named, level] : scene.level_of_group) {
+    if (named == group) return level;
+  }
+  return 1.0;
+}
+
+// Groups of the space that a scene of emergencies lights while it puts others out.
+std::vector<std::string> emergency_groups(const calc::Space& space, const calc::LightScene& scene) {
+  std::vector<std::string> lit;
+  bool puts_out = false;
+  for (const calc::Luminaire& luminaire : space.luminaires) {
+    const std::string& group = luminaire.group;
+    if (level_in(scene, group) == 0.0) {
+      puts_out = true;
+    } else if (!group.empty() && std::find(lit.begin(), lit.end(), group) == lit.end()) {
+      lit.push_back(group);
+    }
+  }
+  return puts_out ? lit : std::vector<std::string>();
+}
+
+// What is asked without a scene is asked of all luminaires at full output, and those of the
+// emergency are among them: right where they are always on, and else a false pass.
+void warn_about_emergency_light(const calc::Project& project, const std::vector<RulePack>& packs,
+                                const std::vector<Requirement>& bound,
+                                calc::Diagnostics& diagnostics) {
+  constexpr std::size_t kMostNamed = 4;
+  for (const calc::Space& space : project.spaces) {
+    const auto is_here = [&](const Requirement& requirement) {
+      return std::any_of(space.planes.begin(), space.planes.end(),
+                         [&](const auto& plane) { return plane.id == requirement.plane_id; });
+    };
+    const calc::LightScene* scene = nullptr;
+    const Requirement* first = nullptr;
+    for (const Requirement& requirement : bound) {
+      if (!is_here(requirement)) continue;
+      if (sources_of(requirement, packs) == LightSources::emergency) {
+        const auto its =
+            std::find_if(project.scenes.begin(), project.scenes.end(),
+                         [&](const calc::LightScene& one) { return one.id == requirement.scene; });
+        if (scene == nullptr && its != project.scenes.end()) scene = &*its;
+      } else if (requirement.scene.empty() && !is_of_space(requirement.metric)) {
+        if (first == nullptr) first = &requirement;
+      }
+    }
+    if (scene == nullptr || first == nullptr) continue;
+    std::vector<std::string> groups = emergency_groups(space, *scene);
+    if (groups.empty()) continue;
+    for (std::string& group : groups) group = "'" + group + "'";
+    diagnostics.report(calc::DiagnosticId::emergency_light_counts, first->where,
+                       space.id.empty() ? first->plane_id : space.id, groups.size() == 1 ? "" : "s",
+                       calc::list_names(groups, kMostNamed), scene->id);
+  }
+}
+
 }  // namespace
 
 void report_unstated_maintenance(const calc::Project& project, calc::Diagnostics& diagnostics) {
@@ -355,6 +421,7 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
     }
   }
   warn_about_maintenance(project, bound, diagnostics);
+  warn_about_emergency_light(project, packs, bound, diagnostics);
   return bound;
 }
 

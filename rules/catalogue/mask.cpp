@@ -74,6 +74,7 @@ bool counts_on_rectangle(const MaskOperation& operation, const Rectangle& rectan
     case MaskStep::across:
       return is_within(place.across_m, strip, rectangle.width_m);
     case MaskStep::walls:
+    case MaskStep::border:
     case MaskStep::centre_line:
       break;
   }
@@ -125,6 +126,7 @@ bool counts_on_route(const MaskOperation& operation, const calc::RouteCells& cel
       return is_within_width;
     case MaskStep::walls:
       return is_off_walls(operation, grid, point);
+    case MaskStep::border:
     case MaskStep::centre_line:
       break;
   }
@@ -194,7 +196,16 @@ std::string problem_of(const Mask& mask, const MaskOperation& operation,
 
 }  // namespace
 
-MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
+Mask mask_at(Mask mask, bool has_no_walls) {
+  for (MaskOperation& operation : mask.operations) {
+    if (operation.step != MaskStep::border) continue;
+    operation.step = has_no_walls ? MaskStep::inset : MaskStep::walls;
+  }
+  return mask;
+}
+
+MaskedPoints apply_mask(const Mask& written, const calc::SensorGrid& grid) {
+  const Mask mask = mask_at(written, grid.room_m.empty());
   MaskedPoints result;
   if (mask.operations.empty()) {
     result.points.resize(grid.position_m.size());
@@ -226,9 +237,10 @@ std::string mask_words(const Mask& mask, const glm::dvec3& travel) {
       }
       continue;
     }
-    if (operation.step == MaskStep::walls) {
+    if (operation.step == MaskStep::walls || operation.step == MaskStep::border) {
       words +=
           fmt::format("without what is nearer than {:g} m to a wall of the room", operation.metres);
+      if (operation.step == MaskStep::border) words += " (without known walls: to the outline)";
       continue;
     }
     words += operation.step == MaskStep::inset ? "without a strip along the outline of"

@@ -13,6 +13,7 @@ namespace rules {
 enum class MaskStep {
   inset,        // without a strip along the whole outline
   walls,        // without what is near to a wall of the room
+  border,       // walls; in the open, and where no walls are known, inset
   across,       // without a strip along the two sides that run the way people go
   centre_line,  // the points next to the line midway between those sides
 };
@@ -20,7 +21,7 @@ enum class MaskStep {
 struct MaskOperation {
   MaskStep step = MaskStep::inset;
   // Width of the strip, for inset and across: metres; or, for planes at most up_to_width_m wide,
-  // this share of their width. For walls: metres.
+  // this share of their width. For walls and border: metres.
   double metres = 0.0;
   double share = 0.0;  // [0, 0.5)
   // Also of centre_line: wider planes are not judged by it; 0 there: all are.
@@ -46,6 +47,9 @@ struct MaskedPoints {
 // plane must be a rectangle or a route. Of a route the width and the way are its own: its strips
 // run along the line, its centre line is the middle row, and an inset takes both ends, too.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
+
+// With walls or inset in place of border.
+Mask mask_at(Mask mask, bool has_no_walls);
 
 // "without a strip along the outline of 0.5 m": all operations; "" without any. travel: of the
 // plane, which says what is across; 0: it is not said, or asked.

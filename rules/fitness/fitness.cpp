@@ -10,19 +10,26 @@
 #include "calc/scene/zone_shapes.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/fitness/lost_points.h"
+#include "rules/fitness/masked_grid.h"
 #include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
+#include "rules/fitness/room_border.h"
 #include "rules/fitness/route_way.h"
+#include "rules/fitness/zone_contact.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rules {
 namespace {
@@ -86,6 +93,17 @@ class PlaneFit {
   }
 
   std::string lost_words() const { return lost().words; }
+
+  // What nobody can tell, and who reads the verdict must see.
+  std::string doubts(const Meant& meant) const {
+    const bool is_surface =
+        meant.plane.area == ZoneArea::walls || meant.plane.area == ZoneArea::ceiling;
+    std::string words;
+    if (is_surface && !context_.space.shell) words = say<Sentence::surfaces_unknown>();
+    if (is_surface || is_route() || !heights_of(meant.plane, meant.row)) return words;
+    add_words(words, platform_words());
+    return words;
+  }
 
  private:
   const calc::CalcPlane& plane() const { return context_.plane; }
@@ -151,7 +169,62 @@ class PlaneFit {
       return is_route() ? say<Sentence::not_on_ceiling_route>(role_words(meant))
                         : say<Sentence::not_on_ceiling>(role_words(meant));
     }
-    return extent(meant);
+    const std::string words = extent(meant);
+    return words.empty() ? around(meant) : words;
+  }
+
+  // A band is around something of the same row. Who draws it with a hole for that, and near it, has
+  // meant the band.
+  std::string around(const Meant& meant) const {
+    if (meant.plane.area != ZoneArea::band || !plane().made_by.empty() || meant.row == nullptr) {
+      return {};
+    }
+    const RulePlane* band = &meant.plane;
+    double width_m = band->width_m;
+    std::vector<const calc::CalcPlane*> inner = planes_of_role(meant, band->around);
+    // Of a background without a surround that is asked: around the task.
+    while (inner.empty()) {
+      band = meant.pack.find_plane(band->around);
+      if (band == nullptr || band->area != ZoneArea::band) break;
+      width_m += band->width_m;
+      inner = planes_of_role(meant, band->around);
+    }
+    if (inner.empty()) return {};  // who reads of the row sees that nothing of it was asked
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (const calc::CalcPlane* zone : inner) {
+      const ZoneContact contact = contact_with(*zone, context_.grid);
+      nearest_m = std::min(nearest_m, contact.nearest_m);
+      const std::size_t points = context_.grid.position_m.size();
+      const double share = static_cast<double>(contact.inside) / static_cast<double>(points);
+      if (share <= meant.plane.missing_share) continue;
+      return say<Sentence::in_inner_zone>(role_words(meant), meant.plane.around, contact.inside,
+                                          points, zone->id);
+    }
+    const double widest_m = std::max(context_.grid.spacing_u_m, context_.grid.spacing_v_m);
+    if (nearest_m <= width_m + widest_m) return {};
+    return say<Sentence::no_inner_zone>(role_words(meant), meant.plane.around, width_m);
+  }
+
+  // Of the space, that the same row is asked of in this role.
+  std::vector<const calc::CalcPlane*> planes_of_role(const Meant& meant,
+                                                     const std::string& role) const {
+    std::map<std::string_view, const calc::CalcPlane*> by_id;
+    for (const calc::CalcPlane& other : context_.space.planes) by_id[other.id] = &other;
+    std::set<const calc::CalcPlane*> planes;
+    for (const Requirement& one : context_.of_project) {
+      const RuleOrigin& origin = one.origin;
+      if (origin.row != meant.row->ref || origin.pack != meant.pack.full_id()) continue;
+      const RuleCheck* check = meant.pack.find_check(origin.check);
+      if (check == nullptr || check->role != role) continue;
+      if (const auto found = by_id.find(one.plane_id); found != by_id.end()) {
+        planes.insert(found->second);
+      }
+    }
+    std::vector<const calc::CalcPlane*> in_order;
+    for (const calc::CalcPlane& other : context_.space.planes) {
+      if (planes.contains(&other)) in_order.push_back(&other);
+    }
+    return in_order;
   }
 
   // A number about a wall or the ceiling is about all of it that the role counts: on a part of it
@@ -162,7 +235,8 @@ class PlaneFit {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr) return {};  // a list: its points are no grid
     const double strip_m = allowed_margin_m(meant);
-    const double own_strip_m = std::max(std::min(area->margin_m, strip_m), mask_strip_m(meant));
+    const double own_strip_m =
+        std::max(std::min(area->margin_m, strip_m), mask_strip_m(meant, MaskStep::inset));
     std::string words;
     for (const CoveredSurface& surface :
          covered_surfaces(*area, own_strip_m,
@@ -225,9 +299,12 @@ class PlaneFit {
     if (own.columns == 0) {
       return say<Sentence::no_grid>(role_words(meant));
     }
-    if (own.route) return grid_of_route(meant, *rule->rule);
+    if (own.route) {
+      const std::string words = grid_of_route(meant, *rule);
+      return words.empty() ? grid_behind_mask(meant, *rule) : words;
+    }
     const double u_m = own.columns * own.spacing_u_m, v_m = own.rows * own.spacing_v_m;
-    const calc::GridCounts asked = counts_by(*rule->rule, u_m, v_m);
+    const calc::GridCounts asked = asked_counts(*rule, u_m, v_m);
     if (own.columns < asked.columns || own.rows < asked.rows) {
       return say<Sentence::grid_too_wide>(own.columns, own.rows, role_words(meant), asked.columns,
                                           asked.rows);
@@ -235,33 +312,30 @@ class PlaneFit {
     if (own.missed_m2 > 0.0) {
       return say<Sentence::grid_misses>(own.missed_m2);
     }
-    return grid_behind_mask(meant, *rule->rule);
+    return grid_behind_mask(meant, *rule);
   }
 
   // A formula gives a small area a closer grid than a large one, and the area that a mask leaves is
-  // what the number is about. A spacing holds there as everywhere, and a count is of the whole.
-  std::string grid_behind_mask(const Meant& meant, const calc::GridRule& rule) const {
-    if (!std::holds_alternative<calc::GridByRule>(rule)) return {};
-    const calc::SensorGrid& own = context_.grid;
-    const MaskedPoints left = apply_mask(meant.mask, own);
-    if (!left.problem.empty() || left.points.empty()) return {};  // the measurement says so
-    if (left.points.size() == own.position_m.size()) return {};
-    const auto cells = [&](const std::vector<int>& of) {
-      const auto [least, most] =
-          std::minmax_element(left.points.begin(), left.points.end(),
-                              [&](std::size_t a, std::size_t b) { return of[a] < of[b]; });
-      return of[*most] - of[*least] + 1;
-    };
-    const int columns = cells(own.column), rows = cells(own.row);
-    const double u_m = columns * own.spacing_u_m, v_m = rows * own.spacing_v_m;
-    const calc::GridCounts asked = counts_by(rule, u_m, v_m);
-    if (columns >= asked.columns && rows >= asked.rows) return {};
-    return say<Sentence::grid_behind_mask>(columns, rows, role_words(meant), asked.columns,
-                                           asked.rows, u_m, v_m);
+  // what the number is about. A spacing holds there as everywhere, and a count is of the whole: of
+  // these the cells that the mask cuts must not leave out more than they may.
+  std::string grid_behind_mask(const Meant& meant, const RuleGrid& rule) const {
+    if (std::holds_alternative<calc::GridByRule>(*rule.rule)) {
+      if (const std::optional<CellsLeft> left = cells_left(meant.mask, context_.grid)) {
+        const calc::GridCounts asked = asked_counts(rule, left->u_m, left->v_m);
+        if (left->columns < asked.columns || left->rows < asked.rows) {
+          return say<Sentence::grid_behind_mask>(left->columns, left->rows, role_words(meant),
+                                                 asked.columns, asked.rows, left->u_m, left->v_m);
+        }
+      }
+      return {};
+    }
+    const std::optional<MaskGap> gap = mask_gap(meant.mask, context_.grid, rule);
+    if (!gap) return {};
+    return say<Sentence::grid_gap>(gap->to_point_m, role_words(meant), gap->most_m);
   }
 
   // Leg by leg, each as an area of its own; a number of cells is of the whole route.
-  std::string grid_of_route(const Meant& meant, const calc::GridRule& rule) const {
+  std::string grid_of_route(const Meant& meant, const RuleGrid& rule) const {
     const calc::SensorGrid& own = context_.grid;
     const calc::RouteLine& line = own.route->line;
     const double width_m = line.width_m, whole_m = calc::route_length_m(line);
@@ -270,12 +344,12 @@ class PlaneFit {
       return say<Sentence::grid_along>(columns, own.rows, where, role_words(meant), asked.columns,
                                        asked.rows);
     };
-    if (std::holds_alternative<calc::GridByCount>(rule)) {
-      return problem(own.columns, counts_by(rule, whole_m, width_m), say<Sentence::the_route>());
+    if (std::holds_alternative<calc::GridByCount>(*rule.rule)) {
+      return problem(own.columns, asked_counts(rule, whole_m, width_m), say<Sentence::the_route>());
     }
     const std::vector<calc::RouteLeg> legs = calc::route_legs(line);
     for (std::size_t i = 0; i < legs.size(); ++i) {
-      const calc::GridCounts asked = counts_by(rule, legs[i].longer_edge_m(width_m), width_m);
+      const calc::GridCounts asked = asked_counts(rule, legs[i].longer_edge_m(width_m), width_m);
       std::string words =
           problem(own.route->stations[i], asked, say<Sentence::leg_of_route>(i + 1));
       if (!words.empty()) return words;
@@ -283,44 +357,51 @@ class PlaneFit {
     return {};
   }
 
-  static calc::GridCounts counts_by(const calc::GridRule& rule, double u_m, double v_m) {
-    const bool is_u_long = u_m >= v_m;
-    if (const auto* formula = std::get_if<calc::GridByRule>(&rule)) {
-      return calc::grid_counts(*formula, u_m, v_m);
-    }
-    if (const auto* count = std::get_if<calc::GridByCount>(&rule)) {
-      return is_u_long ? calc::GridCounts{count->columns, count->rows}
-                       : calc::GridCounts{count->rows, count->columns};
-    }
-    const auto& spacing = std::get<calc::GridBySpacing>(rule);
-    const auto cells = [](double side_m, double spacing_m) {
-      return std::max(1, static_cast<int>(std::ceil(side_m / spacing_m * (1.0 - 1e-9))));
-    };
-    return is_u_long
-               ? calc::GridCounts{cells(u_m, spacing.along_u_m), cells(v_m, spacing.along_v_m)}
-               : calc::GridCounts{cells(u_m, spacing.along_v_m), cells(v_m, spacing.along_u_m)};
-  }
-
   // The widest strip that the role leaves out: its own margin, or what its mask takes.
   double allowed_margin_m(const Meant& meant) const {
-    const double width_m = room_width_m(context_.space, meant.plane.narrow_m);
-    return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant));
+    return std::max(strip_along_walls_m(meant), strip_along_outline_m(meant));
   }
 
-  static double mask_strip_m(const Meant& meant) {
+  // Its margin, and what its mask takes beside walls.
+  double strip_along_walls_m(const Meant& meant) const {
+    const double width_m = room_width_m(context_.space, meant.plane.narrow_m);
+    return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant, MaskStep::walls));
+  }
+
+  // Walls or not: what its mask takes; of walls and the ceiling itself its margin, too.
+  double strip_along_outline_m(const Meant& meant) const {
+    const double strip_m = mask_strip_m(meant, MaskStep::inset);
+    const bool is_surface =
+        meant.plane.area == ZoneArea::walls || meant.plane.area == ZoneArea::ceiling;
+    return is_surface ? std::max(strip_m, meant.plane.margin_m) : strip_m;
+  }
+
+  double mask_strip_m(const Meant& meant, MaskStep step) const {
     double strip_m = 0.0;
-    for (const MaskOperation& operation : meant.mask.operations) {
-      if (operation.step == MaskStep::inset) strip_m = std::max(strip_m, operation.metres);
+    for (const MaskOperation& operation :
+         mask_at(meant.mask, context_.grid.room_m.empty()).operations) {
+      if (operation.step == step) strip_m = std::max(strip_m, operation.metres);
     }
     return strip_m;
   }
 
+  // What is left out along walls counts wherever there is none: a desk counts up to its edge.
   std::string margin(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr) return {};
-    const double allowed_m = allowed_margin_m(meant);
-    if (area->margin_m <= allowed_m + kSameLength_m) return {};
-    return say<Sentence::margin_too_wide>(area->margin_m, role_words(meant), allowed_m);
+    const double along_walls_m = strip_along_walls_m(meant);
+    const double along_outline_m = strip_along_outline_m(meant);
+    const double most_m = std::max(along_walls_m, along_outline_m);
+    if (area->margin_m > most_m + kSameLength_m) {
+      return say<Sentence::margin_too_wide>(area->margin_m, role_words(meant), most_m);
+    }
+    if (area->margin_m <= along_outline_m + kSameLength_m) return {};
+    const bool is_level = looks_up(area->normal()) || looks_down(area->normal());
+    const double off_m = is_level ? distance_from_walls_m(*area, context_.space)
+                                  : std::numeric_limits<double>::infinity();
+    const double beside_m = off_m <= kLift_m ? along_walls_m : along_walls_m - off_m;
+    if (area->margin_m <= beside_m + kSameLength_m) return {};
+    return say<Sentence::margin_off_walls>(area->margin_m, role_words(meant), along_walls_m);
   }
 
   std::string points(const Meant& meant) const {
@@ -356,6 +437,14 @@ class PlaneFit {
     return *barred_;
   }
 
+  const std::string& platform_words() const {
+    if (platform_) return *platform_;
+    const std::optional<Platform> found = platform_below(plane(), context_.grid, context_.space);
+    platform_ = found ? say<Sentence::above_platform>(found->id, found->height_m) : "";
+    return *platform_;
+  }
+
+  mutable std::optional<std::string> platform_;
   mutable std::optional<LostPoints> lost_;
   mutable std::optional<std::string> barred_;
 };
@@ -380,6 +469,23 @@ std::string maintenance_problem(const FitContext& context, const Requirement& re
   constexpr std::size_t kMostNamed = 3;
   const std::string names = calc::list_names(ids, kMostNamed);
   return ids.size() == 1 ? say<Sentence::no_factor>(names) : say<Sentence::no_factors>(names);
+}
+
+// Of what is said of level ways only.
+std::vector<Deviation> slope_deviations(const calc::CalcPlane& plane, const RulePack& pack,
+                                        const RuleCheck& check) {
+  if (!check.is_level_only) return {};
+  double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
+  for (const glm::dvec3& place : calc::places_of(plane)) {
+    lowest_m = std::min(lowest_m, place.z);
+    highest_m = std::max(highest_m, place.z);
+  }
+  constexpr double kThreshold_m = 0.1;  // a door sill is no stair
+  const double rise_m = highest_m - lowest_m;
+  if (!(rise_m > kThreshold_m)) return {};
+  std::string words =
+      say<Sentence::not_level>(say<Sentence::role_of>(check.role, pack.full_id()), rise_m);
+  return {{FitAspect::height, std::move(words), std::nullopt, false}};
 }
 
 // What is stated, but is not so: somebody has mended the plane, or meant another one. A workplace
@@ -425,11 +531,15 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
 
 }  // namespace
 
-std::string speck_words(const calc::CalcPlane& plane) {
+std::string speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
   constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   if (area == nullptr) return {};
-  const double area_m2 = calc::area_left(area->outline_m, area->holes_m);  // holes may overlap
+  double area_m2 = calc::area_left(area->outline_m, area->holes_m);  // holes may overlap
+  if (area->margin_m > 0.0 && grid.columns > 0) {
+    const double cell_m2 = grid.spacing_u_m * grid.spacing_v_m;
+    area_m2 = std::min(area_m2, static_cast<double>(lost_points(grid).all) * cell_m2);
+  }
   if (!(area_m2 < kSpeck_m2)) return {};
   return say<Sentence::speck>(std::max(area_m2, 0.0));
 }
@@ -437,16 +547,21 @@ std::string speck_words(const calc::CalcPlane& plane) {
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
   const PlaneFit fit(context);
   for (Requirement& requirement : requirements) {
-    // Of luminaires as seen from points, these are of the plane.
-    if (is_of_space(requirement.metric) && !is_of_points(requirement.metric)) {
-      const bool is_free = requirement.origin.pack.empty() || !requirement.problem.empty();
-      if (!is_free) requirement.problem = maintenance_problem(context, requirement);
-      continue;
-    }
     const auto is_it = [&](const RulePack& p) { return p.full_id() == requirement.origin.pack; };
     const auto pack = std::find_if(context.packs.begin(), context.packs.end(), is_it);
     const RuleCheck* check =
         pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
+    // Of luminaires as seen from points, these are of the plane.
+    if (is_of_space(requirement.metric) && !is_of_points(requirement.metric)) {
+      const bool is_free = requirement.origin.pack.empty() || !requirement.problem.empty();
+      if (!is_free) requirement.problem = maintenance_problem(context, requirement);
+      if (check == nullptr) continue;
+      requirement.deviations = slope_deviations(context.plane, *pack, *check);
+      const std::string open = take_statements(requirement, context.today, requirement.deviations);
+      add_words(requirement.note, unfounded_words(requirement));
+      if (requirement.problem.empty()) requirement.problem = open;
+      continue;
+    }
     const Mask* mask = &requirement.mask;
     // Glare outdoors is rated on the area that the row is about, which must be fit for the row.
     if (check != nullptr && requirement.metric == Metric::glare_rating) {
@@ -456,9 +571,10 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     }
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {
-      add_words(requirement.note, speck_words(context.plane));
-      requirement.deviations =
-          fit.deviations({*pack, *check, pack->find_row(requirement.origin.row), *role, *mask});
+      const Meant meant{*pack, *check, pack->find_row(requirement.origin.row), *role, *mask};
+      add_words(requirement.note, speck_words(context.plane, context.grid));
+      add_words(requirement.note, fit.doubts(meant));
+      requirement.deviations = fit.deviations(meant);
     }
     const std::string open = take_statements(requirement, context.today, requirement.deviations);
     add_words(requirement.note, unfounded_words(requirement));

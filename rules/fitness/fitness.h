@@ -8,6 +8,7 @@
 #include "rules/catalogue/requirement.h"
 #include "rules/pack/rule_pack.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,8 @@ struct FitContext {
   const calc::CalcPlane& plane;  // of the space
   const calc::SensorGrid& grid;  // of the plane
   const std::vector<RulePack>& packs;
-  std::string_view today;  // YYYY-MM-DD, by which stated deviations end
+  std::string_view today;                        // YYYY-MM-DD, by which stated deviations end
+  std::span<const Requirement> of_project = {};  // of all planes: what is beside this one
 };
 
 // requirements: of the plane. Those of a rule pack get their `deviations`, and a `problem`, which
@@ -30,7 +32,8 @@ struct FitContext {
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements);
 
 // Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
-// it, but who reads the verdict must see it. "" of planes that are no speck, and of point lists.
-std::string speck_words(const calc::CalcPlane& plane);
+// it, but who reads the verdict must see it. What lies within the margin is meant. "" of planes
+// that are no speck, and of point lists.
+std::string speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid);
 
 }  // namespace rules

@@ -19,10 +19,6 @@ namespace {
 constexpr double kAlike = 0.966;
 constexpr double kAcross = 0.259;
 
-std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle) {
-  return {body.vertex_m[triangle.x], body.vertex_m[triangle.y], body.vertex_m[triangle.z]};
-}
-
 // Whether a point lies in a triangle of the plane; its edges belong to it.
 bool contains(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& point) {
   const auto side = [&](int a, int b) {
@@ -93,6 +89,10 @@ bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
 
 }  // namespace
 
+std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle) {
+  return {body.vertex_m[triangle.x], body.vertex_m[triangle.y], body.vertex_m[triangle.z]};
+}
+
 bool is_part(std::string_view id, std::string_view part) {
   const std::size_t last = id.find_last_not_of("0123456789");
   return last != std::string_view::npos && id.substr(0, last + 1).ends_with(part);
@@ -156,12 +156,11 @@ std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
 }
 
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part) {
-  if (!space.shell) return true;
   const std::vector<glm::dvec3> places = calc::places_of(plane), normals = calc::normals_of(plane);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_found =
         std::any_of(space.bodies.begin(), space.bodies.end(), [&](const calc::Body& body) {
-          return is_part(body.id, part) &&
+          return (!space.shell || is_part(body.id, part)) &&
                  std::any_of(body.triangle.begin(), body.triangle.end(),
                              [&](const glm::uvec3& triangle) {
                                return lies_on(places[i], normals[i], corners_of(body, triangle));

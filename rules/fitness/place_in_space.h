@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,12 +43,14 @@ double room_width_m(const calc::Space& space, double most_m);
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 
+std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle);
+
 // Whether the id of a body ends so, before its digits: ".wall" of "r.wall2".
 bool is_part(std::string_view id, std::string_view part);
 
 // Whether every place lies on a surface of a body whose id ends so (".ceiling", ".wall2": before
-// the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. True
-// for spaces that do not know their walls.
+// the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. Where
+// walls have no names, of any body.
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part);
 
 }  // namespace rules

@@ -174,6 +174,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.state = reader.value_or("state", LightState::maintained);
   check.sources = reader.value_or("sources", LightSources::all);
   check.direct_only = reader.choice_or("light", kCountedLightType.words, 0) == 1;
+  check.is_level_only = reader.choice_or("ways", kWaysType.words, 0) == 1;
   check.any_one_unit_out = reader.choice_or("outage", kOutageType.words, 0) == 1;
   check.trust = read_trust(reader);
   check.has_trust = reader.has("trust");

@@ -88,6 +88,7 @@ const ValueType kSpecialPlaceType =
     words_type("specialPlace", {calc::name_of(calc::SpecialPlace::unknown_task),
                                 calc::name_of(calc::SpecialPlace::other_wall)});
 const ValueType kOutageType = words_type("outage", {"none", "any-one-unit"});
+const ValueType kWaysType = words_type("ways", {"all", "level"});
 const ValueType kAggregateRuleType = [] {
   calc::Names names = calc::names_of<AggregateRule>();
   std::erase(names, calc::name_of(AggregateRule::sum));  // of buildings, which projects have
@@ -157,6 +158,7 @@ const ElementRow kMaskElement{.type = "mask",
                               .attributes = {kIdAttribute},
                               .children = {{"inset", &kStripElement},
                                            {"walls", &kMaskWallsElement},
+                                           {"border", &kMaskWallsElement},
                                            {"across", &kStripElement},
                                            {"centre-line", &kCentreLineElement}},
                               .needs_child = true};
@@ -176,6 +178,9 @@ project: as the project says, count given.)",
                    {"max-spacing", &kAnyDouble},
                    {"ratio", &kAnyDouble},
                    {"spacing", &kTextType},
+                   {"least", &kTextType, optional,
+                    "Of fixed-spacing: points along the longer and the shorter side, however small "
+                    "the area is."},
                    {"cells", &kTextType},
                    kTrustAttribute,
                    kNoteAttribute}};
@@ -255,6 +260,8 @@ const ElementRow kCheckElement{
                    {"sources", &kLightSourcesType, optional, "", "all"},
                    {"light", &kCountedLightType, optional, "", "all"},
                    {"outage", &kOutageType, optional, "", "none"},
+                   {"ways", &kWaysType, optional,
+                    "level: of planes and routes that are level, and of no others.", "all"},
                    {"at-least", &kTextType},
                    {"at-most", &kTextType},
                    {"more-than", &kTextType},

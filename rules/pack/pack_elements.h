@@ -14,8 +14,8 @@ inline constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 
 // Words of choices that are no enum.
 extern const calc::ValueType kDigitsType, kStepsType, kComparedAsType, kGridMethodType,
     kGridCountType, kOrientationType, kHeightsAreType, kZoneAreaType, kCheckSeverityType,
-    kCountedLightType, kSpecialPlaceType, kOutageType, kAggregateRuleType, kAggregateByType,
-    kAggregateSeverityType, kPackKindType, kPackStatusType, kPackLicenceType;
+    kCountedLightType, kSpecialPlaceType, kOutageType, kWaysType, kAggregateRuleType,
+    kAggregateByType, kAggregateSeverityType, kPackKindType, kPackStatusType, kPackLicenceType;
 
 // The order of its children is that in which a pack is read.
 extern const calc::ElementRow kRulePackElement;

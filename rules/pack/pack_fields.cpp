@@ -252,6 +252,7 @@ std::vector<PackField> of_check(const RuleCheck& check, const RowNames& rows) {
       words("sources", calc::name_of(check.sources)),
       words("light", check.direct_only ? "direct" : "all"),
       words("outage", check.any_one_unit_out ? "any-one-unit" : "none"),
+      words("ways", check.is_level_only ? "level" : "all"),
       std::move(limit),
       words("instead-of", check.instead_of),
       words("trust", trust_text(check.trust, check.has_trust)),

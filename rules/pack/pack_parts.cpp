@@ -258,9 +258,9 @@ Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics) 
       allow(kCentreLineElement);
       operation.step = MaskStep::centre_line;
       operation.up_to_width_m = step.number_or("up-to-width", calc::kPositive, 0.0);
-    } else if (child.name == "walls") {
+    } else if (child.name == "walls" || child.name == "border") {
       allow(kMaskWallsElement);
-      operation.step = MaskStep::walls;
+      operation.step = child.name == "walls" ? MaskStep::walls : MaskStep::border;
       operation.metres = step.number("metres", calc::kNonNegative);
     } else {
       allow(kStripElement);
@@ -274,7 +274,7 @@ Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics) 
   }
   if (mask.operations.empty()) {
     reader.report(DiagnosticId::missing_form, element.where, "mask",
-                  "<inset>, <walls>, <across> or <centre-line>");
+                  "<inset>, <walls>, <border>, <across> or <centre-line>");
   }
   return mask;
 }

@@ -50,6 +50,7 @@ void read_zone(ElementReader& reader, RulePlane& plane) {
 }
 
 constexpr std::size_t kFormula = 0, kFixedSpacing = 1, kFixedCount = 2;  // methods of <grid>
+constexpr const char* kTwoNumbers = "2 whole numbers (along the longer and the shorter side)";
 constexpr calc::NumberRange kGridBase{1.0, 100.0, true, "a number above 1, up to 100"};
 constexpr calc::NumberRange kSideRatio{1.0, 1.0e9, false, "a number from 1 to 1e9"};
 
@@ -63,7 +64,9 @@ void check_grid_attributes(ElementReader& reader, std::size_t method, std::size_
   for (const char* name : {"factor", "base", "max-spacing", "ratio"}) {
     if (reader.has(name) && method != kFormula) refuse(name);
   }
-  if (reader.has("spacing") && method != kFixedSpacing) refuse("spacing");
+  for (const char* name : {"spacing", "least"}) {
+    if (reader.has(name) && method != kFixedSpacing) refuse(name);
+  }
   if (reader.has("cells") && method != kFixedCount) refuse("cells");
   constexpr std::size_t kUp = 1, kGiven = 3;
   const bool fits = method == kFormula        ? count != kGiven
@@ -97,9 +100,12 @@ RuleGrid read_grid(const calc::XmlElement& element, calc::Diagnostics& diagnosti
         "spacing", 1, 1, 2, "1 or 2 numbers (along the longer and the shorter side)",
         calc::kPositive);
     if (!spacing.empty()) grid.rule = calc::GridBySpacing{spacing.front(), spacing.back(), {}};
+    if (reader.has("least")) {
+      const std::vector<int> least = reader.integers("least", 2, kTwoNumbers, 1);
+      grid.least = {least[0], least[1]};
+    }
   } else if (method == kFixedCount) {
-    const std::vector<int> cells =
-        reader.integers("cells", 2, "2 whole numbers (along the longer and the shorter side)", 1);
+    const std::vector<int> cells = reader.integers("cells", 2, kTwoNumbers, 1);
     grid.rule = calc::GridByCount{cells[0], cells[1]};
   }
   return grid;

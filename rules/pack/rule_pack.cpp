@@ -220,6 +220,9 @@ std::string grid_text(const RuleGrid& grid) {
     } else if (const auto* spacing = std::get_if<calc::GridBySpacing>(&*grid.rule)) {
       text = fmt::format("at most {:g} m along the longer and {:g} m along the shorter side",
                          spacing->along_u_m, spacing->along_v_m);
+      if (grid.least.columns > 1 || grid.least.rows > 1) {
+        text += fmt::format(", at least {} x {} points", grid.least.columns, grid.least.rows);
+      }
     } else {
       const auto& count = std::get<calc::GridByCount>(*grid.rule);
       text = fmt::format("{} cells along the longer and {} along the shorter side", count.columns,

@@ -6,6 +6,7 @@
 #include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
+#include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/policy.h"
@@ -192,6 +193,7 @@ struct RuleCheck {
   LightSources sources = LightSources::all;
   bool direct_only = false;
   bool any_one_unit_out = false;
+  bool is_level_only = false;  // says nothing of stairs and ramps
   Comparison comparison = Comparison::at_least;
   Expression limit;
   std::string limit_text;
@@ -241,6 +243,7 @@ struct RuleClass {
 struct RuleGrid {
   std::string id;
   std::optional<calc::GridRule> rule;  // empty: the project's own; spacing: along u = longer side
+  calc::GridCounts least{1, 1};        // of a spacing: along the longer and the shorter side
   Trust trust = Trust::confirmed;
   std::string note;
 };

@@ -190,6 +190,31 @@ std::string areas_without(const Asked& asked, const std::vector<RequirementName>
   return words;
 }
 
+// Of eyes that the project places itself and that meet their limit: whoever looks one way only has
+// chosen the way, and what no eye sees was not rated. "" = neither.
+std::string eyes_in_part(const calc::Space& space, const Asked& asked, const std::string& role) {
+  constexpr double kOneWay = 0.866;  // cosine of 30 degrees
+  std::vector<glm::dvec3> ways;
+  bool is_rated = false;
+  for (const auto& [check, finding] : asked.findings) {
+    if (check->role != role || check->severity == Severity::advice) continue;
+    is_rated = is_rated || finding->reason.empty();
+    for (const calc::CalcPlane& plane : space.planes) {
+      if (plane.id != finding->requirement.plane_id) continue;
+      if (const auto* list = std::get_if<calc::PointList>(&plane.area)) {
+        ways.insert(ways.end(), list->normal.begin(), list->normal.end());
+      } else {
+        ways.push_back(plane.direction);
+      }
+    }
+  }
+  if (!is_rated) return calc::say<calc::Sentence::eyes_see_nothing>();
+  const bool is_one = std::all_of(ways.begin(), ways.end(), [&](const glm::dvec3& way) {
+    return glm::dot(way, ways.front()) > kOneWay;
+  });
+  return is_one ? calc::say<calc::Sentence::eyes_one_way>() : "";
+}
+
 bool asks(const Asked& asked, const RuleCheck& check) {
   return std::any_of(asked.findings.begin(), asked.findings.end(),
                      [&](const auto& finding) { return finding.first == &check; });
@@ -243,6 +268,16 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   }
   if (is_asked && asked.workplace == nullptr && has_place && place->area == ZoneArea::walls) {
     coverage.words = walls_not_asked(space, coverage.of, place->margin_m);
+    if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
+  }
+  if (is_asked && asked.workplace == nullptr && has_place && place->area == ZoneArea::ceiling &&
+      !space.shell) {
+    coverage.state = RoleState::asked_in_part;
+    coverage.words = calc::say<calc::Sentence::ceiling_unknown>();
+  }
+  if (coverage.state == RoleState::met && asked.workplace == nullptr &&
+      needed->quantity->derived == calc::DerivedQuantity::ugr) {
+    coverage.words = eyes_in_part(space, asked, role);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
   }
   if (is_asked && needed->quantity->of_space == Metric::glare_rating) {

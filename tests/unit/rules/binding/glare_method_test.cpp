@@ -224,6 +224,8 @@ TEST(GlareMethod, OfOwnPlanesEitherCoversTheRow) {
   EXPECT_EQ(table.roles.at("observer"), "not-made: judged by 'glare.table' instead");
   const Made eyes = make(kOwn + task +
                          "</plane><plane id='e' height='1.2' quantity='ugr' direction='1 0 0'>"
+                         "<require pack='en12464-1:2021' row='34.2' role='observer'/></plane>"
+                         "<plane id='f' height='1.2' quantity='ugr' direction='0 1 0'>"
                          "<require pack='en12464-1:2021' row='34.2' role='observer'/></plane>");
   EXPECT_EQ(eyes.roles.at("observer"), "met");
   EXPECT_EQ(eyes.roles.at("room"), "not-made: judged by 'glare' instead");

@@ -1,4 +1,5 @@
 #include "rules/binding/judged_project.h"
+#include "tests/support/memory_file_reader.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
 #include <gmock/gmock.h>
@@ -160,6 +161,45 @@ TEST(LoadJudgedProject, GivesTheProjectAndWhatIsRequired) {
   // Of planes that a workplace has made, too.
   EXPECT_EQ(judged.project->requirements.back().plane_id.substr(0, 2), "w.");
   EXPECT_EQ(judged.project->requirements.back().where.line, 5);
+}
+
+// What is asked without a scene is of all luminaires at full output, also of those that are lit in
+// emergencies alone.
+TEST(LoadJudgedProject, LightOfEmergenciesInNormalUseIsToldOf) {
+  const auto messages = [](const std::string& scene_of_task, const std::string& dims) {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='0.8'><material id='m' reflectance='0.5'/>"
+        "<luminaire-type id='spot' photometry='spot.ies'/><scene id='battery'>" +
+        dims +
+        "</scene><scene id='normal'><dim group='e' level='0'/></scene>"
+        "<room id='r' size='8 6 3' floor='m' walls='m' ceiling='m'>"
+        "<luminaire id='a' type='spot' position='2 3 2.9' group='g'/>"
+        "<luminaire id='b' type='spot' position='6 3 2.9' group='e'/>"
+        "<plane id='t' height='0.75' margin='0.5'><require pack='en12464-1:2021' row='34.2'" +
+        scene_of_task +
+        "/></plane><plane id='o' height='0' margin='0.5'><require pack='en1838:2024' "
+        "role='open-area' scene='battery'/></plane></room></luxgate>";
+    const calc::MemoryFileReader files(
+        {{"p.xml", xml},
+         {"spot.ies",
+          "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
+          "TILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 12\n0 90\n0\n100 0\n"}});
+    calc::Diagnostics diagnostics;
+    load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    std::vector<std::string> found;
+    for (const auto& one : diagnostics.all()) {
+      if (one.id == calc::DiagnosticId::emergency_light_counts) found.push_back(one.message);
+    }
+    return found;
+  };
+  const std::string battery = "<dim group='g' level='0'/><dim group='e' level='0.3'/>";
+  EXPECT_THAT(
+      messages("", battery),
+      ElementsAre(HasSubstr("'r': what is asked without a scene is of all luminaires at full "
+                            "output, also of group 'e', which an emergency has in scene "
+                            "'battery'")));
+  EXPECT_THAT(messages(" scene='normal'", battery), IsEmpty());
+  EXPECT_THAT(messages("", "<dim group='g' level='1'/><dim group='e' level='0.3'/>"), IsEmpty());
 }
 
 }  // namespace

@@ -216,6 +216,18 @@ TEST(Mask, WallsAreThoseOfTheRoomNotThePlanesOwnEdges) {
             "mask 'm' needs to know the walls: the building file has no outline of this room");
 }
 
+// A border is of the room, and of the plane's own outline only where nobody knows a wall.
+TEST(Mask, ABorderIsOfWallsWhereTheyAreKnown) {
+  calc::SensorGrid grid = grid_of(3, 5, 3, 5);  // from (10, 20); points 0.5 m from its outline
+  const Mask mask = mask_of(MaskStep::border, 0.6);
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(4, 7, 10)) << "in the open space";
+  grid.has_unknown_walls = true;
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(4, 7, 10)) << "in a mesh";
+  grid.has_unknown_walls = false;
+  grid.room_m = {{3, 20}, {13, 20}, {13, 25}, {3, 25}};
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(3, 4, 6, 7, 9, 10));
+}
+
 TEST(Mask, InsetWorksForEveryOutline) {
   calc::SensorGrid grid = grid_of(4, 4, 4, 4);
   // An L: without the corner beyond (2, 2).

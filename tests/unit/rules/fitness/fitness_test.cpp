@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -44,6 +45,7 @@ struct Setting {
   std::string objects{};
   std::string root = "maintenance-factor='0.8'";
   std::string element = "plane";
+  std::map<std::string, std::string> files{};
 };
 
 struct Fitted {
@@ -76,15 +78,20 @@ Fitted fit(const Setting& setting) {
                           "<scene id='em'><dim group='e' level='0.5'/></scene></luxgate>";
   calc::Diagnostics diagnostics;
   Fitted fitted;
-  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  std::map<std::string, std::string> all = setting.files;
+  all["p.xml"] = xml;
+  all["spot.ies"] = kIes;
+  const calc::MemoryFileReader files(all);
   const std::vector<RulePack> packs = builtin_rule_packs();
   if (const auto judged = load_judged_project(files, "p.xml", packs, diagnostics)) {
     const calc::Space& space = judged->project.spaces.at(0);
-    const calc::CalcPlane& plane = space.planes.at(0);
-    const auto grid = calc::make_sensor_grid(plane, space, diagnostics);
-    fitted.requirements = judged->requirements;
+    const auto plane = std::find_if(space.planes.begin(), space.planes.end(),
+                                    [](const calc::CalcPlane& one) { return one.id == "p"; });
+    const auto grid = calc::make_sensor_grid(*plane, space, diagnostics);
+    fitted.requirements = requirements_of_plane(judged->requirements, "p");
     if (grid) {
-      check_fitness({judged->project, space, plane, *grid, packs, kToday}, fitted.requirements);
+      check_fitness({judged->project, space, *plane, *grid, packs, kToday, judged->requirements},
+                    fitted.requirements);
     }
   }
   for (const auto& d : diagnostics.all()) fitted.messages.push_back(format_diagnostic(d));
@@ -121,6 +128,149 @@ TEST(Fitness, AsManyPointsAsTheStandardsFitAndOneRowLessDoesNot) {
   EXPECT_THAT(aspects("30 21"), IsEmpty());
   EXPECT_THAT(aspects("9 7"), ElementsAre("grid"));
   EXPECT_THAT(aspects("10 6"), ElementsAre("grid"));
+}
+
+// EN 12464-1 leaves out a strip along walls. A desk counts up to its edge.
+TEST(Fitness, AMarginIsOfWallsOnly) {
+  const auto aspects = [](const std::string& plane) {
+    return fit({plane, kDeskWork}).aspects("task.Em");
+  };
+  const std::string desk = "origin='5 3 0.75' u='1.6 0 0' v='0 1.4 0'";
+  EXPECT_THAT(aspects(desk), IsEmpty());
+  EXPECT_THAT(aspects(desk + " margin='0.5'"), ElementsAre("margin"));
+  EXPECT_THAT(aspects(desk + " margin='0.05'"), ElementsAre("margin"));
+  // Three sides of half the room are walls, and one is none.
+  EXPECT_THAT(aspects("origin='0 0 0.75' u='6 0 0' v='0 8 0' margin='0.5'"), ElementsAre("margin"));
+  // What the outline leaves out already is part of the strip.
+  const std::string off_walls = "origin='0.3 0.3 0.75' u='11.4 0 0' v='0 7.4 0'";
+  EXPECT_THAT(aspects(off_walls + " margin='0.2'"), IsEmpty());
+  EXPECT_THAT(aspects(off_walls + " margin='0.25'"), ElementsAre("margin"));
+  EXPECT_THAT(fit({desk + " margin='0.5'", kDeskWork}).first().problem,
+              HasSubstr("leaves out 0.5 m along walls, and parts of the outline run along none"));
+}
+
+TEST(Fitness, WhatTheMarginLeavesOfASpeckIsASpeck) {
+  const auto note = [](const std::string& plane) { return fit({plane, kDeskWork}).first().note; };
+  EXPECT_THAT(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0' margin='0.5'"), HasSubstr("0.01 m2"));
+  EXPECT_EQ(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0'"), "");
+}
+
+std::string box_obj(double x, double y, double z) {
+  return fmt::format(
+      "v 0 0 0\nv {0} 0 0\nv {0} {1} 0\nv 0 {1} 0\nv 0 0 {2}\nv {0} 0 {2}\nv {0} {1} {2}\nv 0 {1} "
+      "{2}\nf 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n",
+      x, y, z);
+}
+
+Setting in_mesh(const std::string& plane, const std::string& require) {
+  Setting setting{plane, require};
+  setting.room = "<room id='r' file='box.obj' units='m' up='z' material='m'>";
+  setting.files = {{"box.obj", box_obj(12, 8, 3)}};
+  return setting;
+}
+
+// In a mesh nobody names walls: what is upright beside the plane is one, and nothing else.
+TEST(Fitness, OfAMeshTheMarginIsBesideWhatIsUpright) {
+  const auto aspects = [](const std::string& plane) {
+    return fit(in_mesh(plane, kDeskWork)).aspects("task.Em");
+  };
+  EXPECT_THAT(aspects("origin='0 0 0.75' u='12 0 0' v='0 8 0' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='5 3 0.75' u='1.6 0 0' v='0 1.4 0' margin='0.5'"),
+              ElementsAre("margin"));
+}
+
+TEST(Fitness, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
+  const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
+  const Fitted on = fit(in_mesh("origin='0 0 0' u='0 8 0' v='0 0 3' margin='0.5'", wall));
+  EXPECT_THAT(on.aspects("wall.Em"), IsEmpty()) << on.first().problem;
+  EXPECT_THAT(on.first().note, HasSubstr("not known which surfaces"));
+  EXPECT_THAT(
+      fit(in_mesh("origin='4 2 0.5' u='0 2 0' v='0 0 2' margin='0.5'", wall)).aspects("wall.Em"),
+      ElementsAre("place"));
+  EXPECT_THAT(fit(in_mesh("origin='0 8 3' u='12 0 0' v='0 -8 0' margin='0.5'", ceiling))
+                  .aspects("ceiling.Em"),
+              IsEmpty());
+  EXPECT_THAT(fit(in_mesh("origin='4 4 1' u='2 0 0' v='0 -2 0' margin='0.5'", ceiling))
+                  .aspects("ceiling.Em"),
+              ElementsAre("place"));
+}
+
+// Cells of 0.9 m whose centres lie in the strip that does not count leave 0.85 m without a point.
+TEST(Fitness, PointsStandForAllThatTheMaskLeaves) {
+  const auto aspects = [](const std::string& plane) {
+    Setting setting{plane, "pack='en1838:2024' role='open-area' scene='em'"};
+    setting.room = "<room id='r' size='9 8 3' ceiling='m' walls='m' floor='m'>";
+    return fit(setting).aspects("open.min");
+  };
+  EXPECT_THAT(aspects("height='0'"), ElementsAre("grid"));
+  EXPECT_THAT(aspects("height='0' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("height='0' spacing='0.4'"), IsEmpty());
+  // The strip is along walls: a plane without it is not cut twice.
+  EXPECT_THAT(aspects("origin='0.5 0.5 0' u='8 0 0' v='0 7 0'"), IsEmpty());
+}
+
+TEST(Fitness, PointsOfARouteStandForAllOfItsWidthThatCounts) {
+  const auto aspects = [](const std::string& route) {
+    Setting setting{route, "pack='en1838:2024' scene='em'"};
+    setting.room = "<room id='r' size='20 4 3' ceiling='m' walls='m' floor='m'>";
+    setting.element = "route";
+    return fit(setting).aspects("route.min");
+  };
+  const std::string way = "points='0.2 2 0 19.8 2 0' width='4'";
+  EXPECT_THAT(aspects(way), IsEmpty());
+  EXPECT_THAT(aspects(way + " spacing='1'"), ElementsAre("grid"));
+}
+
+TEST(Fitness, AFieldOfARoadHasAtLeastSoManyPoints) {
+  const auto aspects = [](const std::string& count) {
+    Setting setting{"origin='0 0 0' u='6 0 0' v='0 1.5 0' count='" + count + "'",
+                    "pack='en13201-2' row='C3' role='carriageway'"};
+    setting.room = "";
+    return fit(setting).aspects("C.average");
+  };
+  EXPECT_THAT(aspects("2 1"), ElementsAre("grid"));
+  EXPECT_THAT(aspects("10 2"), ElementsAre("grid"));
+  EXPECT_THAT(aspects("10 3"), IsEmpty());
+}
+
+// Whoever draws the surround must draw it around the task of the row.
+TEST(Fitness, ASurroundIsAroundATask) {
+  const auto aspects = [](const std::string& plane, bool has_task = true) {
+    Setting setting{plane, kDeskWork + " role='surround'"};
+    if (has_task) {
+      setting.objects = "<plane id='t' origin='2 2 0.75' u='2 0 0' v='0 2 0'><require " +
+                        kDeskWork + "/></plane>";
+    }
+    return fit(setting).aspects("surround.Em");
+  };
+  EXPECT_THAT(aspects("origin='4 2 0.75' u='0.5 0 0' v='0 2 0'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='2 2 0.75' u='2 0 0' v='0 2 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='8 5 0.75' u='0.5 0 0' v='0 2 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='4 2 0.75' u='0.5 0 0' v='0 2 0'", false), IsEmpty());
+}
+
+// The standard limits intensities from 60 degrees on of level ways, and in all directions of
+// others.
+TEST(Fitness, GlareOfLevelWaysIsOfNoStairs) {
+  const auto aspects = [](const std::string& u, const std::string& role, const std::string& check) {
+    return fit({"origin='0 0 0' u='" + u + "' v='0 2 0'",
+                "pack='en1838:2024' scene='em' role='" + role + "'"})
+        .aspects(check);
+  };
+  EXPECT_THAT(aspects("4 0 0", "glare", "glare.1"), IsEmpty());
+  EXPECT_THAT(aspects("4 0 1.5", "glare", "glare.1"), ElementsAre("height"));
+  EXPECT_THAT(aspects("4 0 1.5", "glare-stairs", "stairs.1"), IsEmpty());
+}
+
+TEST(Fitness, WhoStandsOnAPlatformIsTold) {
+  const auto note = [](const std::string& size) {
+    Setting setting{"height='1.45' margin='0.5'", kDeskWork};
+    setting.objects = "<box id='podium' size='" + size + "' position='0.2 0.2 0' material='m'/>";
+    return fit(setting).first().note;
+  };
+  EXPECT_THAT(note("11.6 7.6 0.7"), HasSubstr("lies above 'podium', 0.7 m above the floor"));
+  EXPECT_EQ(note("2 2 0.7"), "");
+  EXPECT_EQ(note("11.6 7.6 0.05"), "");
 }
 
 TEST(Fitness, AStatedDeviationIsKeptAndTheNumberIsCompared) {
@@ -670,10 +820,11 @@ TEST(Fitness, HolesThatOverlapAreTakenOffOnce) {
   area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
   area.holes_m = {{{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}}, {{0.5, 0}, {1.5, 0}, {1.5, 1}, {0.5, 1}}};
   plane.area = area;
-  EXPECT_EQ(speck_words(plane), "");
+  const calc::SensorGrid grid;
+  EXPECT_EQ(speck_words(plane, grid), "");
   area.holes_m[0] = {{0, 0}, {1.95, 0}, {1.95, 1}, {0, 1}};
   plane.area = area;
-  EXPECT_EQ(speck_words(plane), calc::say<calc::Sentence::speck>(0.05));
+  EXPECT_EQ(speck_words(plane, grid), calc::say<calc::Sentence::speck>(0.05));
 }
 
 // One point may stand where no luminaire shines to.

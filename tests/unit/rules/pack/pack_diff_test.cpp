@@ -90,12 +90,13 @@ const std::vector<std::string> kParts{
     "</table>",
     "<scale id='k' unit='lx' values='100 200 300' of='E' down='1' up='0' trust='unverified'/>",
     "<scale id='idle' unit='lx' values='1 2'/>",
+    "<mask id='b'><border metres='0.3'/></mask>"
     "<mask id='m'><inset metres='0.5' share='0.2' up-to-width='1'/><walls metres='0.6'/>"
     "<across metres='0.7' share='0.25' up-to-width='2'/><centre-line up-to-width='3'/></mask>",
     "<mask id='idle'><inset metres='0.1'/></mask>",
     "<grid id='g' method='formula-power' count='odd-up' factor='0.3' base='4' max-spacing='8' "
     "ratio='3' trust='single-source' note='n'/>",
-    "<grid id='spaced' method='fixed-spacing' count='up' spacing='3 1.5'/>",
+    "<grid id='spaced' method='fixed-spacing' count='up' spacing='3 1.5' least='10 3'/>",
     "<grid id='counted' method='fixed-count' count='given' cells='9 3'/>",
     "<grid id='idle' method='project' count='given'/>",
     "<plane role='desk' orientation='horizontal-up' heights='0.7 0.8' heights-are='usual' grid='g' "
@@ -111,7 +112,7 @@ const std::vector<std::string> kParts{
     "<row ref='1.2' name='store' trust='confirmed'><value of='E' none='unknown'/>"
     "<value of='R' none='not-specified'/></row>",
     "<check id='a' role='desk' clause='4' severity='should' quantity='planar' statistic='average' "
-    "mask='m' state='initial' sources='electric' light='direct' outage='any-one-unit' "
+    "mask='m' state='initial' sources='electric' light='direct' outage='any-one-unit' ways='level' "
     "at-least='row(E)' trust='unverified' note='n'/>",
     "<check id='percent' role='desk' quantity='planar' statistic='percentile' percent='5' "
     "less-than='7 lx'/>",
@@ -197,6 +198,7 @@ constexpr Edit kEdits[] = {
     {"inset.share", "share='0.2'", "share='0.3'", "mask m", "points"},
     {"inset.up-to-width", "up-to-width='1'", "up-to-width='1.5'", "mask m", "points"},
     {"walls.metres", "walls metres='0.6'", "walls metres='0.5'", "mask m", "points"},
+    {"border.metres", "border metres='0.3'", "border metres='0.4'", "mask b", "points"},
     {"across.metres", "across metres='0.7'", "across metres='0.5'", "mask m", "points"},
     {"across.share", "share='0.25'", "share='0.2'", "mask m", "points"},
     {"across.up-to-width", "up-to-width='2'", "up-to-width='3'", "mask m", "points"},
@@ -211,6 +213,7 @@ constexpr Edit kEdits[] = {
     {"grid.max-spacing", "max-spacing='8'", "max-spacing='10'", "grid g", "points"},
     {"grid.ratio", " ratio='3'", " ratio='2'", "grid g", "points"},
     {"grid.spacing", "spacing='3 1.5'", "spacing='3 1'", "grid spaced", "points"},
+    {"grid.least", "least='10 3'", "least='10 2'", "grid spaced", "points"},
     {"grid.cells", "cells='9 3'", "cells='9 4'", "grid counted", "points"},
     {"grid.trust", "trust='single-source' note='n'", "trust='confirmed' note='n'", "grid g",
      "trust"},
@@ -270,6 +273,7 @@ constexpr Edit kEdits[] = {
     {"check.sources", "sources='electric'", "sources='daylight'", "check a", "sources"},
     {"check.light", "light='direct'", "light='all'", "check a", "light"},
     {"check.outage", "outage='any-one-unit'", "outage='none'", "check a", "outage"},
+    {"check.ways", "ways='level'", "ways='all'", "check a", "ways"},
     {"check.at-least", "at-least='1 lx'", "at-least='2 lx'", "check idle", "limit"},
     {"check.at-most", "statistic='maximum' at-most='row(R)'", "statistic='maximum' at-most='22'",
      "check rating", "limit"},

@@ -308,6 +308,8 @@ const std::string kAllButWalls =
     "<plane id='z' height='1.2' margin='0.5' quantity='cylindrical'><require "
     "pack='en12464-1:2021' row='34.2' role='cylinder'/></plane>"
     "<plane id='e' height='1.2' margin='0.5' quantity='ugr' direction='1 0 0'><require "
+    "pack='en12464-1:2021' row='34.2' role='observer'/></plane>"
+    "<plane id='f' height='1.2' margin='0.5' quantity='ugr' direction='0 -1 0'><require "
     "pack='en12464-1:2021' row='34.2' role='observer'/></plane>";
 
 TEST(RowCoverage, OneWallIsNotAllWalls) {
@@ -339,6 +341,27 @@ TEST(RowCoverage, OutdoorsItIsNotKnownWhatWallsThereAre) {
       "role='wall'/></plane>");
   EXPECT_EQ(role_of(covered, "wall").state, RoleState::asked_in_part);
   EXPECT_EQ(role_of(covered, "wall").words, "it is not known what walls there are");
+}
+
+// Whoever lets eyes look one way only has chosen it; what no eye sees was not rated.
+TEST(RowCoverage, EyesThatLookOneWayAreNotAll) {
+  const auto eyes = [](const std::string& id, const std::string& way) {
+    return "<plane id='" + id + "' height='1.2' margin='0.5' quantity='ugr' direction='" + way +
+           "'><require pack='en12464-1:2021' row='34.2' role='observer'/></plane>";
+  };
+  const Covered one = cover(eyes("a", "1 0 0"));
+  EXPECT_EQ(role_of(one, "observer").state, RoleState::asked_in_part);
+  EXPECT_EQ(role_of(one, "observer").words, "eyes look one way only");
+  EXPECT_EQ(role_of(cover(eyes("a", "1 0 0") + eyes("b", "0 1 0")), "observer").state,
+            RoleState::met);
+  EXPECT_EQ(role_of(cover(eyes("a", "1 0 0"), Verdict::fail), "observer").state, RoleState::failed);
+}
+
+TEST(RowCoverage, HowLargeTheCeilingOfTheOpenIsNobodyKnows) {
+  const Covered covered = cover_open(
+      "<plane id='p' origin='0 4 3' u='4 0 0' v='0 -4 0'><require pack='en12464-1:2021' row='34.2' "
+      "role='ceiling'/></plane>");
+  EXPECT_EQ(role_of(covered, "ceiling").state, RoleState::asked_in_part);
 }
 
 TEST(RowCoverage, RowsAndWorkplacesAreApart) {
