@@ -107,7 +107,7 @@ struct GlareField {
 
 // Initial illuminance (new lamps, full output) at the points of one plane, on the side of their
 // normals. E[replicate][channel][point] = direct_exact + direct_sampled + indirect; replicates are
-// independent and identically distributed, each an unbiased estimate. No value is clamped.
+// independent and identically distributed, each an unbiased estimate, but for is_cut_off.
 struct PlaneField {
   std::string plane_id;
   std::string problem;         // why the plane could not be computed; "" = it was
@@ -137,6 +137,9 @@ struct PlaneField {
   // Looks that the plane might have taken, a number fixed before the first: its intervals hold over
   // all of them together. 1: only one was planned, or nothing was sampled.
   int looks_planned = 1;
+  // Geometry terms were clamped (RadiositySettings::clamp_per_m2): reflected light is too little by
+  // nobody knows how much.
+  bool is_cut_off = false;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
   double seconds = 0.0;

@@ -127,7 +127,9 @@ class Solver {
       take_looks();
     }
     for (SolvedPlane& plane : planes_) {
-      solution_.fields.push_back(std::move(plane.state.field()));
+      PlaneField& field = plane.state.field();
+      field.is_cut_off = settings_.clamp_per_m2 > 0.0 && !field.indirect_lx.empty();
+      solution_.fields.push_back(std::move(field));
     }
     solution_.looks.has_rays = workshop_ != nullptr;
     solution_.pool_rays = pool_rays_;

@@ -109,16 +109,22 @@ void check_decision(const Place& place, const rules::Finding& finding) {
   const std::string why = grounds(finding, measured);
   expect(place, "verdict", finding.verdict, proved(finding, measured), why);
   if (!calc::is_finite(measured) && !rules::has_open_ends(finding.requirement, measured)) return;
-  const double margin =
-      rules::margin(measured.value, finding.requirement.comparison, finding.requirement.limit);
+  const auto [comparison, limit] =
+      std::pair(finding.requirement.comparison, finding.requirement.limit);
+  double margin = rules::margin(measured, comparison, limit);
   // Files of other programs may have rounded it.
   constexpr double kSame = 1e-9;
+  const auto is_like = [&](double other) {
+    return std::abs(finding.margin - other) <= kSame * std::max(1.0, std::abs(other));
+  };
+  // Of results of earlier versions it is that of the value, also where an end is open.
+  const double of_value = rules::margin(measured.value, comparison, limit);
+  if (is_like(of_value)) margin = of_value;
   const bool has_margin = std::isfinite(margin);
   if (!has_margin && std::isfinite(finding.margin)) {
     refuse(place, "margin", finding.margin, margin, why);
   }
-  if (has_margin &&
-      !(std::abs(finding.margin - margin) <= kSame * std::max(1.0, std::abs(margin)))) {
+  if (has_margin && !is_like(margin)) {
     refuse(place, "margin", finding.margin, margin, why);
   }
   rules::Decision decision = rules::decide(finding.requirement, measured);

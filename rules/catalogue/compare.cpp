@@ -86,6 +86,15 @@ double margin(double value, Comparison comparison, double limit) {
   return is_lower_limit(comparison) ? above : -above;
 }
 
+double margin(const calc::Estimate& measured, Comparison comparison, double limit) {
+  double known = measured.value;
+  if (std::isfinite(known)) {
+    if (!std::isfinite(measured.low) && std::isfinite(measured.high)) known = measured.high;
+    if (!std::isfinite(measured.high) && std::isfinite(measured.low)) known = measured.low;
+  }
+  return margin(known, comparison, limit);
+}
+
 double round_to(double value, int digits, Rounding rounding) {
   if (!std::isfinite(value)) return value;
   const double scale = calc::pow(10.0, digits);

@@ -41,6 +41,8 @@ Decision decide(const Comparand& comparand, const DecisionPolicy& policy);
 // (value - limit) / limit, sign turned for upper limits, so that > 0 is good. 0 for a limit of 0,
 // which has no relative margin.
 double margin(double value, Comparison comparison, double limit);
+// Of the value; where an end is open, of the other one, which is what is shown.
+double margin(const calc::Estimate& measured, Comparison comparison, double limit);
 
 // To so many digits after the point, 0 to 9. 0.595, which is a bit less in binary, is rounded as
 // written.

@@ -463,9 +463,12 @@ const std::vector<std::pair<std::string, double>>* levels_of(
   return found == scenes.end() ? nullptr : &found->level_of_group;
 }
 
-Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
-                    const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
-                    double confidence, Goal goal) {
+namespace {
+
+Measurement measure_as_sampled(const Requirement& requirement, const calc::SensorGrid& grid,
+                               const calc::PlaneField& field,
+                               const std::vector<calc::LightScene>& scenes, double confidence,
+                               Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
   if (is_of_space(requirement.metric)) return known_of_space(requirement, grid);
   if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
@@ -581,6 +584,18 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
       repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
   place_in_grid(masked, result.metric);
   place_in_grid(masked, result.despite_doubt);
+  return result;
+}
+
+}  // namespace
+
+Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
+                    const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
+                    double confidence, Goal goal) {
+  Measurement result = measure_as_sampled(requirement, grid, field, scenes, confidence, goal);
+  result.is_cut_off =
+      field.is_cut_off && !requirement.direct_only && !is_of_space(requirement.metric);
+  if (result.is_cut_off) result.despite_doubt.reset();  // it could prove too little light
   return result;
 }
 

@@ -45,6 +45,9 @@ struct Measurement {
   // not come from the points' illuminances alone.
   std::vector<double> without_replicate;
 
+  // The light that it is of is too little by nobody knows how much, see PlaneField::is_cut_off.
+  bool is_cut_off = false;
+
   bool has_doubtful_points() const { return unseen_points > 0 || single_sample_points > 0; }
 };
 

@@ -125,11 +125,25 @@ std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
   finding.measured = estimate;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;
-  finding.margin = margin(estimate.value, requirement.comparison, requirement.limit);
+  finding.margin = margin(estimate, requirement.comparison, requirement.limit);
   finding.points_used = measurement.points_used;
   if (known->point) finding.place_m = grid.position_m[*known->point];
   finding.reason = is_doubtful ? doubt_text(measurement, grid) : measurement.reason;
   return finding;
+}
+
+// More light only makes it surer.
+bool holds_with_more_light(const Requirement& requirement, Verdict verdict) {
+  const bool is_of_light = !is_ratio(requirement.metric) && is_in_lux(requirement);
+  return is_of_light &&
+         verdict == (is_lower_limit(requirement.comparison) ? Verdict::pass : Verdict::fail);
+}
+
+void make_doubtful(Finding& finding) {
+  finding.verdict = Verdict::undecided;
+  finding.is_doubtful = true;
+  finding.is_close = false;
+  finding.by_tolerance = false;
 }
 
 }  // namespace
@@ -174,7 +188,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.verdict = decision.verdict;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;
-  finding.margin = margin(estimate.value, requirement.comparison, limit);
+  finding.margin = margin(estimate, requirement.comparison, limit);
   finding.points_used = measurement.points_used;
   finding.without_replicate = measurement.without_replicate;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
@@ -183,14 +197,23 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     finding.reason = undecided_text(finding.measured, limit, requirement);
     if (!measurement.remark.empty()) finding.reason += "; " + measurement.remark;
   }
-  if (!measurement.has_doubtful_points()) return finding;
+  if (!measurement.has_doubtful_points()) {
+    if (measurement.is_cut_off && !holds_with_more_light(requirement, finding.verdict)) {
+      make_doubtful(finding);
+      finding.reason = calc::say<calc::Sentence::cut_off>();
+    }
+    return finding;
+  }
   if (measurement.unseen_points > 0 || finding.verdict != Verdict::undecided) {
     finding.reason = doubt_text(measurement, grid);
   }
-  finding.verdict = Verdict::undecided;
-  finding.is_doubtful = true;
-  finding.is_close = false;
-  finding.by_tolerance = false;
+  make_doubtful(finding);
+  // What nobody has seen may be as large as everything known leaves room for.
+  const std::optional<MetricEstimate>& known = measurement.despite_doubt;
+  if (measurement.unseen_points > 0 && known && calc::is_finite(known->estimate)) {
+    finding.measured.low = std::min(finding.measured.low, known->estimate.low);
+    finding.measured.high = std::max(finding.measured.high, known->estimate.high);
+  }
   return finding;
 }
 

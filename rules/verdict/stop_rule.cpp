@@ -29,8 +29,9 @@ bool is_accurate(const Measurement& measurement, double tolerance) {
   return estimate.half_width() <= tolerance * estimate.value;  // 0 <= 0 for an exact darkness
 }
 
-bool is_decided(const Requirement& requirement, const Measurement& measurement,
+bool is_decided(const Requirement& requirement, Measurement measurement,
                 const calc::SensorGrid& grid) {
+  measurement.is_cut_off = false;  // no sample brings it back
   const Finding finding = judge_measurement(requirement, measurement, grid);
   // The first sample that arrives makes a uniformity defined.
   if (finding.verdict == Verdict::not_judged && measurement.unseen_points > 0) return false;

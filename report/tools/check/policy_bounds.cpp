@@ -53,6 +53,12 @@ bool is_allowed_or_print(const report::Policy& policy, const CheckOptions& optio
     forbid(fmt::format("--max-paths {}; at least {} is allowed", settings.radiosity.max_paths,
                        *policy.max_paths));
   }
+  const bool wants_accuracy =
+      policy.confidence || policy.tolerance || policy.replicates || policy.max_paths;
+  if (wants_accuracy && settings.radiosity.clamp_per_m2 > 0.0) {
+    forbid(fmt::format("--clamp {}; what it cuts off is in no interval",
+                       settings.radiosity.clamp_per_m2));
+  }
   const std::vector<std::string>& given = options.input.projects;
   for (const std::string& project : policy.projects) {
     if (std::any_of(given.begin(), given.end(),

@@ -96,6 +96,27 @@ TEST(Judge, PointsThatNoSampleReachedLeaveTheVerdictOpen) {
   EXPECT_EQ(judge(at_least(Metric::minimum, 100), field).verdict, Verdict::fail);
 }
 
+// Clamped light is too little: more of it can only make these surer, and turn all others.
+TEST(Judge, WhatIsCutOffIsInNoInterval) {
+  calc::PlaneField field = sampled_field(500, 1);
+  field.is_cut_off = true;
+  const auto verdict = [&](Requirement requirement, Comparison comparison) {
+    requirement.comparison = comparison;
+    const Finding finding = judge(requirement, field);
+    EXPECT_EQ(finding.is_doubtful, finding.verdict == Verdict::undecided);
+    return finding.verdict;
+  };
+  constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
+  EXPECT_EQ(verdict(at_least(Metric::average, 400), kLeast), Verdict::pass);
+  EXPECT_EQ(verdict(at_least(Metric::average, 600), kLeast), Verdict::undecided);
+  EXPECT_EQ(verdict(at_least(Metric::average, 400), kMost), Verdict::fail);
+  EXPECT_EQ(verdict(at_least(Metric::average, 600), kMost), Verdict::undecided);
+  EXPECT_EQ(verdict(at_least(Metric::uniformity_min_avg, 0.5), kLeast), Verdict::undecided);
+  Requirement direct = at_least(Metric::average, 600);
+  direct.direct_only = true;
+  EXPECT_EQ(verdict(direct, kLeast), Verdict::fail);
+}
+
 TEST(Judge, FailsWithANegativeMargin) {
   const Finding finding = judge(at_least(Metric::average, 400), exact_field({500, 300, 400}));
   EXPECT_EQ(finding.verdict, Verdict::fail);
