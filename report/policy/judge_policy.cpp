@@ -42,13 +42,29 @@ std::vector<const PlanePart*> planes_of(const SpacePart& space,
 // stand cover nothing.
 double floor_share(const SpacePart& space, const std::vector<const PlanePart*>& planes) {
   constexpr int kPlaces = 120;  // along both sides
-  std::vector<std::vector<glm::dvec2>> outlines;
+  struct Cover {
+    std::vector<glm::dvec2> outline;
+    std::vector<std::vector<glm::dvec2>> holes;
+
+    bool has(const glm::dvec2& at) const {
+      return calc::contains_point(outline, at) &&
+             std::none_of(holes.begin(), holes.end(),
+                          [&](const auto& hole) { return calc::contains_point(hole, at); });
+    }
+  };
+  std::vector<Cover> covers;
   for (const PlanePart* plane : planes) {
     const calc::SensorGrid& grid = plane->grid;
-    std::vector<glm::dvec2>& outline = outlines.emplace_back();
-    for (const glm::dvec2& corner : plane->outline_m) {
-      outline.emplace_back(grid.origin_m + corner.x * grid.u + corner.y * grid.v);
-    }
+    const auto seen_from_above = [&](const std::vector<glm::dvec2>& corners) {
+      std::vector<glm::dvec2> seen;
+      for (const glm::dvec2& corner : corners) {
+        seen.emplace_back(grid.origin_m + corner.x * grid.u + corner.y * grid.v);
+      }
+      return seen;
+    };
+    Cover& cover = covers.emplace_back();
+    cover.outline = seen_from_above(plane->outline_m);
+    for (const auto& hole : plane->holes_m) cover.holes.push_back(seen_from_above(hole));
   }
   glm::dvec2 low = space.footprint_m.front(), high = low;
   for (const glm::dvec2& corner : space.footprint_m) {
@@ -61,8 +77,8 @@ double floor_share(const SpacePart& space, const std::vector<const PlanePart*>& 
     const glm::dvec2 at = low + part * (high - low);
     if (!calc::contains_point(space.footprint_m, at)) continue;
     ++floor;
-    covered += std::any_of(outlines.begin(), outlines.end(),
-                           [&](const auto& outline) { return calc::contains_point(outline, at); });
+    covered += std::any_of(covers.begin(), covers.end(),
+                           [&](const Cover& cover) { return cover.has(at); });
   }
   return floor > 0 ? static_cast<double>(covered) / floor : 0.0;
 }

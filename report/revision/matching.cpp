@@ -37,6 +37,25 @@ Projects pointers_to(const Document& document) {
   return list;
 }
 
+// Of the project's own file; "" = not known.
+std::string own_hash(const ProjectPart& project) {
+  return project.inputs.empty() ? "" : project.inputs.front().sha256;
+}
+
+// Whatever is the same to the last byte, copies one after the other.
+void pair_alike(Projects& before, Projects& after, std::vector<PartPair<ProjectPart>>& pairs) {
+  for (std::size_t a = 0; a < after.size(); ++a) {
+    if (after[a] == nullptr || own_hash(*after[a]).empty()) continue;
+    const auto found = std::find_if(before.begin(), before.end(), [&](const ProjectPart* project) {
+      return project != nullptr && own_hash(*project) == own_hash(*after[a]);
+    });
+    if (found == before.end()) continue;
+    pairs[a].before = *found;
+    *found = nullptr;
+    after[a] = nullptr;
+  }
+}
+
 // The only one that is left; null: none or several.
 const ProjectPart** only_one(Projects& list) {
   const auto is_left = [](const ProjectPart* project) { return project != nullptr; };
@@ -107,6 +126,15 @@ std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const 
   pair_by([](const ProjectPart& p) { return p.name; }, left_before, left_after, pairs);
   pair_by([](const ProjectPart& p) { return std::filesystem::path(p.path).filename().string(); },
           left_before, left_after, pairs);
+  // Several of one name, in folders of their own.
+  pair_by(
+      [](const ProjectPart& p) {
+        const std::filesystem::path path(p.path);
+        const std::filesystem::path folder = path.parent_path().filename();
+        return folder.empty() ? std::string() : (folder / path.filename()).string();
+      },
+      left_before, left_after, pairs);
+  pair_alike(left_before, left_after, pairs);
   const ProjectPart** last_before = only_one(left_before);
   const ProjectPart** last_after = only_one(left_after);
   if (last_before != nullptr && last_after != nullptr) {

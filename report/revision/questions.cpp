@@ -309,25 +309,61 @@ const LuminaireRow* row_of(const ProjectPart& project, const std::string& type_i
   return found == project.luminaires.end() ? nullptr : &*found;
 }
 
-// Types that hang where others were, by themselves or nearest to them; each two once.
-std::vector<LuminairePair> exchanged_luminaires(const ProjectPart& before,
-                                                const ProjectPart& after) {
+// Of all parts that are called the same or have the same photometry, and types that hang where
+// others were, by themselves or nearest to them; each two once.
+std::vector<LuminairePair> paired_luminaires(const ProjectPart& before, const ProjectPart& after) {
   std::set<std::pair<std::string, std::string>> known;
+  std::vector<LuminairePair> pairs;
   for (const PartPair<LuminaireRow>& pair : match_luminaires(before.luminaires, after.luminaires)) {
     if (pair.before == nullptr || pair.after == nullptr) continue;
     known.emplace(pair.before->type_id, pair.after->type_id);
+    pairs.emplace_back(pair.before, pair.after);
   }
-  std::vector<LuminairePair> exchanged;
   for (const PartPair<SpacePart>& room : match_rooms(before, after)) {
     if (room.before == nullptr || room.after == nullptr) continue;
     for (const auto& [was, is] : match_marks(room.before->luminaires, room.after->luminaires)) {
       if (was == nullptr || is == nullptr) continue;
       if (!known.emplace(was->type_id, is->type_id).second) continue;
       const LuminairePair pair{row_of(before, was->type_id), row_of(after, is->type_id)};
-      if (pair.first != nullptr && pair.second != nullptr) exchanged.push_back(pair);
+      if (pair.first != nullptr && pair.second != nullptr) pairs.push_back(pair);
     }
   }
-  return exchanged;
+  return pairs;
+}
+
+// What a type that nothing was before stands beside: the same photometry, or else its own file,
+// with the largest maintenance factor that there was.
+LuminaireRow as_before(const LuminaireRow& row, const ProjectPart& before) {
+  LuminaireRow was = row;
+  if (row.file_flux_lm > 0.0) was.flux_lm = row.file_flux_lm;
+  if (row.file_power_w > 0.0) was.power_w = row.file_power_w;
+  double highest = 0.0;
+  for (const LuminaireRow& other : before.luminaires) {
+    highest = std::max(highest, other.maintenance_factor);
+    if (other.sha256 != row.sha256) continue;
+    was = other;
+    was.type_id = row.type_id;
+    return was;
+  }
+  if (highest > 0.0) was.maintenance_factor = highest;
+  return was;
+}
+
+// Less than before is no promise of a type that was not there: only what says more by hand counts.
+std::vector<ChangedQuestion> compare_added_luminaires(const ProjectPart& before,
+                                                      const ProjectPart& after,
+                                                      const std::vector<LuminairePair>& pairs,
+                                                      const RevisionPlace& place) {
+  QuestionList questions(place);
+  if (before.luminaires.empty()) return {};  // results of earlier versions
+  for (const LuminaireRow& row : after.luminaires) {
+    const bool is_paired = std::any_of(pairs.begin(), pairs.end(),
+                                       [&](const auto& pair) { return pair.second == &row; });
+    if (!is_paired) compare_luminaires(questions, as_before(row, before), row);
+  }
+  std::vector<ChangedQuestion> added = questions.take();
+  std::erase_if(added, [](const auto& one) { return one.change == QuestionChange::stricter; });
+  return added;
 }
 
 }  // namespace
@@ -363,14 +399,13 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const ProjectPart& after,
                                                       const RevisionPlace& place) {
   QuestionList questions(place);
-  for (const PartPair<LuminaireRow>& pair : match_luminaires(before.luminaires, after.luminaires)) {
-    if (pair.before == nullptr || pair.after == nullptr) continue;
-    compare_luminaires(questions, *pair.before, *pair.after);
+  const std::vector<LuminairePair> pairs = paired_luminaires(before, after);
+  for (const auto& [was, is] : pairs) compare_luminaires(questions, *was, *is);
+  std::vector<ChangedQuestion> all = questions.take();
+  for (ChangedQuestion& added : compare_added_luminaires(before, after, pairs, place)) {
+    all.push_back(std::move(added));
   }
-  for (const auto& [was, is] : exchanged_luminaires(before, after)) {
-    compare_luminaires(questions, *was, *is);
-  }
-  return questions.take();
+  return all;
 }
 
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,

@@ -70,11 +70,19 @@ struct Place {
   bool takes_several() const { return std::holds_alternative<std::vector<std::string>*>(target); }
 };
 
+// As written, "0.95"; "" = not there.
+struct SettingChange {
+  std::string name, before, after;
+};
+
 // Which luxgate.toml is meant: "" = the closest one to the projects.
 struct ConfigChoice {
   std::string file;
   bool is_off = false;
   std::string taken = {};  // the file that settings were taken from; "" = none
+  // Where that is the file of a git revision: what the work tree's says otherwise of settings that
+  // are not on the command line.
+  std::vector<SettingChange> changed = {};
 };
 
 // A line as a user would write it, and what it is for.

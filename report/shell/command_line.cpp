@@ -117,6 +117,35 @@ std::vector<std::string> projects_of(const Command& command) {
   return projects;
 }
 
+// What the work tree's settings say otherwise than those of the revision, but for what the command
+// line says, and what the command does not know.
+std::vector<SettingChange> changed_in_tree(const Added& chosen,
+                                           const std::vector<std::string>& projects,
+                                           const std::optional<ConfigFile>& of_revision) {
+  std::string problem;
+  const ConfigPlaces disk = config_on_disk();
+  const std::string path = find_config(disk, projects, problem);
+  calc::Diagnostics unread;
+  std::optional<ConfigFile> of_tree;
+  if (!path.empty()) of_tree = read_config(path, false, disk, unread);
+  std::vector<SettingChange> changes;
+  if (problem.empty() && unread.has_errors()) problem = "it cannot be read";
+  if (!problem.empty()) {
+    const std::string was = of_revision ? of_revision->path : "";
+    changes.push_back({kConfigName, was, problem});
+    return changes;
+  }
+  changes = changed_settings(of_revision, of_tree);
+  std::erase_if(changes, [&](const SettingChange& change) {
+    const std::string option = "--" + change.name;
+    const auto& options = chosen.command->options;
+    const bool is_known = std::any_of(options.begin(), options.end(),
+                                      [&](const Option& one) { return one.long_name() == option; });
+    return !is_known || is_given(*chosen.app, option);
+  });
+  return changes;
+}
+
 // Settings of a file for options that are not given. Not beside a policy: its owner's word stands
 // above the project's, whose folder the file lies in. Empty: all is well.
 std::optional<ParsedLine> take_config(const Added& chosen, const Environment& environment) {
@@ -135,15 +164,18 @@ std::optional<ParsedLine> take_config(const Added& chosen, const Environment& en
   if (!problem.empty()) return std::nullopt;
   const std::string path = find_config(choice, places, projects, problem);
   if (!problem.empty()) return usage_error(problem, "luxgate " + command.name);
-  if (path.empty()) return std::nullopt;
   command.config->taken = path;
   calc::Diagnostics diagnostics;
-  const auto file = read_config(path, !choice.file.empty(), places, diagnostics);
+  std::optional<ConfigFile> file;
+  if (!path.empty()) file = read_config(path, !choice.file.empty(), places, diagnostics);
   if (file) {
     apply_config(
         *file, command,
         [&](const Option& option) { return is_given(*chosen.app, option.long_name()); },
         diagnostics);
+  }
+  if (is_of_revision && !diagnostics.has_errors()) {
+    command.config->changed = changed_in_tree(chosen, projects, file);
   }
   if (!diagnostics.has_errors()) return std::nullopt;
   ParsedLine failed{nullptr, kNotJudged, "", ""};

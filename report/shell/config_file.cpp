@@ -304,6 +304,23 @@ std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
   return file;
 }
 
+std::vector<SettingChange> changed_settings(const std::optional<ConfigFile>& before,
+                                            const std::optional<ConfigFile>& after) {
+  const auto words_of = [](const std::optional<ConfigFile>& file, std::string_view name) {
+    if (!file) return std::string();
+    for (const ConfigSetting& setting : file->settings) {
+      if (setting.name == name) return setting.words();
+    }
+    return std::string();
+  };
+  std::vector<SettingChange> changes;
+  for (const std::string_view name : setting_names()) {
+    std::string was = words_of(before, name), is = words_of(after, name);
+    if (was != is) changes.push_back({std::string(name), std::move(was), std::move(is)});
+  }
+  return changes;
+}
+
 void apply_config(const ConfigFile& file, const Command& command,
                   const std::function<bool(const Option&)>& is_given,
                   calc::Diagnostics& diagnostics) {

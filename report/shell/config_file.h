@@ -67,6 +67,10 @@ std::string find_config(const ConfigChoice& choice, const ConfigPlaces& places,
 std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
                                       const ConfigPlaces& places, calc::Diagnostics& diagnostics);
 
+// What the second file says otherwise than the first, by name; either may be missing.
+std::vector<SettingChange> changed_settings(const std::optional<ConfigFile>& before,
+                                            const std::optional<ConfigFile>& after);
+
 // Gives the options of the command their values from the file, but those that are given on the
 // command line, and those that the command does not have. Reports what an option refuses.
 void apply_config(const ConfigFile& file, const Command& command,

@@ -138,6 +138,15 @@ for text, expected in (("tolerance = 0.05\n", 0.05), ("tolerance = 0.4\n", 0.05)
         (team.folder / "luxgate.toml").write_text(text)
     got = provenance("a.xml", "--against", "HEAD", **against)["tolerance"]
     expect(got == expected, f"--against, {text!r}: {got}")
+# What a request changes of how it will be judged is a question of its own, and stops the gate.
+(team.folder / "luxgate.toml").write_text("tolerance = 0.05\nconfidence = 0.6\nlanguage = \"de\"\n")
+gate = check("a.xml", "--against", "HEAD", "--gate", "regression", "--format", "json", "-q", at="team/designs", code=1)
+questions = json.loads(gate.stdout)["revision"]["questions"]
+expect([(one["change"], one["part"], one["after"]) for one in questions] == [("exchanged", "confidence", "confidence 0.6")], str(questions))
+(team.folder / "luxgate.toml").write_text("tolerance = 0.09\n")
+gate = check("a.xml", "--against", "HEAD", "--gate", "regression", at="team/designs", code=1, says="config-of-revision")
+expect("tolerance 0.09" in gate.stdout and "asks less" in gate.stdout, gate.stdout)
+(team.folder / "luxgate.toml").unlink()
 # Not by a link, either, in place of the folder that has settings of its own.
 (team.folder / "designs" / "luxgate.toml").write_text("tolerance = 0.07\n")
 team.commit("nearer")

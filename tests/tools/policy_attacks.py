@@ -198,6 +198,8 @@ judged(anywhere, change(wants, ('<luxgate-policy version="1"', '<luxgate-policy 
 own_plane = change(desk, (ROW, ROW.replace("/>", fact + "/>")))
 judged(change(PROJECT, (desk, own_plane)), wants, 2, "is asked on plane 'desk', which no workplace has made", name="a plane of one's own")
 judged(change(PROJECT, (desk, own_plane)), change(wants, ('zones="unchanged" ', "")), 0, name="a plane of one's own that may be")
+hollow = own_plane.replace('height="0.8"', 'points="0 0 0.8  5 0 0.8  5 4 0.8  0 4 0.8"').replace("<require", '<hole points="0.05 0.05 0.8  4.95 0.05 0.8  4.95 3.95 0.8  0.05 3.95 0.8"/><require')
+judged(change(PROJECT, (desk, hollow)), change(wants, ('zones="unchanged" ', "")), 2, "planes of role 'task' cover 0.", name="a plane of the whole floor with a hole")
 moved = change(whole, (fact + "/>", fact + '><zone role="task" height="0.9" because="standing"/></workplace>'))
 judged(moved, wants, 2, "which the project has changed", name="a zone that is changed")
 judged(moved, change(wants, ('zones="unchanged"', 'zones="workplace"')), 0, name="a zone that may be changed")

@@ -25,6 +25,7 @@
 #include "report/text/words.h"
 #include "report/tools/check/advice_checks.h"
 #include "report/tools/check/against.h"
+#include "report/tools/check/changed_settings.h"
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/checked_results.h"
@@ -55,6 +56,9 @@ namespace {
 
 // Looks are small: some 100 KiB for a plane of 1000 points.
 constexpr std::size_t kMostMemoryStoreBytes = std::size_t{1} << 30;
+// The day on which a git revision is judged: whatever somebody let go then holds. So a failure
+// whose waiver has ended is one that was let go, and is broken now.
+constexpr const char* kWaiversHold = "0001-01-01";
 
 void print_timing(const report::ProjectPart& project) {
   std::uint64_t rays = 0;
@@ -225,6 +229,18 @@ bool remove_resume_store(const std::string& folder) {
   return false;
 }
 
+// What is wrong with the projects may be for a setting that does not hold yet.
+void warn_of_changed_settings(const CheckOptions& options) {
+  const std::vector<SettingChange>& changed = options.input.config.changed;
+  if (changed.empty()) return;
+  std::vector<std::string> names;
+  for (const SettingChange& change : changed) names.push_back(change.name);
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::config_of_revision, {}, options.against,
+                     calc::list_names(names, names.size()));
+  print_diagnostics(diagnostics.all(), options.output.quiet);
+}
+
 }  // namespace
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
@@ -275,6 +291,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   }
   std::optional<OldState> old_state;
   if (!options.against.empty()) {
+    warn_of_changed_settings(options);
     const Environment& environment = context.environment;
     old_state = OldState::open_or_print(options.input, options.against,
                                         {environment.git_dir, environment.git_work_tree}, files);
@@ -310,12 +327,14 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   }
   if (old_state) {
     progress.expect(old_state->project_count());
+    check::Settings old_settings = options.settings;
+    old_settings.today = kWaiversHold;
     const auto check_one = [&](const std::string& path, const calc::FileReader& old_files,
                                const std::vector<rules::RulePack>& old_packs,
                                const std::string& shown_path) {
       WatchedProject observer(progress, shown_path);
       report::ProjectPart part =
-          check_safely(path, {options.settings, old_files, old_packs, stages, observer, nullptr,
+          check_safely(path, {old_settings, old_files, old_packs, stages, observer, nullptr,
                               store ? &*store : nullptr, at_once});
       progress.done(shown_path, report::outcome_words(report::outcome_of(part)));
       return part;
@@ -330,6 +349,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     report::Revision revision = report::revise(
         *baseline, document, old_state ? options.against : options.baseline, options.gate);
     if (old_state) {
+      add_changed_settings(options.input.config.changed, revision);
       revision.commits = old_state->commits();
       const std::vector<std::string>& notes = old_state->notes();
       revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());

@@ -63,15 +63,16 @@ class Comparer {
                        part(a->provenance.selection), part(b_->provenance.selection)));
       return std::nullopt;
     }
-    if (b_ && options_.planes.empty() && !options_.is_partial) {
+    has_projects_ = a->projects.size() > 1 || (b_ && b_->projects.size() > 1);
+    if (b_ && !options_.is_partial) {
       a->revision = report::revise(*b_, *a, options_.b, {});
+      if (!options_.planes.empty()) keep_chosen(*a, *a->revision);
       comparison_.revised = a;
     }
     for (const auto& pair : report::match_projects(b_ ? *b_ : report::Document(), *a)) {
       if (pair.before != nullptr && pair.after != nullptr)
         path_in_a_[pair.before] = pair.after->path;
     }
-    has_projects_ = a->projects.size() > 1 || (b_ && b_->projects.size() > 1);
     add_planes(*a);
     if (b_ && b_->provenance.confidence != comparison_.confidence) {
       const std::string words =
@@ -152,6 +153,46 @@ class Comparer {
                        [&](const auto& item) { return item.substr(0, item.find('=')) == in_a; });
   }
 
+  // What is asked and judged otherwise on the chosen planes, in their rooms and in all of the run.
+  void keep_chosen(const report::Document& a, report::Revision& revision) {
+    std::set<std::string> names, rooms;
+    for (const std::string& item : options_.planes) {
+      if (item.find('=') == std::string::npos) {
+        names.insert(item);
+      } else {
+        comparison_.notes.push_back(fmt::format(
+            "--plane {}: under two names what is asked of it is not compared, only values", item));
+      }
+    }
+    std::size_t findings = 0;
+    for (const report::ProjectPart& project : a.projects) {
+      const std::string path = has_projects_ ? project.path + ":" : "";
+      for (const report::SpacePart& space : project.spaces) {
+        for (const report::PlanePart& plane : space.planes) {
+          if (!names.contains(path + plane.id)) continue;
+          rooms.insert(project.path + ":" + space.id);
+          findings += plane.findings.size();
+        }
+      }
+    }
+    const auto is_elsewhere = [&](const auto& changed) {
+      const report::RevisionPlace& at = changed.place;
+      if (!at.plane.empty()) {
+        return !names.contains((has_projects_ ? at.project + ":" : "") + at.plane);
+      }
+      return !at.space.empty() && !rooms.contains(at.project + ":" + at.space);
+    };
+    std::erase_if(revision.results, is_elsewhere);
+    std::erase_if(revision.questions, is_elsewhere);
+    std::erase_if(revision.planes, is_elsewhere);
+    const auto changed = static_cast<std::size_t>(
+        std::count_if(revision.results.begin(), revision.results.end(), [](const auto& result) {
+          return !result.place.plane.empty() && result.verdict_after.has_value();
+        }));
+    revision.same = findings - std::min(findings, changed);
+    revision.known_failures = revision.untold = 0;
+  }
+
   // The same quantity on both sides, plane by plane.
   bool are_of_one_quantity() {
     std::map<std::string, std::string> in_b;
@@ -170,7 +211,8 @@ class Comparer {
       const std::string words =
           fmt::format("plane '{}' is of quantity '{}' in A and '{}' in B: they are not comparable",
                       id, in_a, quantity);
-      if (comparison_.revised) {
+      // Whoever has chosen the plane has asked for what there is not.
+      if (comparison_.revised && options_.planes.empty()) {
         lack(words);
         leave_out_of_both(id);
       } else {
@@ -227,7 +269,9 @@ class Comparer {
   void add_planes(const report::Document& document) {
     for_each_plane(document, [&](const std::string& id, const report::PlanePart& plane) {
       if (!plane.is_computed) {
-        return lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason));
+        if (is_chosen(id))
+          lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason));
+        return;
       }
       if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "A");
       report::ComparedPlane compared;
@@ -248,7 +292,10 @@ class Comparer {
     if (b_) {
       for_each_plane(*b_, [&](const std::string& id, const report::PlanePart& plane) {
         if (!plane.is_computed) {
-          return lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
+          if (is_chosen(name_in_a(id))) {
+            lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
+          }
+          return;
         }
         if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "B");
         average_b_[name_in_a(id)] = plane.average;

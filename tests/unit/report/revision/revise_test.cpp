@@ -179,6 +179,55 @@ TEST(Revise, OfABuildingQuestionsAreNamed) {
               ElementsAre("weaker waiver"));
 }
 
+// A luminaire that is added must not say more by hand than its file does, or than the same
+// photometry did before.
+TEST(Revise, LuminairesThatAreAddedAreHeldAgainstTheirFile) {
+  const auto added = [](const std::function<void(LuminaireRow&)>& change) {
+    return asked(revised([&](Document& d) {
+      ProjectPart& project = d.projects[0];
+      LuminaireRow row = project.luminaires.at(0);
+      row.type_id = "boost";
+      change(row);
+      project.luminaires.push_back(row);
+      LuminaireMark mark;
+      mark.position_m = {5, 5, 3};
+      mark.type_id = "boost";
+      project.spaces[0].luminaires.push_back(mark);
+    }));
+  };
+  EXPECT_THAT(added([](LuminaireRow&) {}), IsEmpty());
+  EXPECT_THAT(added([](LuminaireRow& row) { row.flux_lm = 7000; }), ElementsAre("weaker flux"));
+  EXPECT_THAT(added([](LuminaireRow& row) { row.power_w = 20; }), ElementsAre("weaker power"));
+  EXPECT_THAT(added([](LuminaireRow& row) { row.maintenance_factor = 1.0; }),
+              ElementsAre("weaker maintenance-factor"));
+  EXPECT_THAT(added([](LuminaireRow& row) {
+                row.sha256 = "other";
+                row.flux_lm = 7000;
+                row.maintenance_factor = 0.9;
+              }),
+              ElementsAre("weaker maintenance-factor", "weaker flux"));
+  EXPECT_THAT(added([](LuminaireRow& row) { row.flux_lm = 100; }), IsEmpty());
+}
+
+// In folders of their own, and the folders in another one.
+TEST(Revise, ProjectsOfOneNameAreMatchedByTheirFolder) {
+  Document before = base();
+  before.projects.push_back(before.projects[0]);
+  for (ProjectPart& project : before.projects) project.name = "";
+  before.projects[0].path = "a/project.xml";
+  before.projects[1].path = "b/project.xml";
+  Document after = before;
+  after.projects[0].path = "x/a/project.xml";
+  after.projects[1].path = "x/b/project.xml";
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)), IsEmpty());
+  // With paths that say nothing, by the files themselves.
+  before.projects[0].inputs = after.projects[0].inputs = {{"a/project.xml", "11"}};
+  before.projects[1].inputs = after.projects[1].inputs = {{"b/project.xml", "22"}};
+  after.projects[0].path = "project1/project.xml";
+  after.projects[1].path = "project2/project.xml";
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)), IsEmpty());
+}
+
 // Which other aggregates have not: a value that becomes worse, though the limit is met.
 TEST(Revise, OfABuildingAWorseValueStopsTheGate) {
   const Revision worse = building_revised([](rules::AggregateFinding& b) {
