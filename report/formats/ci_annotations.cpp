@@ -104,6 +104,11 @@ const char* command_for(const CiFinding& entry) {
   return entry.verdict == rules::Verdict::undecided ? "warning" : "error";
 }
 
+// As one message, so that doubts are there and do not push findings out: a line for each.
+std::string joined_notes(const ProjectPart& project) {
+  return fmt::format("{}", fmt::join(ci_notes(project), "\n"));
+}
+
 class GithubWriter : public FormatWriter {
  public:
   GithubWriter(const DocumentFrame& frame, const SpillPlace& place)
@@ -118,6 +123,9 @@ class GithubWriter : public FormatWriter {
     }
     for (const std::string& words : ci_left_out(project)) {
       messages_.write(github_line("notice", {project.path, 0, 0}, "luxgate: left out", words));
+    }
+    if (const std::string notes = joined_notes(project); !notes.empty()) {
+      messages_.write(github_line("notice", {project.path, 0, 0}, "luxgate: notes", notes));
     }
     for (const CiFinding& entry : findings_.of(project)) {
       if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
@@ -189,6 +197,10 @@ class GitlabWriter : public FormatWriter {
       messages_.add(gitlab_issue("luxgate/left-out", words,
                                  of_messages_.of(project.path + "\nleft-out\n" + words), "info",
                                  {project.path, 0, 0}));
+    }
+    if (const std::string notes = joined_notes(project); !notes.empty()) {
+      messages_.add(gitlab_issue("luxgate/notes", notes, of_messages_.of(project.path + "\nnotes"),
+                                 "info", {project.path, 0, 0}));
     }
   }
 

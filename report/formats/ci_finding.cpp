@@ -124,6 +124,20 @@ void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
   }
 }
 
+void add_plane_notes(const Texts& t, const std::string& room, const PlanePart& plane,
+                     std::vector<std::string>& notes) {
+  const std::string place = room + " / " + printable(plane_title(t, plane));
+  if (!plane.changed.empty()) {
+    notes.push_back(t.say<Text::changed_note>(place, printable(changed_words(t, plane.changed))));
+  }
+  for (const std::string& remark : plane.remarks) {
+    notes.push_back(place + t[Text::colon] + printable(sentence(t, remark)));
+  }
+  if (const std::string doubt = doubt_words(t, plane); !doubt.empty()) {
+    notes.push_back(place + t[Text::colon] + doubt);
+  }
+}
+
 }  // namespace
 
 bool is_waived(const CiFinding& entry) {
@@ -140,11 +154,7 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
     for (const rules::RowCoverage& row : space.coverage) {
       notes.push_back(room + ": " + coverage_words(t, row));
     }
-    for (const PlanePart& plane : space.planes) {
-      if (plane.changed.empty()) continue;
-      notes.push_back(t.say<Text::changed_note>(room + " / " + printable(plane_title(t, plane)),
-                                                printable(changed_words(t, plane.changed))));
-    }
+    for (const PlanePart& plane : space.planes) add_plane_notes(t, room, plane, notes);
   }
   return notes;
 }

@@ -41,7 +41,8 @@ struct CiFinding {
 };
 
 // What must be known of a project beside its findings: zones of workplaces that were not made or
-// left out, and planes that somebody changed. "room: what"; printable(), in document order.
+// left out, what of rows is asked, planes that somebody changed, remarks on planes and doubts of
+// their points. "room: what", "room / plane: what"; printable(), in document order.
 std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {});
 
 // What workplaces leave out, who lives with that and up to which day: "room: desk, EN ... 34.2:

@@ -46,6 +46,7 @@ struct TableLine {
   std::array<std::string, kColumns> cells;
   std::string note;
   std::string_view colour = "";
+  bool is_heading = false;
 };
 
 constexpr const char* kBold = "\033[1m";
@@ -303,17 +304,15 @@ TableLine heading(const Texts& t) {
                 t[Text::head_required], t[Text::head_measured], t[Text::head_margin],
                 t[Text::head_at]};
   line.colour = kDim;
+  line.is_heading = true;
   return line;
 }
-
-// Verdicts are never dim.
-bool is_heading(const TableLine& line) { return line.colour == kDim; }
 
 // Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
 void widen(const Texts& t, const std::vector<TableLine>& lines, Widths& widths) {
   const TableLine head = heading(t);
   for (const TableLine& line : lines) {
-    if (is_heading(line)) continue;
+    if (line.is_heading) continue;
     for (std::size_t c = 0; c < kColumns; ++c) {
       if (line.cells[c].empty()) continue;
       widths[c] = std::max({widths[c], display_width(line.cells[c]), display_width(head.cells[c])});
@@ -345,7 +344,9 @@ std::string render_line(const TableLine& line, const Widths& widths, bool colour
   for (std::size_t c = 0; c < kColumns; ++c) {
     if (widths[c] == 0) continue;
     const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
-    const bool is_coloured = colour && !line.colour.empty() && (c == kVerdict || is_heading(line));
+    // What does not decide stands back, all of it.
+    const bool is_whole = line.colour == kDim;
+    const bool is_coloured = colour && !line.colour.empty() && (c == kVerdict || is_whole);
     if (is_coloured) text += line.colour;
     text += padded(shown, widths[c], is_number_column(c));
     if (is_coloured) text += kReset;

@@ -215,6 +215,29 @@ void add_left_out(const ProjectPart& project, const SpacePart& space,
   row.visit_with(visit);
 }
 
+void add_said(const ProjectPart& project, const SpacePart& space, const std::string& plane_id,
+              const char* kind, const std::string& words, const VisitRow& visit) {
+  if (words.empty()) return;
+  ResultRow row;
+  row.set("project", project.path);
+  row.set("space", space.id);
+  row.set("plane", plane_id);
+  row.set("verdict", kind);
+  row.set("reason", words);
+  row.visit_with(visit);
+}
+
+// What must be read with the numbers, though it is of no single one.
+void add_notes(const ProjectPart& project, const SpacePart& space, const VisitRow& visit) {
+  for (const std::string& note : space.notes) add_said(project, space, "", "note", note, visit);
+  for (const PlanePart& plane : space.planes) {
+    for (const std::string& remark : plane.remarks) {
+      add_said(project, space, plane.id, "note", remark, visit);
+    }
+    add_said(project, space, plane.id, "doubt", doubt_words({}, plane), visit);
+  }
+}
+
 void add_coverage(const ProjectPart& project, const SpacePart& space, const VisitRow& visit) {
   for (const rules::RowCoverage& row : space.coverage) {
     if (!row.is_whole()) add_row_in_part(project, space, row, visit);
@@ -241,7 +264,10 @@ void visit_results(const ProjectPart& project, const VisitRow& visit) {
   for (const rules::AggregateFinding& finding : project.aggregates) {
     add_aggregate(project, finding, visit);
   }
-  for (const SpacePart& space : project.spaces) add_coverage(project, space, visit);
+  for (const SpacePart& space : project.spaces) {
+    add_coverage(project, space, visit);
+    add_notes(project, space, visit);
+  }
   for (const calc::Diagnostic& diagnostic : project.diagnostics) {
     if (is_warning(diagnostic)) add_warning(project, diagnostic, visit);
   }

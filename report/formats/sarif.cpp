@@ -243,6 +243,10 @@ void SarifWriter::add(const ProjectPart& project) {
     notifications_.add(
         {{"descriptor", {{"id", "left-out"}}}, {"level", "note"}, {"message", {{"text", words}}}});
   }
+  for (const std::string& words : ci_notes(project)) {
+    notifications_.add(
+        {{"descriptor", {{"id", "note"}}}, {"level", "note"}, {"message", {{"text", words}}}});
+  }
   for (const calc::InputFile& input : project.inputs) {
     if (listed_.emplace(input.path, input.sha256).second) artifacts_.add(artifact_json(input));
   }

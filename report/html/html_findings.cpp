@@ -237,7 +237,7 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
   }
   const std::string remark = remarks(t, finding);
   return fmt::format("<li>{}<div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
-                     badge(t, finding.verdict), plane_link(t, index, plane, folder),
+                     html_verdict(t, finding), plane_link(t, index, plane, folder),
                      t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
                      remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }

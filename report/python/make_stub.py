@@ -80,10 +80,13 @@ def of_choices(choices):
 
 def of_list(schema, name):
     items = schema["items"]
+    if isinstance(items, list):
+        return "tuple[" + ", ".join(type_of(item, name) for item in items) + "]"
     if schema.get("minItems") is not None and schema.get("minItems") == schema.get("maxItems"):
         return "tuple[" + ", ".join([type_of(items, name)] * schema["minItems"]) + "]"
     inner = items if "$ref" not in items else SCHEMA["definitions"][items["$ref"].rsplit("/", 1)[1]]
-    is_pair = inner.get("minItems") == 2 and inner.get("items", {}).get("type") == "number"
+    of_inner = inner.get("items", {})
+    is_pair = inner.get("minItems") == 2 and isinstance(of_inner, dict) and of_inner.get("type") == "number"
     is_table = name.endswith("_rows")
     if items.get("type") == "number" or is_pair or is_table:
         return "_Array"

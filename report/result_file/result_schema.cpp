@@ -4,9 +4,12 @@
 #include "report/result_file/result_fields.h"
 #include "report/text/json_layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace report {
@@ -97,18 +100,33 @@ class SchemaMaker : public Visitor {
     typename Items::value_type item{};
     Row row;
     cells(row, item);
-    add(key, list_of(numbers(row.count, number_or_null())), {});
+    const bool are_numbers = std::all_of(row.cells.begin(), row.cells.end(), [](const Json& cell) {
+      return cell.at("type") == number_or_null();
+    });
+    const std::size_t count = row.cells.size();
+    Json json = numbers(count, number_or_null());
+    if (!are_numbers) {
+      json = {{"type", "array"}, {"items", row.cells}, {"minItems", count}, {"maxItems", count}};
+    }
+    add(key, list_of(std::move(json)), {});
   }
 
  private:
   struct Row {
     template <class... Cell>
     void operator()(const Cell&... /*cell*/) {
-      count = sizeof...(Cell);
+      (cells.push_back(type_of<Cell>()), ...);
     }
     void refuse_if(bool /*is_bad*/, const char* /*words*/) {}
 
-    std::size_t count = 0;
+    Json cells = Json::array();
+
+   private:
+    template <class Cell>
+    static Json type_of() {
+      if constexpr (std::is_convertible_v<Cell, std::string>) return {{"type", "string"}};
+      return {{"type", number_or_null()}};
+    }
   };
 
   void add(const char* key, Json json, const About& about) {

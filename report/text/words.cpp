@@ -322,13 +322,12 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);
   };
-  std::string words =
-      !row.is_whole()
-          ? t.say<Text::row_in_part>(
-                title,
-                roles_in(t, row, {met, failed, undecided, not_judged, waived, asked_in_part}))
-      : row.is_met() ? t.say<Text::row_is_met>(title)
-                     : t.say<Text::row_is_asked>(title);
+  const std::string asked =
+      roles_in(t, row, {met, failed, undecided, not_judged, waived, asked_in_part});
+  std::string words = !row.is_whole() && asked.empty() ? t.say<Text::row_not_asked>(title)
+                      : !row.is_whole()                ? t.say<Text::row_in_part>(title, asked)
+                      : row.is_met()                   ? t.say<Text::row_is_met>(title)
+                                                       : t.say<Text::row_is_asked>(title);
   words += end(said(roles_in(t, row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
   // Of a workplace the room's notes say the rest.
@@ -532,8 +531,10 @@ std::string selection_words(const Provenance& provenance, const Texts& t) {
 
 std::string provenance_remarks(const Provenance& provenance, const Texts& t) {
   std::string remarks;
-  for (const std::string& words : {selection_words(provenance, t), policy_words(provenance, t),
-                                   redaction_words(provenance, t)}) {
+  const bool is_cut_short = provenance.same_bits == SameBits::nowhere;
+  for (const std::string& words :
+       {selection_words(provenance, t), policy_words(provenance, t), redaction_words(provenance, t),
+        is_cut_short ? std::string(t[Text::not_repeatable]) : std::string()}) {
     remarks += (remarks.empty() || words.empty() ? "" : " ") + words;
   }
   return remarks;

@@ -37,6 +37,21 @@ TEST(Console, ProjectDataStandBelowTheTitle) {
   EXPECT_THAT(render_markdown(document), HasSubstr("; Client: Meier &#38; Sons · Revision: b\n"));
 }
 
+// Whatever does not decide is there with all of its numbers, also where nothing else is.
+TEST(Console, WhatIsWaivedOrAdviceStandsWithItsNumbers) {
+  for (const bool is_waived : {true, false}) {
+    Document document = small_document();
+    for (rules::Finding& finding : document.projects[0].spaces[0].planes[0].findings) {
+      finding.is_waived = is_waived;
+      if (is_waived) finding.requirement.waiver = rules::Waiver{"glass", "A. Meier", "2099-06-30"};
+      if (!is_waived) finding.requirement.severity = rules::Severity::advice;
+    }
+    const std::string text = render_text(document);
+    EXPECT_THAT(text, HasSubstr("Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %"));
+    EXPECT_THAT(text, HasSubstr("Office / Work plane  minimum   ≥ 450 lx  424.5 ± 4.2 lx  -5.7 %"));
+  }
+}
+
 TEST(Console, PlaneWithoutRequirementIsListed) {
   Document document = small_document();
   document.projects[0].spaces[0].planes[0].findings.clear();
@@ -159,7 +174,8 @@ TEST(Console, RowsOfWhichTheSameIsToBeSaidShareALine) {
   rows[1].roles[0].state = rules::RoleState::never_asked;
   const std::string text = render_text(document);
   EXPECT_THAT(text, HasSubstr("└ a, c, d and 1 more, EN 12464-1:2021 34.2: the whole row is met"));
-  EXPECT_THAT(text, HasSubstr("└ b, EN 12464-1:2021 34.2: not the whole row is asked"));
+  EXPECT_THAT(text, HasSubstr("└ b, EN 12464-1:2021 34.2: nothing of the row that counts is asked; "
+                              "never asked: task"));
 }
 
 TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
