@@ -236,10 +236,11 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
     told += " " + t.say<Text::margin_of>(cells.margin) + " " + cells.notes;
   }
   const std::string remark = remarks(t, finding);
-  return fmt::format("<li>{}<div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
-                     html_verdict(t, finding), plane_link(t, index, plane, folder),
-                     t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
-                     remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
+  return fmt::format(
+      "<li><div>{}</div><div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
+      html_verdict(t, finding), plane_link(t, index, plane, folder),
+      t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
+      remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }
 
 std::string tools(const Texts& t) {
