@@ -44,21 +44,23 @@ ExitCode run(const Command& command, const Environment& environment,
 
 // The first file that is opened would get the number of a standard one that the caller has closed,
 // and what is told would be written into it. To a closed output writing fails, as to a full disk.
-void open_closed_standard_files() {
+// False: that cannot be had either, and nothing must be written.
+bool open_closed_standard_files() {
   constexpr std::array kInPlaceOf = {"/dev/null", "/dev/full", "/dev/null"};
   for (int file = 0; file < 3; ++file) {
     if (fcntl(file, F_GETFD) != -1 || errno != EBADF) continue;
     // Of the numbers that are free the lowest is given.
-    [[maybe_unused]] const int opened =
-        open(kInPlaceOf[static_cast<std::size_t>(file)], file == 0 ? O_RDONLY : O_WRONLY);
+    const char* const path = kInPlaceOf[static_cast<std::size_t>(file)];
+    if (open(path, file == 0 ? O_RDONLY : O_WRONLY) != file) return false;
   }
+  return true;
 }
 
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
   try {
-    open_closed_standard_files();
+    if (!open_closed_standard_files()) return kNotJudged;
     const Environment environment = read_environment();
     const std::vector<Command> commands = all_commands();
     const ParsedLine parsed = parse_command_line(commands, argc, argv, environment);

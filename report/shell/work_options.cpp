@@ -94,7 +94,8 @@ std::vector<Option> work_options(calc::RadiositySettings& settings) {
            visibility(settings.shadow_map_texels)},
           {"--clamp", "G",
            "With --method instant-radiosity: cut off geometry terms above G /m2; default none.\n"
-           "What is cut off is lost",
+           "What is cut off is lost and in no interval: verdicts that more light could turn\nare "
+           "undecided",
            positive_number(settings.clamp_per_m2)},
           {"--no-skip", "NAME",
            "Leave nothing out for this reason, or any ('all'); may be repeated.\n"

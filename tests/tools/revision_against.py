@@ -284,6 +284,15 @@ expect("a file in place of the folder", check(fewer.folder, "designs", "--agains
 (fewer.folder / "before").rename(fewer.folder / "designs")
 expect("others are named", check(fewer.folder, "designs/a.xml", "--against", "HEAD", *GATE), 0, without=("b.xml",))
 
+# Somebody let a failure go up to a day that is over: it is broken now, as beside a baseline, and not one that was there before.
+ended = git_repository.Repository(WORK / "ended", VARIABLES)
+OVER = small_designs.WAIVER.replace("2099-12-31", "2026-01-31")
+small_designs.write(ended.folder / "a.xml", far_waiver=OVER)
+ended.commit()
+small_designs.write(ended.folder / "a.xml", far_waiver=OVER, name="Design again")
+for day, code, words in ((1767225600, 0, "nothing became worse"), (1775000000, 1, "broken")):
+    expect(f"a waiver, {day}", check(ended.folder, "a.xml", "--against", "HEAD", *GATE, "--timestamp", day), code, words)
+
 # Interrupted: nothing is written.
 process = subprocess.Popen([PROGRAM, "check", *NAMES, "--against", "main", "--goal", "accuracy", "--tolerance", "0.00001", "--max-paths", "1073741824",
                             "--format", f"json={WORK / 'interrupted.json'}"], cwd=team.folder, env=VARIABLES, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -91,6 +91,17 @@ expect_in("${err}" "of quantity 'planar' in A and 'cylindrical-4' in B")
 run_in_work(2 compare r.json r.json --plane planar=towards)
 expect_in("${err}" "of quantity 'planar' in A and 'ugr' in B")
 
+# A limit that fell is one of the chosen plane, and none of another.
+file(COPY ${RATINGS}/ DESTINATION ${WORK}/easier)
+file(READ ${WORK}/easier/project.xml easier)
+string(REPLACE "at-least=\"3\"" "at-least=\"2\"" easier "${easier}")
+file(WRITE ${WORK}/easier/project.xml "${easier}")
+execute_process(COMMAND ${LUXGATE} check easier/project.xml --quiet --pictures off --format json=easier.json
+  WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_QUIET)
+run_in_work(1 compare easier.json r.json --plane planar)
+expect_in("${out}" "asks less")
+run_in_work(0 compare easier.json r.json --plane four)
+
 # Averages are judged by the intervals of both results.
 run_in_work(0 compare a.json b.json --format json)
 string(JSON judged GET "${out}" averages_judged)

@@ -20,7 +20,10 @@ Command compare_syntax(CompareOptions& options) {
        share_between(options.tolerance, 0.0, 1.0)},
       {"--distance", "METRES", "Points this near to each other are the same; default 0.01",
        positive_number(options.distance_m)},
-      {"--plane", "ID[=ID]", "Only this plane's values; =ID where B calls it so; may be repeated",
+      {"--plane", "ID[=ID]",
+       "Only this plane: its values, and what is asked and judged of it.\n=ID where B calls it so: "
+       "values "
+       "alone; may be repeated",
        [&options](const std::string& text) -> std::string {
          const std::size_t equals = text.find('=');
          if (text.empty() || equals == 0 || equals + 1 == text.size()) {

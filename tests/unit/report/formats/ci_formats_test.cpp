@@ -2,9 +2,11 @@
 // any document.
 #include "report/formats/ci_annotations.h"
 #include "report/formats/ci_finding.h"
+#include "report/formats/csv.h"
 #include "report/formats/junit.h"
 #include "report/formats/markdown.h"
 #include "report/formats/sarif.h"
+#include "report/text/words.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -264,6 +266,23 @@ TEST(CiFormats, NotesOfRoomsAreTold) {
   EXPECT_EQ(told,
             "Office: workplace desk: left out: ceiling | <open>\n"
             "Office / Work plane: changed: height 1.1 m instead of 0.75 m\n");
+}
+
+// What must be read with the numbers of a plane is in every format, whatever its verdicts are.
+TEST(CiFormats, RemarksAndDoubtsOfPlanesAreInAll) {
+  Document document = every_verdict();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.remarks = {"how it was rated"};
+  plane.single_sample_points = 2;
+  const std::string doubt = doubt_words({}, plane);
+  ASSERT_NE(doubt, "");
+  for (const std::string& text :
+       {render_sarif(document, SarifContent::problems), render_github(document),
+        render_gitlab(document), render_junit(document), render_markdown(document),
+        render_results_csv(document)}) {
+    EXPECT_THAT(text, HasSubstr("how it was rated"));
+    EXPECT_THAT(text, HasSubstr(doubt));
+  }
 }
 
 }  // namespace

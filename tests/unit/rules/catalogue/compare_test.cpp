@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace rules {
 namespace {
 
@@ -162,6 +164,16 @@ TEST(VerdictName, IsInWords) {
   EXPECT_STREQ(verdict_name(Verdict::fail), "fail");
   EXPECT_STREQ(verdict_name(Verdict::undecided), "undecided");
   EXPECT_STREQ(verdict_name(Verdict::not_judged), "not judged");
+}
+
+// The margin is of the number that stands beside it.
+TEST(Margin, IsOfTheEndThatIsKnownWhereTheOtherIsOpen) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  using calc::Estimate;
+  EXPECT_DOUBLE_EQ(margin(Estimate{20, 18, 25}, Comparison::at_most, 40), 0.5);
+  EXPECT_DOUBLE_EQ(margin(Estimate{20, -kOpen, 30}, Comparison::at_most, 40), 0.25);
+  EXPECT_DOUBLE_EQ(margin(Estimate{20, 10, kOpen}, Comparison::at_most, 40), 0.75);
+  EXPECT_EQ(margin(Estimate{-kOpen, -kOpen, 30}, Comparison::at_most, 40), kOpen);
 }
 
 }  // namespace
