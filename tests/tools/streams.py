@@ -90,6 +90,9 @@ for code, words in ((1, ["check", "a.xml", *FAST, *formats]), (0, ["report", "r.
     expect("wrote" not in run(*words, "--quiet", code=code).stderr, f"{words}: --quiet")
 expect("wrote" not in run("compare", "r.json", "r.json", "--format", "json=c.json", "-q", code=0).stderr, "compare -q")
 # Only what is there.
+# An output that the caller has closed is a full disk, and no file that is opened takes its number.
+closed = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', PROGRAM, "check", "a.xml", *FAST, "--format", "json"], cwd=WORK, stderr=subprocess.PIPE, text=True, check=False)
+expect(closed.returncode == 2 and "cannot write to standard output" in closed.stderr, f"a closed output: {closed.returncode} {closed.stderr}")
 done = run("check", "a.xml", *FAST, "--format", "json=/dev/full", "--format", "csv=s.csv", code=2, says="/dev/full")
 expect("luxgate: wrote s.csv\n" in done.stderr, f"/dev/full: {done.stderr}")
 
