@@ -7,6 +7,7 @@ luxgate_test(rays_tests
     unit/calc/rays/triangle_hit_test.cpp
     unit/calc/rays/triangle_tree_test.cpp
   LIBRARIES calc_radiosity embree)
+target_compile_definitions(rays_tests PRIVATE LUXGATE_EMBREE=${embree_VERSION_MAJOR})
 
 # The names are those of calc/rays/instruction_set.cpp.
 foreach(set sse2 ssse3 sse4.2 avx avx2 avx512)

@@ -108,7 +108,7 @@ class Gatherer {
     throw BackendFailure("this gatherer takes connections one by one");
   }
 
-  // For reports: "cpu (Embree 3.13.5)".
+  // For reports: "cpu".
   virtual std::string description() const = 0;
 };
 

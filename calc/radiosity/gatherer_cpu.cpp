@@ -61,7 +61,7 @@ class CpuGatherer : public Gatherer {
     return rays;
   }
 
-  std::string description() const override { return "cpu (" + tree_builder_version() + ")"; }
+  std::string description() const override { return "cpu"; }
 };
 
 }  // namespace

@@ -85,7 +85,8 @@ class TriangleTree {
   float reach_m_ = 0.0f;    // of the corner farthest from the origin, rounded up
 };
 
-// "Embree 3.13.5": what builds the trees.
+// "Embree 3.13.5": what builds the trees. No answer depends on it: `luxgate version` says it,
+// results do not.
 std::string tree_builder_version();
 
 namespace tree_detail {

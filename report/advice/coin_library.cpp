@@ -10,16 +10,21 @@ namespace {
 
 CoinLibrary opened() {
   CoinLibrary coin;
-  void* files[2] = {nullptr, nullptr};
-  int count = 0;
-  for (const char* file : {"libClp.so.1", "libCbcSolver.so.3"}) {
-    files[count] = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-    if (files[count] == nullptr) {
-      coin.problem =
-          fmt::format("the solver {} is not installed (Debian: apt install coinor-libcbc3)", file);
-      return coin;
+  const auto open = [](std::initializer_list<const char*> names) {
+    void* file = nullptr;
+    for (const char* name : names) {
+      if (file == nullptr) file = dlopen(name, RTLD_NOW | RTLD_LOCAL);
     }
-    ++count;
+    return file;
+  };
+  // CBC 2.10.8 changed its name, not what is called here: Debian 13 and Ubuntu 24.04 have the
+  // first, Debian 12 the second.
+  void* const files[] = {open({"libClp.so.1"}), open({"libCbcSolver.so.3.1", "libCbcSolver.so.3"})};
+  if (files[0] == nullptr || files[1] == nullptr) {
+    coin.problem =
+        "the solver CBC is not installed (apt install coinor-libcbc3.1; on Debian 12 "
+        "coinor-libcbc3)";
+    return coin;
   }
   const auto find = [&](const char* name) -> void* {
     void* found = dlsym(files[0], name);

@@ -1,6 +1,5 @@
 #include "report/check/backend.h"
 
-#include "calc/rays/triangle_tree.h"
 #include "gpu/calibration.h"
 #include "gpu/gl_direct_tracer.h"
 #include "gpu/gl_path_tracer.h"
@@ -29,8 +28,8 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
   const GpuStages rest{!stages.direct_light, !stages.light_paths, !stages.connections,
                        !stages.near_field};
   if (stages == GpuStages()) return gpu;
-  return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
-                     calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
+  return fmt::format("{}: {}; cpu: {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
+                     fmt::join(gpu_stage_names(rest), ", "));
 }
 
 // Measuring takes a second: less than that cannot be won by it.

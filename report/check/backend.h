@@ -67,7 +67,7 @@ struct OpenBackend {
   std::unique_ptr<calc::ShortRayCaster> short_rays;   // null: the CPU
   std::unique_ptr<calc::DirectTracer> direct_tracer;  // null: the CPU
   std::shared_ptr<gpu::DeviceThread> device;          // that they use; null: none
-  // For reports: "cpu (Embree 3.13.5)", "gpu (...): light-paths; cpu (...): connections, ...".
+  // For reports: "cpu", "gpu (...): light-paths; cpu: connections, ...".
   std::string description;
   // The same with all that bits may depend on, the driver's version too: of looks that are kept.
   std::string identity;

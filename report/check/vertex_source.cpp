@@ -1,8 +1,8 @@
 #include "report/check/vertex_source.h"
 
+#include "calc/base/numbers_version.h"
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/scene_fingerprint.h"
-#include "calc/rays/triangle_tree.h"
 #include "report/document/program_version.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 namespace check {
 
 std::string vertex_maker() {
-  return fmt::format("luxgate {} ({})", report::program_version(), calc::tree_builder_version());
+  return fmt::format("luxgate {} (numbers version {})", report::program_version(),
+                     calc::kNumbersVersion);
 }
 
 std::optional<VertexSource> read_vertex_source(const std::string& path,

@@ -18,7 +18,7 @@ struct VertexSource {
   calc::VertexCache cache;
 };
 
-// As in VertexCache::made_by: the program and what builds its trees.
+// As in VertexCache::made_by: the program and the version of its numbers.
 std::string vertex_maker();
 
 // Empty after an error: unreadable, changed, of another version, or too few replicates to judge by.

@@ -154,7 +154,7 @@ std::string redacted_command(const std::string& command_line, const std::vector<
   return command;
 }
 
-// "gpu: a; cpu (b): c" of "gpu (NAME (version), software): a; cpu (b): c".
+// "gpu: a; cpu: b" of "gpu (NAME (version), software): a; cpu: b".
 std::string redacted_backend(const std::string& backend) {
   constexpr std::string_view kStart = "gpu (";
   if (!backend.starts_with(kStart)) return backend;

@@ -2,7 +2,11 @@
 // where single precision does: within a few units of its last place of an edge or of an end.
 #include "calc/rays/triangle_tree.h"
 
+#if LUXGATE_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +17,7 @@
 #include <random>
 #include <vector>
 
+namespace embree_test {
 namespace {
 
 struct EmbreeScene {
@@ -55,20 +60,30 @@ struct EmbreeScene {
             0};
   }
   bool is_blocked(const calc::Ray& ray) const {
+    RTCRay query = ray_of(ray);
+    // The third argument is what tells the versions apart: a context that Embree 3 must have,
+    // options in Embree 4.
+#if LUXGATE_EMBREE == 3
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay query = ray_of(ray);
     rtcOccluded1(scene, &context, &query);
+#else
+    rtcOccluded1(scene, &query, nullptr);
+#endif
     return query.tfar < 0.0f;
   }
   // Distance, or infinity.
   float first(const calc::Ray& ray, std::uint32_t& triangle) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit query{};
     query.ray = ray_of(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if LUXGATE_EMBREE == 3
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
     rtcIntersect1(scene, &context, &query);
+#else
+    rtcIntersect1(scene, &query, nullptr);
+#endif
     triangle = query.hit.primID;
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity()
                                                        : query.ray.tfar;
@@ -123,3 +138,4 @@ TEST(TriangleTree, FindsWhatEmbreeFinds) {
 }
 
 }  // namespace
+}  // namespace embree_test

@@ -340,7 +340,7 @@ inline Document sample_document() {
   document.provenance.seed = 1;
   document.provenance.max_paths = 1048576;
   document.provenance.replicates = 16;
-  document.provenance.backend = "cpu (Embree 3.13.5)";
+  document.provenance.backend = "cpu";
   document.provenance.numbers_version = 1;
   document.projects.push_back(std::move(project));
   ProjectPart broken;

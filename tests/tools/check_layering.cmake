@@ -19,7 +19,7 @@ set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|advice|shell|
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
-  "embree3/|calc/rays/triangle_tree\\.cpp"
+  "embree[34]/|calc/rays/triangle_tree\\.cpp"
   "hwy/|calc/rays/[a-z_]+\\.cpp"
   "sleef|calc/base/elementary\\.cpp"
   "epoxy/egl|gpu/egl_context"

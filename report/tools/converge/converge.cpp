@@ -2,7 +2,6 @@
 
 #include "calc/base/text.h"
 #include "calc/radiosity/phase_timer.h"
-#include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
@@ -142,7 +141,6 @@ void describe(const ConvergeOptions& options, const Subject& subject,
   document.path = options.project;
   document.space_id = subject.space->id;
   document.program = report::program_version();
-  document.tracer = calc::tree_builder_version();
   document.part = options.is_indirect ? "indirect" : "total";
   document.reference =
       options.reference == "own"

@@ -116,7 +116,6 @@ std::string render_converge_csv(const ConvergeDocument& document) {
 std::string render_converge_json(const ConvergeDocument& document) {
   Json json{{"luxgate_convergence", 1},
             {"program", document.program},
-            {"rays", document.tracer},
             {"project", document.project},
             {"path", document.path},
             {"space", document.space_id},

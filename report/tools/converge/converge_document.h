@@ -88,7 +88,7 @@ struct ConvergeMethod {
 };
 
 struct ConvergeDocument {
-  std::string project, path, space_id, program, tracer;
+  std::string project, path, space_id, program;
   std::string opengl;  // the device, "" = no method needs one
   bool is_software_opengl = false;
   std::string part;       // "total" or "indirect"

@@ -387,8 +387,7 @@ std::string method_notes(const Texts& t, const ConvergeDocument& document) {
                                                 format_count(document.luminaires),
                                                 format_count(document.points))) +
          (document.opengl.empty() ? "" : fact("OpenGL", escape_html(opengl_words(t, document)))) +
-         fact(t[Text::program],
-              escape_html("luxgate " + document.program + ", " + document.tracer)) +
+         fact(t[Text::program], escape_html("luxgate " + document.program)) +
          "</tbody></table></section>\n";
 }
 

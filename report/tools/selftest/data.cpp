@@ -46,7 +46,6 @@ std::string render_json(const RunResult& result, bool has_timing) {
   const Json json = {{"format", "luxgate-selftest"},
                      {"format_version", 1},
                      {"program_version", result.program},
-                     {"tracer", result.tracer},
                      {"seed", result.seed},
                      {"seeds", result.seeds},
                      {"family_error", kFamilyError},

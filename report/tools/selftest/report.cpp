@@ -125,12 +125,12 @@ std::string render_report_markdown(const RunResult& result, bool has_timing) {
 
 std::string render_report_html(const RunResult& result, bool has_timing) {
   std::string body = fmt::format(
-      "<p class=\"eyebrow\">luxgate {} · {}</p>\n<h1>Validation report</h1>\n<p>{} cases, {} "
+      "<p class=\"eyebrow\">luxgate {}</p>\n<h1>Validation report</h1>\n<p>{} cases, {} "
       "numbers, {}: <b>{}</b>. {}. "
       "Verdicts are at a level that all numbers together miss in fewer than one of a thousand "
       "seeds.</p>\n",
-      report::escape_html(result.program), report::escape_html(result.tracer), result.cases.size(),
-      result.numbers(), seeds_words(result),
+      report::escape_html(result.program), result.cases.size(), result.numbers(),
+      seeds_words(result),
       result.wrong() == 0 ? "all right" : fmt::format("{} OUT", result.wrong()),
       report::escape_html(coverage_words(result)));
   for (const Kind& kind : kinds()) {

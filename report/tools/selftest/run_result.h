@@ -12,7 +12,7 @@ struct RunResult {
   std::vector<JudgedCase> cases;
   std::uint64_t seed = 1;
   int seeds = 1;
-  std::string program, tracer;
+  std::string program;
 
   int wrong() const;    // cases
   int numbers() const;  // compared

@@ -1,7 +1,6 @@
 #include "report/tools/selftest/selftest.h"
 
 #include "calc/base/diagnostics.h"
-#include "calc/rays/triangle_tree.h"
 #include "report/document/program_version.h"
 #include "report/formats/write.h"
 #include "report/shell/interrupt.h"
@@ -126,7 +125,6 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   result.seed = options.seed;
   result.seeds = options.seeds;
   result.program = report::program_version();
-  result.tracer = calc::tree_builder_version();
   result.cases = run_cases(std::move(cases), options, announce);
   announce.clear();
   if (!begin_to_write()) return interrupted_outcome();

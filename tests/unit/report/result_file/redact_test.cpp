@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace report {
+namespace report::redact_test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,10 +141,10 @@ TEST(Redact, RevisionHasTheSameNames) {
 }
 
 TEST(Redact, DevicesLoseTheirNames) {
-  EXPECT_EQ(redacted_backend("cpu (Embree 3.13.5)"), "cpu (Embree 3.13.5)");
+  EXPECT_EQ(redacted_backend("cpu"), "cpu");
   EXPECT_EQ(redacted_backend("gpu (X 1 (rev 2), software)"), "gpu");
-  EXPECT_EQ(redacted_backend("gpu (X 1): light-paths; cpu (Embree 3): near-field"),
-            "gpu: light-paths; cpu (Embree 3): near-field");
+  EXPECT_EQ(redacted_backend("gpu (X 1): light-paths; cpu: near-field"),
+            "gpu: light-paths; cpu: near-field");
   EXPECT_EQ(redacted_backend("gpu (X"), "gpu");
   Document document = small_document();
   document.projects[0].spaces[0].pictures.device = "X 1";
@@ -227,4 +227,4 @@ TEST(Redact, ProjectsOneByOneAreThoseOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::redact_test
