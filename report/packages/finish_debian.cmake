@@ -15,7 +15,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright ${documents}/copyright COPYONLY)
   configure_file(${CPACK_LUXGATE_SOURCE}/CHANGELOG.md ${documents}/changelog COPYONLY)
   file(WRITE ${documents}/changelog.Debian
-"${CPACK_PACKAGE_NAME} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) bookworm; urgency=medium
+"${CPACK_PACKAGE_NAME} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) ${CPACK_LUXGATE_CODENAME}; urgency=medium
 
   * Built from its own source tree. What is new in luxgate: changelog.gz.
 

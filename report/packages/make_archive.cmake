@@ -1,10 +1,16 @@
 # Makes OUT/luxgate-VERSION-linux-PROCESSOR.tar.gz from a build: the program with the libraries that a bare Debian 12
-# lacks, and what is installed with it. It runs from any folder.
+# lacks, and what is installed with it. It runs from any folder. Made on Debian 12 alone: what runs there runs on all newer
+# ones, and libraries.csv names its libraries.
 #   cmake -DBUILD=<build folder> -DOUT=<folder> -P make_archive.cmake
 # Ends with an error where a library is needed that libraries.csv does not name, or names as not to be given away.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/third_party.cmake)
 
+cmake_host_system_information(RESULT system QUERY DISTRIB_INFO)
+if(NOT "${system_ID} ${system_VERSION_ID}" STREQUAL "debian 12")
+  message("No archive: it is made on Debian 12, this is ${system_PRETTY_NAME}")
+  return()
+endif()
 load_cache(${BUILD} READ_WITH_PREFIX cache_ CMAKE_PROJECT_VERSION CMAKE_STRIP)
 cmake_host_system_information(RESULT processor QUERY OS_PLATFORM)
 set(name luxgate-${cache_CMAKE_PROJECT_VERSION}-linux-${processor})

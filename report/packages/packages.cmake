@@ -30,7 +30,10 @@ set(CPACK_LUXGATE_SOURCE ${PROJECT_SOURCE_DIR})  # for that script
 set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+# A release of Debian or Ubuntu has packages of its own: the libraries that they name differ. An upgrade takes the next one's.
+cmake_host_system_information(RESULT LUXGATE_SYSTEM QUERY DISTRIB_INFO)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1~${LUXGATE_SYSTEM_ID}${LUXGATE_SYSTEM_VERSION_ID})
+set(CPACK_LUXGATE_CODENAME ${LUXGATE_SYSTEM_VERSION_CODENAME})
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 # As Debian has it: files may be read by all, nothing may be written by a group, whatever umask was in force.
@@ -41,7 +44,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Chromium prints PDFs, OpenGL draws pictures of rooms, CBC is the solver of `advise`; checks need none of them, and the
 # first two are larger than all the rest.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, coinor-libcbc3, libegl1, libopengl0, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, coinor-libcbc3.1 | coinor-libcbc3, libegl1, libopengl0, libgl1-mesa-dri")
 # CPack puts the summary of the project before a description of its own, unless that is CMake's default.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_NAME} built using CMake")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION

@@ -1,5 +1,9 @@
-# Sourced by examples/run, tests/run, tests/fuzz/run and report/packages/build: installs the Debian packages named, if any is missing.
-# Quick when nothing is missing (one dpkg query). Needs root or sudo only to install.
+# Sourced by whatever builds luxgate: installs the Debian packages named, if any is missing. Quick when nothing is missing
+# (one dpkg query). Needs root or sudo only to install. On a system whose package names nobody has tried, it says what is
+# needed and leaves the rest to what is installed.
+
+# "debian 12", "ubuntu 24.04"; "" where the file is missing.
+luxgate_release=$([[ ! -r /etc/os-release ]] || (. /etc/os-release && echo "${ID:-} ${VERSION_ID:-}"))
 
 luxgate_build_packages=(
   cmake ninja-build g++
@@ -17,11 +21,24 @@ luxgate_test_packages=(
 )
 luxgate_packaging_packages=(dpkg-dev file)  # of report/packages/build only
 luxgate_second_opengl_packages=(mesa-vulkan-drivers)  # of tests/second_opengl only
-luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
+luxgate_fuzz_packages=(clang libclang-rt-dev)  # of tests/fuzz/run only
+# What a release calls otherwise.
+case $luxgate_release in
+  "debian 12") luxgate_fuzz_packages=(clang libclang-rt-14-dev) ;;
+  "ubuntu 24.04") luxgate_fuzz_packages=(clang libclang-rt-18-dev) ;;
+esac
 
 # install_debian_packages NAME...
 install_debian_packages() {
   local missing=() name
+  case $luxgate_release in
+    "debian 12" | "debian 13" | "ubuntu 24.04") ;;
+    *)
+      echo "This system is '$luxgate_release'; the names of its packages are known on Debian 12, Debian 13 and Ubuntu 24.04." >&2
+      echo "Nothing is installed, the build goes on with what is there. On Debian these packages are needed: $*" >&2
+      return 0
+      ;;
+  esac
   for name in "$@"; do
     [[ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" == installed ]] ||
       missing+=("$name")

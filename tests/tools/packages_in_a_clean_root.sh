@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What people do with the packages of report/packages/build, in a Debian 12 that has nothing else: install, first verdict, remove.
+# What people do with the packages of report/packages/build, in a Debian of this release that has nothing else: install, first verdict, remove.
 #   packages_in_a_clean_root.sh PACKAGES WORK [WAY...]     WAYS: deb archive container embed python; all unless given
 # deb: apt install ./luxgate_*.deb. archive: the tar.gz unpacked in a folder of another name. container: the steps of the second
 # stage of the Containerfile, in a root with the settings of Debian slim; it is no run of a container. embed: luxgate-dev, and
@@ -28,14 +28,16 @@ archive=("$packages"/luxgate-*.tar.gz)
 [[ ${#program[@]} == 1 && ${#development[@]} == 1 && ${#module[@]} == 1 && ${#archive[@]} == 1 ]] || {
   echo "$packages: not one package of each kind" >&2; exit 1; }
 
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' 'Component: main' 2>/dev/null | head -n 1)
-[[ -n $mirror ]] || skip "apt knows no mirror of Debian 12"
+# shellcheck source=/dev/null
+codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Codename: $codename" 'Component: main' 2>/dev/null | head -n 1)
+[[ -n $mirror ]] || skip "apt knows no mirror of $codename"
 if [[ ! -e $work/base.done ]]; then
   # apt's own way to the mirror, with the proxy that it may need.
-  /usr/lib/apt/apt-helper download-file "${mirror%/}/dists/bookworm/Release" "$work/Release" >/dev/null 2>&1 ||
+  /usr/lib/apt/apt-helper download-file "${mirror%/}/dists/$codename/Release" "$work/Release" >/dev/null 2>&1 ||
     skip "$mirror cannot be reached"
   rm -rf -- "$work/base"
-  debootstrap --variant=minbase bookworm "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 || {
+  debootstrap --variant=minbase "$codename" "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 || {
     tail "$work/debootstrap.log"; exit 1; }
   touch "$work/base.done"
 fi

@@ -72,7 +72,7 @@ expect_in("${output}" " ./usr/include/luxgate/report/check/check_project.h\n" "/
 expect_none_in("${output}" "/usr/bin" "python3" "share/luxgate/" "/usr/include/luxgate/report/(shell|tools|cli|python|packages)/" "\\.cpp\n")
 
 run(dpkg-deb --field ${program})
-expect_in("${output}" "Package: luxgate\n" "Depends: [^\n]*libembree3-3" "Depends: [^\n]*libgit2-1.5" "Suggests: [^\n]*chromium" "Section: science\n"
+expect_in("${output}" "Package: luxgate\n" "Depends: [^\n]*libembree[34]-" "Depends: [^\n]*libgit2-1" "Suggests: [^\n]*chromium" "Section: science\n"
   "Description: checker")
 expect_none_in("${output}" "Depends: [^\n]*(chromium|python|-dev)")
 run(dpkg-deb --field ${development})
@@ -109,7 +109,7 @@ if(PYTHON)
   math(EXPR next "${CMAKE_MATCH_1} + 1")
   run(dpkg-deb --field ${module})
   expect_in("${output}" "Section: python\n" "Depends: [^\n]*python3 .>= ${least}~.," "Depends: [^\n]*python3 .<< 3.${next}.,"
-    "Depends: [^\n]*python3-numpy," "Depends: [^\n]*libembree3-3")
+    "Depends: [^\n]*python3-numpy," "Depends: [^\n]*libembree[34]-")
   expect_none_in("${output}" "Depends: [^\n]*(luxgate|-dev|chromium)")
   run(dpkg-deb --extract ${module} ${WORK}/module)
   file(READ ${WORK}/module/usr/share/doc/python3-luxgate/README.md page)
@@ -123,6 +123,11 @@ endif()
 # The archive, unpacked elsewhere and run from a third folder with an empty environment.
 run(${CMAKE_COMMAND} -DBUILD=${BUILD} -DOUT=${WORK}/out -P ${SOURCE}/report/packages/make_archive.cmake)
 file(GLOB archive ${WORK}/out/luxgate-*.tar.gz)
+if(output MATCHES "No archive: it is made on Debian 12")
+  message("${output}")
+  file(REMOVE_RECURSE ${WORK})
+  return()
+endif()
 set(place "${WORK}/another place")
 file(MAKE_DIRECTORY ${place} ${WORK}/here)
 run(tar --extract --gzip --file ${archive} --directory ${place} --strip-components 1)
