@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <vector>
 
+namespace box_radiosity_test {
 namespace {
 
 using namespace test_support;
@@ -56,3 +57,4 @@ TEST(BoxRadiosity, PointsOfARoomAgreeWithTheMatrixSolution) {
 }
 
 }  // namespace
+}  // namespace box_radiosity_test

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+namespace closed_room_flux_test {
 namespace {
 
 using namespace test_support;
@@ -120,3 +121,4 @@ TEST(ClosedRoom, IsRefusedOrNotWhateverTheSeed) {
 }
 
 }  // namespace
+}  // namespace closed_room_flux_test

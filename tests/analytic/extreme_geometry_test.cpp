@@ -4,6 +4,7 @@
 
 #include <array>
 
+namespace extreme_geometry_test {
 namespace {
 
 using namespace extreme;
@@ -302,3 +303,4 @@ TEST(ExtremePlace, CentimetresOnASiteOfOneKilometre) {
 }
 
 }  // namespace
+}  // namespace extreme_geometry_test

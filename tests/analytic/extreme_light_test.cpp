@@ -2,6 +2,7 @@
 #include "calc/proofs/skips.h"
 #include "tests/analytic/extreme_reference.h"
 
+namespace extreme_light_test {
 namespace {
 
 using namespace extreme;
@@ -309,3 +310,4 @@ TEST(ExtremeLuminaire, AChannelOfNextToNothingLeavesTheOthersAlone) {
 }
 
 }  // namespace
+}  // namespace extreme_light_test

@@ -20,6 +20,7 @@
 #include <string>
 #include <utility>
 
+namespace glare_test {
 namespace {
 
 using namespace test_support;
@@ -792,3 +793,4 @@ TEST(SeenOpening, IsTheOutlineOfTheShape) {
 }
 
 }  // namespace
+}  // namespace glare_test

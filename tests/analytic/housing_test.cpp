@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+namespace housing_test {
 namespace {
 
 using namespace test_support;
@@ -257,3 +258,4 @@ TEST(Housing, ABoxAroundTwoOpeningsHidesWhatIsBetween) {
 }
 
 }  // namespace
+}  // namespace housing_test

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+namespace integrating_sphere_test {
 namespace {
 
 using namespace test_support;
@@ -42,3 +43,4 @@ TEST_P(IntegratingSphere, MatchesTheClosedForm) {
 INSTANTIATE_TEST_SUITE_P(Reflectances, IntegratingSphere, testing::Values(0.0, 0.5, 0.9, 0.98));
 
 }  // namespace
+}  // namespace integrating_sphere_test

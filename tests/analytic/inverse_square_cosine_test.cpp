@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace inverse_square_cosine_test {
 namespace {
 
 using namespace test_support;
@@ -79,3 +80,4 @@ TEST(InverseSquareCosine, APointAtALuminaireIsRefused) {
 }
 
 }  // namespace
+}  // namespace inverse_square_cosine_test

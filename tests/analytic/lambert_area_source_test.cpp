@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+namespace lambert_area_source_test {
 namespace {
 
 using namespace test_support;
@@ -105,3 +106,4 @@ TEST(ExtendedSource, HalfHiddenOpeningGivesHalfTheLight) {
 }
 
 }  // namespace
+}  // namespace lambert_area_source_test

@@ -13,6 +13,7 @@
 #include <random>
 #include <utility>
 
+namespace luminous_body_test {
 namespace {
 
 using namespace test_support;
@@ -243,3 +244,4 @@ TEST(LuminousBody, PointsInsideAreRefused) {
 }
 
 }  // namespace
+}  // namespace luminous_body_test

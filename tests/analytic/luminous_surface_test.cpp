@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+namespace luminous_surface_test {
 namespace {
 
 using namespace test_support;
@@ -41,7 +42,7 @@ std::vector<double> values_lx(const calc::Project& project, std::vector<glm::dve
 }
 
 calc::Project project_with(const std::string& lines) {
-  calc::testing::Loaded loaded = calc::testing::load(calc::testing::in_project(lines));
+  calc::tests::Loaded loaded = calc::tests::load(calc::tests::in_project(lines));
   EXPECT_TRUE(loaded.project) << loaded.messages;
   return loaded.project ? std::move(*loaded.project) : calc::Project{};
 }
@@ -161,8 +162,8 @@ TEST(LuminousSurface, FillsAClosedRoomWithItsFlux) {
 }
 
 TEST(LuminousSurface, SaysWhatItCannotBe) {
-  using calc::testing::in_project;
-  using calc::testing::load;
+  using calc::tests::in_project;
+  using calc::tests::load;
   const auto messages = [](const std::string& attributes) {
     return load(in_project("<quad id='q' origin='0 0 0' material='white' " + attributes + "/>"))
         .messages;
@@ -179,3 +180,4 @@ TEST(LuminousSurface, SaysWhatItCannotBe) {
 }
 
 }  // namespace
+}  // namespace luminous_surface_test

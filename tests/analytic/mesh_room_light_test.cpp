@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+namespace mesh_room_light_test {
 namespace {
 
 using namespace test_support;
@@ -156,3 +157,4 @@ TEST(MeshRoomLight, OfASphereIsThatOfTheClosedForm) {
 }
 
 }  // namespace
+}  // namespace mesh_room_light_test

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+namespace modelling_test {
 namespace {
 
 using namespace test_support;
@@ -134,3 +135,4 @@ TEST(FourPlanes, AreTheCylinderInUniformLight) {
 }
 
 }  // namespace
+}  // namespace modelling_test

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+namespace points_in_surfaces_test {
 namespace {
 
 using namespace test_support;
@@ -111,3 +112,4 @@ TEST(PointsInSurfaces, OfAWallAtAnotherWallIsTheSame) {
 }
 
 }  // namespace
+}  // namespace points_in_surfaces_test

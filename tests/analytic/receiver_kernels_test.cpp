@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 
+namespace receiver_kernels_test {
 namespace {
 
 using namespace test_support;
@@ -311,3 +312,4 @@ TEST(ReceiverKernels, APointInASurfaceIsMeasuredFromOffIt) {
 }
 
 }  // namespace
+}  // namespace receiver_kernels_test

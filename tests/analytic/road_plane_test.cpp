@@ -14,7 +14,7 @@
 #include <cmath>
 #include <string>
 
-namespace calc {
+namespace calc::road_plane_test {
 namespace {
 
 const std::string kHead =
@@ -81,4 +81,4 @@ TEST(RoadPlane, HasThePowerOfOneField) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::road_plane_test

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace short_ray_share_test {
 namespace {
 
 using namespace test_support;
@@ -90,3 +91,4 @@ TEST(ShortRayShare, HelpsAPointThatSeesLittleButAWall) {
 }
 
 }  // namespace
+}  // namespace short_ray_share_test

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+namespace gatherer_test {
 namespace {
 
 using namespace test_support;
@@ -82,3 +83,4 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
 }
 
 }  // namespace
+}  // namespace gatherer_test

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_direct_test {
 namespace {
 
 using namespace test_support;
@@ -345,3 +346,4 @@ TEST(GlDirect, PastItsDeadlineItStops) {
 }
 
 }  // namespace
+}  // namespace gpu_direct_test

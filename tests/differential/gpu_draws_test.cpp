@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_draws_test {
 namespace {
 
 using namespace test_support;
@@ -608,3 +609,4 @@ TEST(GlDraws, GoOnInTheNextBlockOfTiles) {
 }
 
 }  // namespace
+}  // namespace gpu_draws_test

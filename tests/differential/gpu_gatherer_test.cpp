@@ -14,6 +14,7 @@
 #include <limits>
 #include <utility>
 
+namespace gpu_gatherer_test {
 namespace {
 
 using namespace test_support;
@@ -373,3 +374,4 @@ TEST(GlSolve, GivesTheSameSumForEveryExample) {
 }
 
 }  // namespace
+}  // namespace gpu_gatherer_test

@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_hits_test {
 namespace {
 
 using namespace test_support;
@@ -528,3 +529,4 @@ TEST_F(GlHits, PastTheDeadlineThereIsNothing) {
 }
 
 }  // namespace
+}  // namespace gpu_hits_test

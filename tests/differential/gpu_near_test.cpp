@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_near_test {
 namespace {
 
 using namespace test_support;
@@ -209,3 +210,4 @@ TEST(GlShortRays, GiveTheSameBitsWithoutBufferStorage) {
 }
 
 }  // namespace
+}  // namespace gpu_near_test

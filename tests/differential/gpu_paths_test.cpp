@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_paths_test {
 namespace {
 
 using namespace test_support;
@@ -413,3 +414,4 @@ TEST(GlPathTracer, GivesTheSameBitsWithoutBufferStorage) {
 }
 
 }  // namespace
+}  // namespace gpu_paths_test

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_stages_test {
 namespace {
 
 using namespace test_support;
@@ -199,3 +200,4 @@ TEST(GlStages, EndWithTheReasonWhenTheDeviceFails) {
 }
 
 }  // namespace
+}  // namespace gpu_stages_test

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+namespace gpu_weights_test {
 namespace {
 
 using namespace test_support;
@@ -370,3 +371,4 @@ INSTANTIATE_TEST_SUITE_P(
                       Pool{3, Normals::of_a_box, 1}, Pool{700, Normals::of_a_box, 40}));
 
 }  // namespace
+}  // namespace gpu_weights_test

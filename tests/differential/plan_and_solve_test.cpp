@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+namespace plan_and_solve_test {
 namespace {
 
 using namespace proof_scenes;
@@ -116,3 +117,4 @@ TEST_F(PlanAndSolve, AgreeWhereNothingMayBeLeftOut) {
 }
 
 }  // namespace
+}  // namespace plan_and_solve_test

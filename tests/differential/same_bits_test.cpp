@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+namespace same_bits_test {
 namespace {
 
 using namespace test_support;
@@ -114,3 +115,4 @@ TEST(SameBits, AnotherSeedGivesOtherBits) {
 }
 
 }  // namespace
+}  // namespace same_bits_test

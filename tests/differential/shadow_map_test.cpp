@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+namespace shadow_map_test {
 namespace {
 
 using namespace test_support;
@@ -280,3 +281,4 @@ TEST(ShadowMaps, SettingsSayWhatIsAllowed) {
 }
 
 }  // namespace
+}  // namespace shadow_map_test

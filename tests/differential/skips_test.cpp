@@ -6,6 +6,7 @@
 
 #include <vector>
 
+namespace skips_test {
 namespace {
 
 using namespace test_support;
@@ -174,3 +175,4 @@ TEST_F(Skips, HiddenNodesAreUnbiased) {
 }
 
 }  // namespace
+}  // namespace skips_test

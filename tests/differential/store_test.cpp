@@ -17,6 +17,7 @@
 #include <random>
 #include <vector>
 
+namespace store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -328,3 +329,4 @@ TEST_F(StoreOfLooks, AnUnwritableStoreChangesNothing) {
 }
 
 }  // namespace
+}  // namespace store_test

@@ -68,11 +68,11 @@ class SmallFiles : public calc::FileReader {
       {".ies", small_ies()},
       {".ldt", small_ldt()},
       {"two.xml", small_tm33()},
-      {".xml", calc::testing::two_rooms()},
+      {".xml", calc::tests::two_rooms()},
       {".gldf", two_variants_gldf()},
       {".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl wood\nf 1 3 4\n"},
-      {".gltf", calc::testing::kSquareGltf},
-      {".bin", calc::testing::square_bytes()},
+      {".gltf", calc::tests::kSquareGltf},
+      {".bin", calc::tests::square_bytes()},
       {"points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"},
       {".csv", "name,type,x_m,y_m,z_m\nA1,spot,1,1,2.5\n"}};
 };

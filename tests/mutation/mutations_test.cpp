@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+namespace mutations_test {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -48,3 +49,4 @@ TEST(Mutations, EveryTextStandsOnceInItsFile) {
 }
 
 }  // namespace
+}  // namespace mutations_test

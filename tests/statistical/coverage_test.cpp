@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
+namespace coverage_test {
 namespace {
 
 using namespace test_support;
@@ -163,3 +164,4 @@ TEST(SparseCoverage, OfAFacadeInTheOpen) {
 }
 
 }  // namespace
+}  // namespace coverage_test

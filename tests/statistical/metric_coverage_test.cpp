@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::metric_coverage_test {
 namespace {
 
 constexpr std::size_t kFewPoints = 30;   // upper limits of the minimum share their level
@@ -167,4 +167,4 @@ TEST(MetricCoverage, OfFewLargeSamplesIsTheConfidence) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::metric_coverage_test

@@ -10,6 +10,7 @@
 #include <ostream>
 #include <vector>
 
+namespace quantity_coverage_test {
 namespace {
 
 using namespace test_support;
@@ -116,3 +117,4 @@ INSTANTIATE_TEST_SUITE_P(
     testing::PrintToStringParamName());
 
 }  // namespace
+}  // namespace quantity_coverage_test

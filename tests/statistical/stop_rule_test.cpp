@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::stop_rule_test {
 namespace {
 
 constexpr std::size_t kPoints = 12;
@@ -263,4 +263,4 @@ TEST(PlugInMinimum, IsBiasedLowByLessThanItsInterval) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::stop_rule_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests {
 
 inline std::string poly_loop(const std::vector<glm::dvec3>& corners) {
   std::string text = "<PlanarGeometry><PolyLoop>";
@@ -63,4 +63,4 @@ inline std::string two_rooms(
          "</Campus></gbXML>\n";
 }
 
-}  // namespace calc::testing
+}  // namespace calc::tests

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests {
 
 // The bytes of a number as this machine stores it (little endian).
 template <class T>
@@ -81,4 +81,4 @@ inline std::string square_glb() {
   return glb(with(kSquareGltf, R"("uri":"tile.bin",)", ""), square_bytes());
 }
 
-}  // namespace calc::testing
+}  // namespace calc::tests

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <vector>
 
+namespace bvh_test {
 namespace {
 
 using namespace test_support;
@@ -236,3 +237,4 @@ TEST(Bvh, PlanesInBytesHoldTheBoxes) {
 }
 
 }  // namespace
+}  // namespace bvh_test

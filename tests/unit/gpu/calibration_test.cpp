@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 
+namespace calibration_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,3 +88,4 @@ TEST(Calibration, SaysHowTheDeviceFailed) {
 }
 
 }  // namespace
+}  // namespace calibration_test

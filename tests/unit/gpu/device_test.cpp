@@ -4,6 +4,7 @@
 
 #include <string>
 
+namespace device_test {
 namespace {
 
 gpu::Device device(int index, bool is_software, const std::string& problem) {
@@ -59,3 +60,4 @@ TEST(Device, NamesItselfAndWhyItCannotBeUsed) {
 }
 
 }  // namespace
+}  // namespace device_test

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 
+namespace dispatch_pacer_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -94,3 +95,4 @@ TEST(TilesPerBatch, LeaveEachThreadItsShareAndAreNoLongerThanADispatch) {
 }
 
 }  // namespace
+}  // namespace dispatch_pacer_test

@@ -10,6 +10,7 @@
 
 #include <string>
 
+namespace driver_messages_test {
 namespace {
 
 using ::testing::Contains;
@@ -82,3 +83,4 @@ TEST(DriverMessages, AreNotAskedForOtherwise) {
 }
 
 }  // namespace
+}  // namespace driver_messages_test

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace egl_context_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -54,3 +55,4 @@ TEST(Context, CanBeOpenedAgain) {
 }
 
 }  // namespace
+}  // namespace egl_context_test

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+namespace exact_arithmetic_test {
 namespace {
 
 using test_support::gl_device;
@@ -77,3 +78,4 @@ TEST(ExactArithmetic, IsRoundedLikeTheProcessors) {
 }
 
 }  // namespace
+}  // namespace exact_arithmetic_test

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+namespace gl_buffer_test {
 namespace {
 
 using gpu::BufferUse;
@@ -228,3 +229,4 @@ TEST(ReadBack, EndsWhenTheDeviceSaysNothing) {
 }
 
 }  // namespace
+}  // namespace gl_buffer_test

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+namespace lent_bytes_test {
 namespace {
 
 using ::testing::Each;
@@ -54,3 +55,4 @@ TEST(LentBytes, AreWaitedFor) {
 }
 
 }  // namespace
+}  // namespace lent_bytes_test

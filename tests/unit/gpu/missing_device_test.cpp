@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+namespace missing_device_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -239,3 +240,4 @@ TEST(MissingDevice, GraphicsNodesAreSeen) {
 }
 
 }  // namespace
+}  // namespace missing_device_test

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+namespace path_rounds_test {
 namespace {
 
 using ::testing::Each;
@@ -88,3 +89,4 @@ TEST(PathInbox, GivesAllBeforeTheEnd) {
 }
 
 }  // namespace
+}  // namespace path_rounds_test

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+namespace picture_test {
 namespace {
 
 using namespace test_support;
@@ -243,3 +244,4 @@ TEST(VertexView, ShowsEachVertexByItsFlux) {
 }
 
 }  // namespace
+}  // namespace picture_test

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+namespace program_cache_test {
 namespace {
 
 using test_support::gl_device;
@@ -178,3 +179,4 @@ TEST(GlProgram, SurvivesBinariesOfAnotherDriver) {
 }
 
 }  // namespace
+}  // namespace program_cache_test

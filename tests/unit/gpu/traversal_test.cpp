@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+namespace traversal_test {
 namespace {
 
 using namespace test_support;
@@ -414,3 +415,4 @@ TEST(GlTraversal, SaysSoWhenARayNeedsTooManyTurns) {
 }
 
 }  // namespace
+}  // namespace traversal_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::csv_test {
 namespace {
 
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(CsvColumns, FindNamesInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::csv_test

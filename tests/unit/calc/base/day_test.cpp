@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::day_test {
 namespace {
 
 TEST(Day, IsOneOfTheCalendar) {
@@ -24,4 +24,4 @@ TEST(Day, DaysBetween) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::day_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace calc {
+namespace calc::diagnostics_test {
 namespace {
 
 using testing::SizeIs;
@@ -90,4 +90,4 @@ TEST(Diagnostics, OfAnIdAreCountedAfterTheyAreSorted) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::diagnostics_test

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace calc {
+namespace calc::element_table_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -66,4 +66,4 @@ TEST(ElementTable, EitherOfTwoFormsHasTheNamesOfBothOnce) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::element_table_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+namespace elementary_test {
 namespace {
 
 // In units of the last place of the expected value.
@@ -83,3 +84,4 @@ TEST(Elementary, SpecialValuesAreThoseOfTheCLibrary) {
 }
 
 }  // namespace
+}  // namespace elementary_test

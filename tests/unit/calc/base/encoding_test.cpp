@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::encoding_test {
 namespace {
 
 using namespace std::string_literals;
@@ -129,4 +129,4 @@ TEST(Encoding, TablesAreReadInOtherEncodings) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::encoding_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::file_hash_test {
 namespace {
 
 // FIPS 180-4 examples.
@@ -18,4 +18,4 @@ TEST(Sha256, SeesBytesBehindAZero) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::file_hash_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::file_kind_test {
 namespace {
 
 using namespace std::string_literals;
@@ -104,4 +104,4 @@ TEST(FileKind, TheErrorNamesTheFile) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::file_kind_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::line_cursor_test {
 namespace {
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -33,4 +33,4 @@ TEST(LineCursor, CountsWhatIsLeftWithoutBlankLinesAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::line_cursor_test

@@ -3,18 +3,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::names_test {
 namespace {
 
 enum class Tide { low, high, unnamed };
 
 }  // namespace
+}  // namespace calc::names_test
 
 template <>
-struct EnumNames<Tide> {
-  static constexpr EnumName<Tide> list[] = {{Tide::high, "high-tide"}, {Tide::low, "low-tide"}};
+struct calc::EnumNames<calc::names_test::Tide> {
+  using Tide = calc::names_test::Tide;
+  static constexpr calc::EnumName<Tide> list[] = {{Tide::high, "high-tide"},
+                                                  {Tide::low, "low-tide"}};
 };
 
+namespace calc::names_test {
 namespace {
 
 TEST(Names, OfAValueAndBack) {
@@ -36,4 +40,4 @@ TEST(Names, ComeInTheOrderOfTheList) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::names_test

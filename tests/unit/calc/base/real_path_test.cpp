@@ -8,7 +8,7 @@
 
 #include "tests/support/scratch_folder.h"
 
-namespace calc {
+namespace calc::real_path_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST_F(RealPath, EndsInACircle) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::real_path_test

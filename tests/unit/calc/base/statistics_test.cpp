@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace calc {
+namespace calc::statistics_test {
 namespace {
 
 TEST(StudentTQuantile, HasTheClosedFormOfOneDegreeOfFreedom) {
@@ -120,4 +120,4 @@ TEST(TInterval, OfOneReplicateIsExact) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::statistics_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::text_test {
 namespace {
 
 TEST(Text, ListsNameAFewAndCountTheRest) {
@@ -26,4 +26,4 @@ TEST(Suggestion, IsTheClosestNameWithinAThirdOfItsLength) {
   EXPECT_EQ(suggestion(std::string(1000, 'a'), {"a", "aaaa"}), "");
 }
 
-}  // namespace calc
+}  // namespace calc::text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::utf8_test {
 namespace {
 
 TEST(Utf8, AcceptsOneToFourBytes) {
@@ -57,4 +57,4 @@ TEST(Utf8, ShortensByCharacters) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::utf8_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::xml_document_test {
 namespace {
 
 TEST(XmlDocument, TellsLineAndColumnOfElementsAndAttributes) {
@@ -148,4 +148,4 @@ TEST(XmlDocument, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::xml_document_test

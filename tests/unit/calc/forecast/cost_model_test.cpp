@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace cost_model_test {
 namespace {
 
 calc::SpaceWorkload one_plane() {
@@ -93,3 +94,4 @@ TEST(CostModel, ThreadsShareTheWorkAndConvexSpacesSaveShadowRays) {
 }
 
 }  // namespace
+}  // namespace cost_model_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+namespace device_cost_test {
 namespace {
 
 // Of one look at a room, times `size`: about 45 s of one thread each.
@@ -177,3 +178,4 @@ TEST(DeviceCost, PredictionsAddUp) {
 }
 
 }  // namespace
+}  // namespace device_cost_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace drawing_cost_test {
 namespace {
 
 // Pictures of so many small rooms.
@@ -136,3 +137,4 @@ TEST(DrawingCost, WorkCountsShadowMapsWhereTheyAreWanted) {
 }
 
 }  // namespace
+}  // namespace drawing_cost_test

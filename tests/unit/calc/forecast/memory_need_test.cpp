@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace calc {
+namespace calc::memory_need_test {
 namespace {
 
 CalcPlane plane_of(int columns, int rows, DerivedQuantity derived = DerivedQuantity::none) {
@@ -152,4 +152,4 @@ TEST(Budget, TextsNameTheUnit) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::memory_need_test

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace scene_plan_test {
 namespace {
 
 using namespace proof_scenes;
@@ -159,3 +160,4 @@ TEST_F(APlan, ExtendedOpeningsAreSampledWhereNothingIsProved) {
 }
 
 }  // namespace
+}  // namespace scene_plan_test

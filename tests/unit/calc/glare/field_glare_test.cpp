@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace calc {
+namespace calc::field_glare_test {
 namespace {
 
 const glm::dvec3 kEye(0.0, 0.0, kFieldEye_m);
@@ -165,4 +165,4 @@ TEST(FieldGlare, AgreesWithASecondCalculation) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::field_glare_test

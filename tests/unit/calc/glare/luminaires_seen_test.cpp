@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::luminaires_seen_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -682,4 +682,4 @@ TEST(LuminairesSeen, EmittersOfOneLuminaireAreOne) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::luminaires_seen_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::room_ugr_test {
 namespace {
 
 constexpr std::size_t kCross = 0, kEnd = 1;  // UgrView
@@ -339,4 +339,4 @@ TEST_F(RoomUgrTest, IsNotKnownInABlackRoom) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::room_ugr_test

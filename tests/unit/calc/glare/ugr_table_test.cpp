@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::ugr_table_test {
 namespace {
 
 constexpr std::size_t kAcross = 0, kAlong = 1;  // UgrView
@@ -242,4 +242,4 @@ TEST(UgrTable, AgreesWithPublishedTables) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::ugr_table_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <map>
 
-namespace calc::testing {
+namespace calc::tests::gbxml_test {
 namespace {
 
 struct Room {
@@ -260,4 +260,4 @@ TEST(Gbxml, RealBuildingsAreRead) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::gbxml_test

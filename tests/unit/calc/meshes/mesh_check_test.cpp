@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace calc {
+namespace calc::mesh_check_test {
 namespace {
 
 // A box of the given size without the faces named in `without` (pairs of triangles, 0 to 5).
@@ -113,4 +113,4 @@ TEST(MeshCheck, MeshesBecomeMetresWithZUp) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::mesh_check_test

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests {
 
 struct Parsed {
   std::optional<TriangleMesh> mesh;
@@ -60,4 +60,4 @@ inline void expect_cuts_end_well(const std::string& bytes, const std::string& na
   }
 }
 
-}  // namespace calc::testing
+}  // namespace calc::tests

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace calc::testing {
+namespace calc::tests::mesh_file_test {
 namespace {
 
 TEST(MeshFile, ContentsDecideTheFormat) {
@@ -84,4 +84,4 @@ TEST(MeshFile, RealMeshesAreReadOrRefusedWithAReason) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::mesh_file_test

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace calc::testing {
+namespace calc::tests::mesh_gltf_test {
 namespace {
 
 Parsed parse_square(const std::string& json, const std::string& bytes = square_bytes()) {
@@ -301,4 +301,4 @@ TEST(GltfMesh, AnyByteOfAGlbMayBeWrong) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::mesh_gltf_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::mesh_obj_test {
 namespace {
 
 struct Parsed {
@@ -319,4 +319,4 @@ TEST(ObjMesh, RealMeshesAreReadOrRefusedWithAReason) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::mesh_obj_test

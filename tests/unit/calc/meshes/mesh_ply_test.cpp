@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace calc::testing {
+namespace calc::tests::mesh_ply_test {
 namespace {
 
 template <class T>
@@ -114,4 +114,4 @@ TEST(PlyMesh, AnyCutOfAFileEndsWell) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::mesh_ply_test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace calc {
+namespace calc::mesh_shells_test {
 namespace {
 
 struct Triangles {
@@ -151,4 +151,4 @@ TEST(MeshShells, AFloorWithAHoleOrInTwoPartsHasNoOutline) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::mesh_shells_test

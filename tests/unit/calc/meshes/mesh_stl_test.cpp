@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace calc::testing {
+namespace calc::tests::mesh_stl_test {
 namespace {
 
 const std::vector<std::string> kDefault{"default"};
@@ -103,4 +103,4 @@ TEST(StlMesh, AnyCutOfAFileEndsWell) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::mesh_stl_test

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::full_circle_test {
 namespace {
 
 // (C, stored plane) of the result, for the cases without blending.
@@ -88,4 +88,4 @@ TEST(FullCircle, RangesOfLm63TellTheSymmetry) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::full_circle_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace calc {
+namespace calc::sine_segment_test {
 namespace {
 
 // Gauss-Legendre with 8 points on pieces of the segment, in long double: exact to far below 1e-15
@@ -96,4 +96,4 @@ TEST(LinearDensity, InversionMatchesClosedForms) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::sine_segment_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace calc {
+namespace calc::web_compare_test {
 namespace {
 
 using test_support::angle_steps;
@@ -132,4 +132,4 @@ TEST(RelateOpenings, HeightsCountBetweenBodies) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_compare_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace calc {
+namespace calc::web_hermite_test {
 namespace {
 
 using test_support::angle_steps;
@@ -93,4 +93,4 @@ TEST(HermiteWeb, DifferenceIsReported) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_hermite_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace calc {
+namespace calc::web_measures_test {
 namespace {
 
 using test_support::angle_steps;
@@ -189,4 +189,4 @@ TEST(BeamWidth, OfATableAboutAnotherAxis) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_measures_test

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace calc {
+namespace calc::web_resample_test {
 namespace {
 
 using test_support::cos_deg;
@@ -93,4 +93,4 @@ TEST(WebResample, WritersSayWhatTheyChanged) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_resample_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::web_sampling_test {
 namespace {
 
 using test_support::angle_steps;
@@ -235,4 +235,4 @@ TEST(WebSampler, InvertOutsideTheTableGivesItsEnds) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_sampling_test

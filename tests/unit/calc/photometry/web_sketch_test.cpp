@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace calc {
+namespace calc::web_sketch_test {
 namespace {
 
 using test_support::angle_steps;
@@ -141,4 +141,4 @@ TEST(WebSketch, IsMadeOnceForAllCopiesOfAWeb) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_sketch_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace calc {
+namespace calc::web_test {
 namespace {
 
 using test_support::angle_steps;
@@ -150,4 +150,4 @@ TEST(PhotometricWeb, RefusesTablesThatReadersMustNotMake) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::web_test

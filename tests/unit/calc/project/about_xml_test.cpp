@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::about_xml_test {
 namespace {
 
 constexpr const char* kSvg =
@@ -92,4 +92,4 @@ TEST(AboutXml, TextsAreTheAttributes) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::about_xml_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::building_xml_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(Building, PatternsOfStrangersEnd) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::building_xml_test

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::coincident_surfaces_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -107,4 +107,4 @@ TEST(CoincidentSurfaces, FarFromTheOriginAndTurned) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::coincident_surfaces_test

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::energy_xml_test {
 namespace {
 
 // A room of 4 x 3 m with luminaires of 12 W in the groups "row" (of in_room()) and "other" (two).
@@ -139,4 +139,4 @@ TEST(EnergyXml, ThereIsOne) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::energy_xml_test

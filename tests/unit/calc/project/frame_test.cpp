@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace calc {
+namespace calc::frame_test {
 namespace {
 
 constexpr double kTolerance = 1.0e-14;
@@ -93,4 +93,4 @@ TEST(LuminaireFrameTowards, RefusesParallelAndZero) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::frame_test

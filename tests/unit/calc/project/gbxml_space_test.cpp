@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc::testing {
+namespace calc::tests::gbxml_space_test {
 namespace {
 
 Loaded load_room(const std::string& room, const std::string& csv = "") {
@@ -90,4 +90,4 @@ TEST(LuminaireListXml, UnknownTypesAreReportedAtTheirLine) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::gbxml_space_test

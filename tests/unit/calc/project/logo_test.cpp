@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::logo_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -137,4 +137,4 @@ TEST(Logo, PartsThatUseEachOtherHaveAnEnd) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::logo_test

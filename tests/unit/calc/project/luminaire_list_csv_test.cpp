@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace calc {
+namespace calc::luminaire_list_csv_test {
 namespace {
 
 struct Parsed {
@@ -119,4 +119,4 @@ TEST(LuminaireList, ErrorsEndAfterTen) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::luminaire_list_csv_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::luminaires_xml_test {
 namespace {
 
 std::vector<Luminaire> luminaires_of(const std::string& lines) {
@@ -106,4 +106,4 @@ TEST(LuminairesXml, HugeArraysAreRefusedBeforeTheyAreMade) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::luminaires_xml_test

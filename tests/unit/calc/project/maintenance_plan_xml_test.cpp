@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::maintenance_plan_xml_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST(MaintenancePlanXml, NamesOfNumbersAreAttributes) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::maintenance_plan_xml_test

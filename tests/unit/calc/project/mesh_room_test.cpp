@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc::testing {
+namespace calc::tests::mesh_room_test {
 namespace {
 
 using test_support::ObjText;
@@ -336,4 +336,4 @@ TEST(MeshRoom, AStoreyIsANodeOfTheFile) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::mesh_room_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::objects_xml_test {
 namespace {
 
 // Objects of the open space.
@@ -228,4 +228,4 @@ TEST(ObjectsXml, RepeatedEmptyAssembliesTakeNoTime) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::objects_xml_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-namespace calc::testing {
+namespace calc::tests::planes_xml_test {
 namespace {
 
 // In a room of 4 x 3 x 2.5 m whose floor corner is at (10, 20, 1).
@@ -236,4 +236,4 @@ TEST(PlanesXml, RequirementsAreKeptAsWritten) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::planes_xml_test

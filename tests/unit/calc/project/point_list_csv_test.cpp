@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::point_list_csv_test {
 namespace {
 
 TEST(PointListCsv, ReadsByteOrderMarkCarriageReturnsBlanksAndEmptyLines) {
@@ -74,4 +74,4 @@ TEST(PointListCsv, AnEmptyFileHasNoPoints) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::point_list_csv_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::project_files_test {
 namespace {
 
 TEST(NormalizeRelativePath, RemovesDotsAndDoubleSlashes) {
@@ -22,4 +22,4 @@ TEST(NormalizeRelativePath, RefusesWhatLeavesTheFolder) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::project_files_test

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::project_photometry_test {
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using testing::load;
 using ::testing::Not;
+using tests::load;
 
 std::string ies_with(const std::string& tilt) {
-  std::string text = testing::kSpotIes;
+  std::string text = tests::kSpotIes;
   return text.replace(text.find("TILT=NONE"), 9, tilt);
 }
 
@@ -27,7 +27,7 @@ std::string ies_with(const std::string& tilt) {
 const std::string kTiltFile = "1\n3\n0 45 90\n1 0.8 0.5\n";
 
 MemoryFileReader project_with_lamp(const std::string& tilt, const std::string& luminaires) {
-  MemoryFileReader files = testing::project_files(testing::in_project(
+  MemoryFileReader files = tests::project_files(tests::in_project(
       "<luminaire-type id=\"lamp\" photometry=\"ies/lamp.ies\"/>\n"
       "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">\n" +
       luminaires + "<plane id=\"task\" height=\"0.75\"/></room>"));
@@ -43,7 +43,7 @@ const std::string kLuminaires =
 TEST(ProjectPhotometry, ATiltFileBesideThePhotometryDimsTiltedLuminaires) {
   MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
   files.add("dir/ies/MH.TLT", kTiltFile);
-  const testing::Loaded loaded = load(files);
+  const tests::Loaded loaded = load(files);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_EQ(loaded.messages, "");
   std::vector<std::string> inputs;
@@ -60,7 +60,7 @@ TEST(ProjectPhotometry, ATiltFileBesideThePhotometryDimsTiltedLuminaires) {
 TEST(ProjectPhotometry, TheFactorIsRelativeToThatOfTheTable) {
   MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
   files.add("dir/ies/MH.TLT", "1\n3\n0 45 90\n0.5 0.8 1\n");
-  const testing::Loaded loaded = load(files);
+  const tests::Loaded loaded = load(files);
   const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
   EXPECT_NEAR(scene.luminaires[1].flux_scale, 1.6, 1e-12);
   const double nadir_cd = scene.luminaires[1].web->intensity_cd(0.0, 0.0);
@@ -68,7 +68,7 @@ TEST(ProjectPhotometry, TheFactorIsRelativeToThatOfTheTable) {
 }
 
 TEST(ProjectPhotometry, AMissingTiltFileIsAnErrorWithItsName) {
-  const testing::Loaded loaded = load(project_with_lamp("TILT=MH.TLT", kLuminaires));
+  const tests::Loaded loaded = load(project_with_lamp("TILT=MH.TLT", kLuminaires));
   EXPECT_FALSE(loaded.project);
   EXPECT_THAT(loaded.messages, HasSubstr("error[file-not-readable]"));
   EXPECT_THAT(loaded.messages, HasSubstr("dir/ies/MH.TLT"));
@@ -78,7 +78,7 @@ TEST(ProjectPhotometry, AMissingTiltFileIsAnErrorWithItsName) {
 TEST(ProjectPhotometry, ATiltFileElsewhereIsNotLookedFor) {
   MemoryFileReader files = project_with_lamp("TILT=../MH.TLT", kLuminaires);
   files.add("dir/MH.TLT", kTiltFile);
-  const testing::Loaded loaded = load(files);
+  const tests::Loaded loaded = load(files);
   EXPECT_FALSE(loaded.project);
   EXPECT_THAT(loaded.messages, HasSubstr("error[photometry-tilt-file-name]"));
   EXPECT_EQ(files.reads("dir/MH.TLT"), 0);
@@ -87,7 +87,7 @@ TEST(ProjectPhotometry, ATiltFileElsewhereIsNotLookedFor) {
 TEST(ProjectPhotometry, TiltsBeyondTheDataGetTheNearestFactorAndAWarning) {
   MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
   files.add("dir/ies/MH.TLT", "1\n2\n0 60\n1 0.7\n");
-  const testing::Loaded loaded = load(files);
+  const tests::Loaded loaded = load(files);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages,
               HasSubstr("warning[photometry-tilt-outside]: luminaire 'level': the lamp is tilted "
@@ -99,9 +99,9 @@ TEST(ProjectPhotometry, TiltsBeyondTheDataGetTheNearestFactorAndAWarning) {
 }
 
 TEST(ProjectPhotometry, CubicInterpolationIsAChoiceOfTheType) {
-  const MemoryFileReader files = testing::project_files(testing::in_project(
+  const MemoryFileReader files = tests::project_files(tests::in_project(
       "<luminaire-type id=\"cubic\" photometry=\"spot.ies\" interpolation=\"cubic\"/>"));
-  const testing::Loaded loaded = load(files);
+  const tests::Loaded loaded = load(files);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_EQ(files.reads("dir/spot.ies"), 1);
   const auto half_way_cd = [&](std::size_t type) {
@@ -114,14 +114,14 @@ TEST(ProjectPhotometry, CubicInterpolationIsAChoiceOfTheType) {
 }
 
 LuminaireType lamp_type(const std::string& attributes, const std::string& packages) {
-  MemoryFileReader files = testing::project_files(testing::in_project(
+  MemoryFileReader files = tests::project_files(tests::in_project(
       "<luminaire-type id=\"lamp\" photometry=\"ies/lamp.ies\"" + attributes + ">" + packages +
       "</luminaire-type>\n"
       "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">"
       "<luminaire id=\"a\" type=\"lamp\" position=\"1 1.5 2\"/>"
       "<plane id=\"task\" height=\"0.75\"/></room>"));
-  files.add("dir/ies/lamp.ies", testing::kSpotIes);
-  const testing::Loaded loaded = load(files);
+  files.add("dir/ies/lamp.ies", tests::kSpotIes);
+  const tests::Loaded loaded = load(files);
   EXPECT_TRUE(loaded.project) << loaded.messages;
   return loaded.project ? loaded.project->luminaire_types.back() : LuminaireType{};
 }
@@ -151,4 +151,4 @@ TEST(ProjectPhotometry, APackageStandsForFluxPowerAndPrice) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::project_photometry_test

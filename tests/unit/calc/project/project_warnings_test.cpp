@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::project_warnings_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -328,4 +328,4 @@ TEST(ProjectWarnings, TheSameSurfaceOrTheSameFileTwice) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_warnings_test

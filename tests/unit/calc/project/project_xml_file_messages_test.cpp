@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::project_xml_file_messages_test {
 namespace {
 
 const std::vector<MessageCase> kCases{
@@ -82,4 +82,4 @@ TEST_P(ProjectXmlFileMessages, AreVerbatim) {
 INSTANTIATE_TEST_SUITE_P(All, ProjectXmlFileMessages, ::testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_xml_file_messages_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::project_xml_library_messages_test {
 namespace {
 
 const std::vector<MessageCase> kCases{
@@ -146,4 +146,4 @@ TEST_P(ProjectXmlLibraryMessages, AreVerbatim) {
 INSTANTIATE_TEST_SUITE_P(All, ProjectXmlLibraryMessages, ::testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_xml_library_messages_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::project_xml_object_messages_test {
 namespace {
 
 const std::vector<MessageCase> kCases{
@@ -183,4 +183,4 @@ TEST_P(ProjectXmlObjectMessages, AreVerbatim) {
 INSTANTIATE_TEST_SUITE_P(All, ProjectXmlObjectMessages, ::testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_xml_object_messages_test

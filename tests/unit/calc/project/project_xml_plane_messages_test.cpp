@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::project_xml_plane_messages_test {
 namespace {
 
 std::string many_tags() {
@@ -202,4 +202,4 @@ TEST_P(ProjectXmlPlaneMessages, AreVerbatim) {
 INSTANTIATE_TEST_SUITE_P(All, ProjectXmlPlaneMessages, ::testing::ValuesIn(kCases), case_name);
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_xml_plane_messages_test

@@ -15,7 +15,7 @@
 #include <ostream>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests {
 
 // Rotationally symmetric, 100 cd straight down, 0 at gamma = 90 degrees; 12 W.
 inline const std::string kSpotIes =
@@ -129,4 +129,4 @@ inline std::string case_name(const ::testing::TestParamInfo<MessageCase>& info) 
   return info.param.name;
 }
 
-}  // namespace calc::testing
+}  // namespace calc::tests

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::project_xml_test {
 namespace {
 
 TEST(ProjectXml, ReportsAMissingProjectFile) {
@@ -239,4 +239,4 @@ TEST(ProjectXml, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::project_xml_test

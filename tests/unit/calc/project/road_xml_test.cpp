@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::road_xml_test {
 namespace {
 
 using ::testing::AllOf;
@@ -253,4 +253,4 @@ TEST(RoadXml, WarnsOfLightThatGoesElsewhere) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::road_xml_test

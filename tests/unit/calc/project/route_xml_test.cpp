@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::route_xml_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(RouteXml, WarnsIfEveryLuminaireIsBelow) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::route_xml_test

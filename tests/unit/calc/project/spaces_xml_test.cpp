@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::spaces_xml_test {
 namespace {
 
 const char* const kFinishes = " ceiling='white' walls='white' floor='white'";
@@ -165,4 +165,4 @@ TEST(RoomXml, PlanesBesideASurfaceOfTheSameHeightAreNoWarning) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::spaces_xml_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::workplace_xml_test {
 namespace {
 
 // In the room of 4 x 3 x 2.5 m of in_room(), line 5.
@@ -207,4 +207,4 @@ TEST(WorkplacesXmlMessage, InARoomOfABuildingFile) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::workplace_xml_test

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+namespace beam_test {
 namespace {
 
 using calc::kPi;
@@ -199,3 +200,4 @@ TEST(Beam, RandomRaysNeverContradictAProof) {
 }
 
 }  // namespace
+}  // namespace beam_test

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace convex_space_test {
 namespace {
 
 using namespace proof_scenes;
@@ -254,3 +255,4 @@ TEST(ConvexSpace, ShadowRaysNeverContradictAProof) {
 }
 
 }  // namespace
+}  // namespace convex_space_test

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+namespace predicates_test {
 namespace {
 
 using namespace proof_scenes;
@@ -261,3 +262,4 @@ TEST(DarkLuminaires, DirectLightNeverContradictsAProof) {
 }
 
 }  // namespace
+}  // namespace predicates_test

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+namespace between_points_test {
 namespace {
 
 using namespace test_support;
@@ -203,3 +204,4 @@ TEST(LightBetweenPoints, EndsWhenItIsToldTo) {
 }
 
 }  // namespace
+}  // namespace between_points_test

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+namespace cutaway_test {
 namespace {
 
 using namespace test_support;
@@ -71,3 +72,4 @@ TEST(Cutaway, KeepsWhatModelsAreSeenFrom) {
 }
 
 }  // namespace
+}  // namespace cutaway_test

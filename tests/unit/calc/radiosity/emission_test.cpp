@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+namespace emission_test {
 namespace {
 
 using namespace test_support;
@@ -95,3 +96,4 @@ TEST(OpeningCells, CoverTheOpeningAndGrowTowardsThePoint) {
 }
 
 }  // namespace
+}  // namespace emission_test

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 
+namespace importance_test {
 namespace {
 
 using namespace test_support;
@@ -254,3 +255,4 @@ TEST(Importance, SaysWhyThereIsNone) {
 }
 
 }  // namespace
+}  // namespace importance_test

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+namespace light_paths_test {
 namespace {
 
 using namespace test_support;
@@ -46,3 +47,4 @@ TEST(LightPaths, RouletteHasNoZero) {
 }
 
 }  // namespace
+}  // namespace light_paths_test

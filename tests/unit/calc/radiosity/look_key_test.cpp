@@ -10,6 +10,7 @@
 #include <functional>
 #include <set>
 
+namespace look_key_test {
 namespace {
 
 using namespace test_support;
@@ -164,3 +165,4 @@ TEST(NumbersVersion, NamesTheKeptNumbers) {
 }
 
 }  // namespace
+}  // namespace look_key_test

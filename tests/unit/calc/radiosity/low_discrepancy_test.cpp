@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace low_discrepancy_test {
 namespace {
 
 using calc::RandomKey;
@@ -107,3 +108,4 @@ TEST(RandomKey, TextAndNumberPartsDoNotCollide) {
 }
 
 }  // namespace
+}  // namespace low_discrepancy_test

@@ -11,6 +11,7 @@
 #include <map>
 #include <vector>
 
+namespace luminaire_choice_test {
 namespace {
 
 using namespace test_support;
@@ -147,3 +148,4 @@ TEST(LuminaireChoice, NoneWhereAllAreBehind) {
 }
 
 }  // namespace
+}  // namespace luminaire_choice_test

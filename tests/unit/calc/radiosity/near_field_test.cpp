@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+namespace near_field_test {
 namespace {
 
 using namespace test_support;
@@ -79,3 +80,4 @@ TEST(NearField, TheBoundShiftsWorkButNotTheResult) {
 }
 
 }  // namespace
+}  // namespace near_field_test

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+namespace opening_light_test {
 namespace {
 
 using namespace test_support;
@@ -241,3 +242,4 @@ TEST(OpeningLight, HiddenOpeningsNeedNoRays) {
 }
 
 }  // namespace
+}  // namespace opening_light_test

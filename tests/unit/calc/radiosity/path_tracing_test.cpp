@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+namespace path_tracing_test {
 namespace {
 
 using namespace test_support;
@@ -206,3 +207,4 @@ TEST(PathTracing, SaysWhenAPathNeverEnds) {
 }
 
 }  // namespace
+}  // namespace path_tracing_test

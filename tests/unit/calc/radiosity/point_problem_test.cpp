@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+namespace point_problem_test {
 namespace {
 
 using namespace test_support;
@@ -149,3 +150,4 @@ TEST(PointProblem, PlaneIsNotJudgedAndPicturesMayStillAsk) {
 }
 
 }  // namespace
+}  // namespace point_problem_test

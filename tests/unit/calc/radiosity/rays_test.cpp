@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+namespace rays_test {
 namespace {
 
 using namespace test_support;
@@ -128,3 +129,4 @@ TEST(CosineDirection, HasCosineDistributionAboutAnyNormal) {
 }
 
 }  // namespace
+}  // namespace rays_test

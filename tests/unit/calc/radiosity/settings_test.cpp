@@ -4,6 +4,7 @@
 
 #include <limits>
 
+namespace settings_test {
 namespace {
 
 TEST(RadiositySettings, DefaultsAreValid) {
@@ -40,3 +41,4 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
 }
 
 }  // namespace
+}  // namespace settings_test

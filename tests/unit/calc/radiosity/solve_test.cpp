@@ -6,6 +6,7 @@
 
 #include <vector>
 
+namespace solve_test {
 namespace {
 
 using namespace test_support;
@@ -109,3 +110,4 @@ TEST_F(SolveIlluminance, FewSamplesOfAnOpeningAreMarked) {
 }
 
 }  // namespace
+}  // namespace solve_test

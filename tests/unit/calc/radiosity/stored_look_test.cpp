@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+namespace stored_look_test {
 namespace {
 
 constexpr std::size_t kPoints = 5, kReplicates = 4;
@@ -154,3 +155,4 @@ TEST(StoredLook, NumbersThatAreNoneAreRefused) {
 }
 
 }  // namespace
+}  // namespace stored_look_test

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+namespace surface_light_test {
 namespace {
 
 using namespace test_support;
@@ -186,3 +187,4 @@ TEST(SurfaceLight, PassesOverPointsAtALuminaire) {
 }
 
 }  // namespace
+}  // namespace surface_light_test

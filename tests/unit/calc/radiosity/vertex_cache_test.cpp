@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 
+namespace vertex_cache_test {
 namespace {
 
 using namespace test_support;
@@ -283,3 +284,4 @@ TEST_F(VertexCacheFile, FingerprintFollowsWhatPathsDependOn) {
 }
 
 }  // namespace
+}  // namespace vertex_cache_test

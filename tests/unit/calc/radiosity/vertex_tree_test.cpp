@@ -12,6 +12,7 @@
 #include <numeric>
 #include <vector>
 
+namespace vertex_tree_test {
 namespace {
 
 using calc::LightVertices;
@@ -240,3 +241,4 @@ TEST(Draws, WeakChannelsGetTheirShare) {
 }
 
 }  // namespace
+}  // namespace vertex_tree_test

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace sight_test {
 namespace {
 
 using calc::RandomKey;
@@ -248,3 +249,4 @@ TEST(SightBetweenBoxes, OfAHallIsFreeBesideItsPillar) {
 }
 
 }  // namespace
+}  // namespace sight_test

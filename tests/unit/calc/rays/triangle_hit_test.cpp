@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+namespace triangle_hit_test {
 namespace {
 
 using calc::Ray;
@@ -78,3 +79,4 @@ TEST(TriangleHit, OfEquallyNearOnesTheFirstTriangleComesFirst) {
 }
 
 }  // namespace
+}  // namespace triangle_hit_test

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+namespace triangle_tree_test {
 namespace {
 
 using calc::Ray;
@@ -350,3 +351,4 @@ TEST(TriangleTree, TheNearestTriangleIsAmongThoseVisited) {
 }
 
 }  // namespace
+}  // namespace triangle_tree_test

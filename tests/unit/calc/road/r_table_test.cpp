@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace calc {
+namespace calc::r_table_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -150,4 +150,4 @@ TEST(RTable, LookUpIsContinuous) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::r_table_test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace calc {
+namespace calc::road_light_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -786,4 +786,4 @@ TEST(RoadLight, RefusesWhatIsNoRoad) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::road_light_test

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace calc {
+namespace calc::box_shelf_test {
 namespace {
 
 bool overlap(const BoundingBox& a, const BoundingBox& b, double tolerance_m) {
@@ -58,4 +58,4 @@ TEST(BoxShelf, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::box_shelf_test

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::grid_trap_test {
 namespace {
 
 // From a square of 0.6 m.
@@ -187,4 +187,4 @@ TEST(GridTrap, AlongWhateverWayTheGridGoes) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::grid_trap_test

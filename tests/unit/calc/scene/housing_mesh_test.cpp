@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::housing_mesh_test {
 namespace {
 
 using test_support::ObjText;
@@ -211,4 +211,4 @@ TEST(HousingMesh, UnusedCornersDoNotCount) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::housing_mesh_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace calc::testing {
+namespace calc::tests::housing_several_test {
 namespace {
 
 using test_support::zip_bytes;
@@ -268,4 +268,4 @@ TEST(HousingOfSeveral, OpeningsWithoutSizeOrWithSidesAreRefused) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::housing_several_test

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::housing_test {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::load;
 using ::testing::Not;
+using tests::load;
 
 std::string ies(const std::string& sizes, const std::string& table = "0 90\n0\n100 0\n") {
   return "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
@@ -27,8 +27,8 @@ std::string ies(const std::string& sizes, const std::string& table = "0 90\n0\n1
 
 // flat: 1.2 m along C0 and 0.3 m along C90; panel, larger: EULUMDAT; disk: 0.6 m; box, ball, tube:
 // bodies; up: flat, with light to both sides.
-testing::Loaded room_with(const std::string& type, const std::string& objects) {
-  MemoryFileReader files = testing::project_files(testing::in_project(
+tests::Loaded room_with(const std::string& type, const std::string& objects) {
+  MemoryFileReader files = tests::project_files(tests::in_project(
       type + "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">" +
       objects + "<plane id=\"task\" height=\"0.75\"/></room>"));
   files.add("dir/panel.ldt", test_support::ldt_text({}));
@@ -50,7 +50,7 @@ std::string type_of(const std::string& file, const std::string& housing) {
 
 const std::string kHanging = "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 2\"/>";
 
-std::vector<const Body*> housings(const testing::Loaded& loaded) {
+std::vector<const Body*> housings(const tests::Loaded& loaded) {
   std::vector<const Body*> found;
   for (const Body& body : loaded.project->spaces[0].bodies) {
     if (!body.housing_of.empty()) found.push_back(&body);
@@ -77,13 +77,13 @@ double volume_m3(const Body& body) {
 }
 
 TEST(Housing, WithoutOneNothingIsInTheWay) {
-  const testing::Loaded loaded = room_with(type_of("flat.ies", ""), kHanging);
+  const tests::Loaded loaded = room_with(type_of("flat.ies", ""), kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_TRUE(housings(loaded).empty());
 }
 
 TEST(Housing, TheFaceOfAFlatOpeningLiesInIt) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("flat.ies", "<housing material=\"white\"/>"), kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   ASSERT_EQ(housings(loaded).size(), 1u);
@@ -100,7 +100,7 @@ TEST(Housing, TheFaceOfAFlatOpeningLiesInIt) {
 }
 
 TEST(Housing, DepthGoesBackwards) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("flat.ies", "<housing material=\"white\" depth=\"0.1\" size=\"1.3 0.4\"/>"),
                 kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
@@ -117,7 +117,7 @@ TEST(Housing, DepthGoesBackwards) {
 }
 
 TEST(Housing, ATurnedLuminaireTakesItAlong) {
-  const testing::Loaded loaded = room_with(
+  const tests::Loaded loaded = room_with(
       type_of("flat.ies", "<housing material=\"white\" depth=\"0.1\"/>"),
       "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 1\" axis=\"0 0 1\" rotation=\"90\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
@@ -127,7 +127,7 @@ TEST(Housing, ATurnedLuminaireTakesItAlong) {
 }
 
 TEST(Housing, RoundOnesHaveTheDisksArea) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("disk.ies", "<housing material=\"white\" depth=\"0.1\"/>"), kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_NEAR(area_m2(*housings(loaded)[0]), kPi * 0.09, 1e-12);
@@ -138,7 +138,7 @@ TEST(Housing, RoundOnesHaveTheDisksArea) {
 TEST(Housing, OfALuminousBodyLiesWithinIt) {
   for (const std::string file : {"box.ies", "ball.ies"}) {
     SCOPED_TRACE(file);
-    const testing::Loaded loaded =
+    const tests::Loaded loaded =
         room_with(type_of(file, "<housing material=\"white\"/>"), kHanging);
     ASSERT_TRUE(loaded.project) << loaded.messages;
     ASSERT_EQ(housings(loaded).size(), 1u);
@@ -164,7 +164,7 @@ TEST(Housing, OfALuminousBodyLiesWithinIt) {
 
 // A cord into a luminous box makes its opening flat: a body about it would hide all its light.
 TEST(Housing, OfALuminousBodyThatIsCutIsAFace) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("box.ies", "<housing material=\"white\"/>"),
                 kHanging +
                     "<luminaire id=\"far\" type=\"t\" position=\"1 1 1\"/>"
@@ -183,7 +183,7 @@ TEST(Housing, OfALuminousBodyThatIsCutIsAFace) {
 
 // Three in a row that reach into each other: none sends its light from within a housing.
 TEST(Housing, OfBodiesThatOverlapAreFaces) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("box.ies", "<housing material=\"white\"/>"),
                 "<luminaire-line id=\"row\" type=\"t\" from=\"0.2 1.5 2\" to=\"3.77 1.5 2\" "
                 "count=\"3\"/>");
@@ -198,10 +198,9 @@ TEST(Housing, OfBodiesThatOverlapAreFaces) {
 
 // A luminaire set into the ceiling is a piece of it with another reflectance.
 TEST(Housing, AFaceInTheCeilingCoversIt) {
-  const testing::Loaded loaded =
-      room_with("<material id=\"grey\" reflectance=\"0.2\"/>" +
-                    type_of("flat.ies", "<housing material=\"grey\"/>"),
-                "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 2.5\"/>");
+  const tests::Loaded loaded = room_with("<material id=\"grey\" reflectance=\"0.2\"/>" +
+                                             type_of("flat.ies", "<housing material=\"grey\"/>"),
+                                         "<luminaire id=\"l\" type=\"t\" position=\"2 1.5 2.5\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
   double grey_m2 = 0.0;
@@ -215,7 +214,7 @@ TEST(Housing, AFaceInTheCeilingCoversIt) {
 }
 
 TEST(Housing, CopiesOfAnAssemblyHaveTheirOwn) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("flat.ies", "<housing material=\"white\"/>"),
                 "<assembly id=\"a\" repeat=\"2 1 1\" step=\"1.5 0 0\" position=\"1 1 0\">"
                 "<luminaire id=\"l\" type=\"t\" position=\"0 0 2\"/></assembly>");
@@ -228,7 +227,7 @@ TEST(Housing, CopiesOfAnAssemblyHaveTheirOwn) {
 
 // A EULUMDAT file says how large the luminaire is: 1250 x 320 x 80 mm, its length along C90.
 TEST(Housing, TakesTheSizeOfTheFile) {
-  const testing::Loaded loaded = room_with(
+  const tests::Loaded loaded = room_with(
       type_of("panel.ldt", "<housing material=\"white\" dimensions=\"file\"/>"), kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   ASSERT_EQ(housings(loaded).size(), 2u);
@@ -271,7 +270,7 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
   };
   for (const Refused& one : cases) {
     SCOPED_TRACE(one.message);
-    const testing::Loaded loaded = room_with(type_of(one.file, one.housing), kHanging);
+    const tests::Loaded loaded = room_with(type_of(one.file, one.housing), kHanging);
     EXPECT_FALSE(loaded.project);
     EXPECT_THAT(loaded.messages, HasSubstr(one.message));
   }
@@ -279,11 +278,11 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
 
 // Light to both sides passes its own face, which lies between.
 TEST(Housing, AFaceWithLightToBothSidesIsAllowed) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with(type_of("up.ies", "<housing material=\"white\"/>"), kHanging);
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_EQ(housings(loaded).size(), 1u);
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::housing_test

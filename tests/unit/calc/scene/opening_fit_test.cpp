@@ -8,12 +8,12 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::opening_fit_test {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::load;
 using ::testing::Not;
+using tests::load;
 
 // 1.2 m along C0, 0.3 m along C90, 0.2 m high.
 const std::string kBoxIes =
@@ -21,8 +21,8 @@ const std::string kBoxIes =
     "1 1000 1 2 1 1 2 0.3 1.2 0.2\n1 1 12\n0 90\n0\n100 0\n";
 
 // A room with a ceiling 2.5 m above its floor and one such luminaire.
-testing::Loaded room_with(const std::string& luminaire) {
-  MemoryFileReader files = testing::project_files(testing::in_project(
+tests::Loaded room_with(const std::string& luminaire) {
+  MemoryFileReader files = tests::project_files(tests::in_project(
       "<luminaire-type id=\"body\" photometry=\"box.ies\"/>\n"
       "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">\n" +
       luminaire + "<plane id=\"task\" height=\"0.75\"/></room>"));
@@ -30,12 +30,12 @@ testing::Loaded room_with(const std::string& luminaire) {
   return load(files);
 }
 
-OpeningShape shape_in_scene(const testing::Loaded& loaded) {
+OpeningShape shape_in_scene(const tests::Loaded& loaded) {
   return prepare_scene(*loaded.project, loaded.project->spaces[0]).luminaires[0].opening.shape;
 }
 
 TEST(OpeningFit, ABodyCutByTheCeilingIsUsedAsFlatWithAWarning) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with("<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.5\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages,
@@ -48,7 +48,7 @@ TEST(OpeningFit, ABodyCutByTheCeilingIsUsedAsFlatWithAWarning) {
 }
 
 TEST(OpeningFit, ABodyThatTouchesTheCeilingIsKept) {
-  const testing::Loaded loaded =
+  const tests::Loaded loaded =
       room_with("<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.4\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages, Not(HasSubstr("luminous-body-cut")));
@@ -89,4 +89,4 @@ TEST(Flattened, KeepsTheOutlineSeenFromBelow) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::opening_fit_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace calc::testing {
+namespace calc::tests::plane_place_test {
 namespace {
 
 // Turned by 30 degrees about x: its axis leans towards -y.
@@ -70,4 +70,4 @@ TEST(FacesAway, APointInThePlaneItselfLightsNothing) {
 }
 
 }  // namespace
-}  // namespace calc::testing
+}  // namespace calc::tests::plane_place_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::polygon_cut_test {
 namespace {
 
 const std::vector<glm::dvec2> kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -51,4 +51,4 @@ TEST(PolygonCut, AHoleOverAllLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::polygon_cut_test

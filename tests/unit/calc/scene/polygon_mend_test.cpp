@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::polygon_mend_test {
 namespace {
 
 using Outline = std::vector<glm::dvec2>;
@@ -325,4 +325,4 @@ TEST(PolygonMend, EnclosedAreaCountsWhatCrosses) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::polygon_mend_test

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace calc {
+namespace calc::polygon_test {
 namespace {
 
 using Outline = std::vector<glm::dvec2>;
@@ -203,4 +203,4 @@ TEST(FlatPolygon, StatesHowFarItWasBent) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::polygon_test

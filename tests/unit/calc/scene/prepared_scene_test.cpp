@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::prepared_scene_test {
 namespace {
 
 PhotometricWeb uniform_web(LuminousOpening opening = {}) {
@@ -201,4 +201,4 @@ TEST(PreparedScene, TheRayOffsetCoversFloatRoundingAtAnySize) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::prepared_scene_test

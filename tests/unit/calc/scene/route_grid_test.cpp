@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::route_grid_test {
 namespace {
 
 using testing::ElementsAre;
@@ -228,4 +228,4 @@ TEST(RouteGrid, PointsCountByTheAreaOfTheirCells) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::route_grid_test

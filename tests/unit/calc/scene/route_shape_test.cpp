@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::route_shape_test {
 namespace {
 
 using testing::HasSubstr;
@@ -190,4 +190,4 @@ TEST(RouteShape, StairsMayLeadOverThemselves) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::route_shape_test

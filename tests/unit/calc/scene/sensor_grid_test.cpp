@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::sensor_grid_test {
 namespace {
 
 std::vector<glm::dvec2> rectangle(double width_m, double depth_m) {
@@ -481,4 +481,4 @@ TEST(SensorGrid, PointListsAreTakenAsGivenAndFilteredAlike) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::sensor_grid_test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace calc {
+namespace calc::solids_test {
 namespace {
 
 // 12 triangles; every second one turns the wrong way if asked for.
@@ -177,4 +177,4 @@ TEST(SolidLocator, SaysWhatLocatePointSays) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::solids_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::surface_contact_test {
 namespace {
 
 constexpr double kOffset_m = 1.0e-5;
@@ -181,4 +181,4 @@ TEST(NearTriangles, FindsWhatAScanOfAllFinds) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::surface_contact_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::zone_shapes_test {
 namespace {
 
 using Polygon = std::vector<glm::dvec2>;
@@ -58,4 +58,4 @@ TEST(AreaLeft, CountsOverlappingHolesOnce) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::zone_shapes_test

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 
+namespace entry_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,3 +241,4 @@ TEST_F(Store, PruneTakesWhatWasUnusedForLongest) {
 }
 
 }  // namespace
+}  // namespace entry_folder_test

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+namespace memory_store_test {
 namespace {
 
 constexpr std::size_t kMost = 1000;
@@ -59,3 +60,4 @@ TEST(MemoryStore, ForgetsAllAboveALimit) {
 }
 
 }  // namespace
+}  // namespace memory_store_test

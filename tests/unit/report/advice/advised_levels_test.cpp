@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace cli {
+namespace cli::advised_levels_test {
 namespace {
 
 rules::Finding finding_of(const std::string& scene, rules::Verdict verdict,
@@ -81,4 +81,4 @@ TEST(AdvisedLevels, EveryOpenSceneHasItsOwnAndSaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::advised_levels_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace cli {
+namespace cli::level_solver_test {
 namespace {
 
 using rules::LevelCondition;
@@ -180,4 +180,4 @@ TEST(LevelSolver, IsNeverDearerThanAllCombinations) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::level_solver_test

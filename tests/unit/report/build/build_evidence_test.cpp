@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace report {
+namespace report::build_evidence_test {
 namespace {
 
 // Two points, two replicates; group "a" in two channels of different maintenance, group "b".
@@ -75,4 +75,4 @@ TEST(Evidence, LookSaysWhatWasDoneAndFound) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::build_evidence_test

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace report {
+namespace report::build_luminaire_shares_test {
 namespace {
 
 using testing::HasSubstr;
@@ -145,4 +145,4 @@ TEST(SeparateLuminaires, KeepGroupAndMaintenance) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::build_luminaire_shares_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace report {
+namespace report::build_plan_marks_test {
 namespace {
 
 calc::Body box(const std::string& id, const glm::dvec3& low, const glm::dvec3& high) {
@@ -260,4 +260,4 @@ TEST(PlanMarks, HousingsAreNoFurniture) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::build_plan_marks_test

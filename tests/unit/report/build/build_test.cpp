@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+namespace build_test {
 namespace {
 
 // Two channels (maintenance 0.5 and 1), two replicates, two points.
@@ -223,3 +224,4 @@ TEST(BuildProject, LuminaireRowsCountUseAndApplyTheFluxOverride) {
 }
 
 }  // namespace
+}  // namespace build_test

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+namespace backend_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -255,3 +256,4 @@ TEST(Devices, AreListedWithWhatKeepsThemFromUse) {
 }
 
 }  // namespace
+}  // namespace backend_test

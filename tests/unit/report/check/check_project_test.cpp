@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace check {
+namespace check::check_project_test {
 namespace {
 
 const std::string kOffice = std::string(LUXGATE_SOURCE_DIR) + "/examples/04-office/project.xml";
@@ -62,4 +62,4 @@ TEST(CheckProject, OneThatIsStoppedHasJudgedNothing) {
 }
 
 }  // namespace
-}  // namespace check
+}  // namespace check::check_project_test

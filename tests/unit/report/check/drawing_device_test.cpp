@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace drawing_device_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -268,3 +269,4 @@ TEST(DrawingDevice, SoftwareIsOpenedWhereItIsPreferred) {
 }
 
 }  // namespace
+}  // namespace drawing_device_test

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace check {
+namespace check::in_order_test {
 namespace {
 
 const auto kAlways = [] { return true; };
@@ -111,4 +111,4 @@ TEST(InOrder, NothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace check
+}  // namespace check::in_order_test

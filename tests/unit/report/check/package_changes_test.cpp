@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+namespace package_changes_test {
 namespace {
 
 // Of a project's text with these packages.
@@ -56,3 +57,4 @@ TEST(PackageChanges, LeavesAllElse) {
 }
 
 }  // namespace
+}  // namespace package_changes_test

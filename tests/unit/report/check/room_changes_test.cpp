@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace room_changes_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -104,3 +105,4 @@ TEST(RoomChanges, SaysWhatItCannotChange) {
 }
 
 }  // namespace
+}  // namespace room_changes_test

@@ -5,6 +5,7 @@
 
 #include <string>
 
+namespace scene_levels_test {
 namespace {
 
 using check::SceneLevels;
@@ -67,3 +68,4 @@ TEST(SceneLevels, RefusesWhatIsNoXml) {
 }
 
 }  // namespace
+}  // namespace scene_levels_test

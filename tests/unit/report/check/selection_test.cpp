@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+namespace selection_test {
 namespace {
 
 using testing::ElementsAre;
@@ -170,3 +171,4 @@ TEST(Selection, WordsAreThoseOfTheCommandLine) {
 }
 
 }  // namespace
+}  // namespace selection_test

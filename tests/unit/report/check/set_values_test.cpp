@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+namespace set_values_test {
 namespace {
 
 constexpr const char* kProject = R"(<luxgate version="1">
@@ -295,3 +296,4 @@ TEST(SetReader, ChangesProjectsOnly) {
 }
 
 }  // namespace
+}  // namespace set_values_test

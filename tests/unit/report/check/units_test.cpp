@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-namespace check {
+namespace check::units_test {
 namespace {
 
 // A project of one space whose planes are alike.
@@ -121,4 +121,4 @@ TEST(Shards, OfEqualUnitsHaveEqualNumbers) {
 }
 
 }  // namespace
-}  // namespace check
+}  // namespace check::units_test

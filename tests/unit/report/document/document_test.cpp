@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::document_test {
 namespace {
 
 TEST(Document, CountsEveryFinding) {
@@ -178,4 +178,4 @@ TEST(NothingAsked, IsNotSaidOfWhatIsWaivedOrNotJudged) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::document_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::row_uses_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -132,4 +132,4 @@ TEST(RowUses, AreWhatTheirAggregatesAre) {
 TEST(RowUses, AreNoneWithoutRows) { EXPECT_THAT(row_uses(project_of({SpacePart{}})), IsEmpty()); }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::row_uses_test

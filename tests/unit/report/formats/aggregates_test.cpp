@@ -23,7 +23,7 @@
 #include <set>
 #include <string>
 
-namespace report {
+namespace report::aggregates_test {
 namespace {
 
 using testing::HasSubstr;
@@ -220,4 +220,4 @@ TEST(Aggregates, ThatAreWaivedSayWhoLivesWithThem) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::aggregates_test

@@ -19,7 +19,7 @@
 #include <sstream>
 #include <string>
 
-namespace report {
+namespace report::ci_formats_test {
 namespace {
 
 using nlohmann::json;
@@ -286,4 +286,4 @@ TEST(CiFormats, RemarksAndDoubtsOfPlanesAreInAll) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::ci_formats_test

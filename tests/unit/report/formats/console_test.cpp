@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace report {
+namespace report::console_test {
 namespace {
 
 using testing::HasSubstr;
@@ -293,4 +293,4 @@ TEST(Console, SceneAndStateAreNamed) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::console_test

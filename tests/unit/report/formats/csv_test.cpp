@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace report {
+namespace report::csv_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(Csv, PercentileNamesItsShare) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::csv_test

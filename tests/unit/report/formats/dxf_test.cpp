@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace report {
+namespace report::dxf_test {
 namespace {
 
 using testing::Contains;
@@ -521,4 +521,4 @@ TEST(Dxf, TheLegendHasTheTableAndSpeaksTheLanguage) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::dxf_test

@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace report {
+namespace report::german_report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -303,4 +303,4 @@ TEST(GermanReport, TheTerminalsTableIsGerman) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::german_report_test

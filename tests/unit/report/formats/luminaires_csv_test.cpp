@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace report {
+namespace report::luminaires_csv_test {
 namespace {
 
 TEST(LuminaireAim, TiltAndTurn) {
@@ -66,4 +66,4 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::luminaires_csv_test

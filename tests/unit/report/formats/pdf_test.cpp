@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace report {
+namespace report::pdf_test {
 namespace {
 
 class PrinterOfTest : public PagePrinter {
@@ -88,4 +88,4 @@ TEST(Pdf, ElementsAreCountedFromOne) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::pdf_test

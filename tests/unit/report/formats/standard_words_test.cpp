@@ -15,7 +15,7 @@
 #include <set>
 #include <string>
 
-namespace report {
+namespace report::standard_words_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(StandardWords, SurviveTheResultFile) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::standard_words_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-namespace report {
+namespace report::warnings_test {
 namespace {
 
 using nlohmann::json;
@@ -169,4 +169,4 @@ TEST(Warnings, AnIdThatThisProgramDoesNotKnowIsRefused) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::warnings_test

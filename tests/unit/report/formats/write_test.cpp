@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace report {
+namespace report::write_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST_F(Write, WritersAtOnceLeaveOneWholeFile) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::write_test

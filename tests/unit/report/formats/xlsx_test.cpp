@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::xlsx_test {
 namespace {
 
 using testing::ElementsAre;
@@ -241,4 +241,4 @@ TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::xlsx_test

@@ -14,6 +14,7 @@
 
 #include "tests/support/scratch_folder.h"
 
+namespace git_tree_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -333,3 +334,4 @@ TEST_F(GitTreeReaderTest, AsksWhoseRepositoryItIs) {
 }
 
 }  // namespace
+}  // namespace git_tree_reader_test

@@ -4,6 +4,7 @@
 
 #include <string>
 
+namespace lfs_pointer_test {
 namespace {
 
 const std::string kHead = "version https://git-lfs.github.com/spec/v1\n";
@@ -36,3 +37,4 @@ TEST(LfsPointer, IsShortAndSaysSo) {
 }
 
 }  // namespace
+}  // namespace lfs_pointer_test

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+namespace moved_files_test {
 namespace {
 
 using testing::ElementsAre;
@@ -32,3 +33,4 @@ TEST(MatchMoved, TakesEqualOnesInOrder) {
 }
 
 }  // namespace
+}  // namespace moved_files_test

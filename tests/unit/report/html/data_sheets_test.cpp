@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace report {
+namespace report::data_sheets_test {
 namespace {
 
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(DataSheets, StandInThePageOnlyWhenAskedFor) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::data_sheets_test

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace report {
+namespace report::heatmap_svg_test {
 namespace {
 
 using testing::HasSubstr;
@@ -78,4 +78,4 @@ TEST(HeatmapSvg, NothingEscapesFromNames) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::heatmap_svg_test

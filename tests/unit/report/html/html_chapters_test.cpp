@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_chapters_test {
 namespace {
 
 using testing::ElementsAre;
@@ -311,4 +311,4 @@ TEST(HtmlFindings, EndReasonsWithOneFullStop) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_chapters_test

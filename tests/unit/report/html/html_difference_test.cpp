@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_difference_test {
 namespace {
 
 using testing::HasSubstr;
@@ -118,4 +118,4 @@ TEST(HtmlDifferences, NamesAreTextAndLanguageIsTheReaders) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_difference_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_layout_test {
 namespace {
 
 using testing::ElementsAre;
@@ -269,4 +269,4 @@ TEST(HtmlLayout, RoomsFromFilesAreDrawnByTheLinesOfTheirSurfaces) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_layout_test

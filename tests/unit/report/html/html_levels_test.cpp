@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_levels_test {
 namespace {
 
 using testing::HasSubstr;
@@ -122,4 +122,4 @@ TEST(HtmlLevels, MaintenanceIsOneFactorOrAllOfThem) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_levels_test

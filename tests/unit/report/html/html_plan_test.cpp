@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_plan_test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST(PlanOnPaper, SaysWhereValuesAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_plan_test

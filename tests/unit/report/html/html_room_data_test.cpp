@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace report {
+namespace report::html_room_data_test {
 namespace {
 
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(HtmlRoomData, NamesAreEscaped) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_room_data_test

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::html_test {
 namespace {
 
 using testing::HasSubstr;
@@ -784,4 +784,4 @@ TEST(HtmlMarkup, CoordinatesAreShort) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::html_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace report {
+namespace report::isolux_test {
 namespace {
 
 // columns x rows square cells; E(u, v) in metres from the grid's corner.
@@ -187,4 +187,4 @@ TEST(Isolux, OfARouteFollowItsCells) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::isolux_test

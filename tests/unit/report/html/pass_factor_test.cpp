@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace report {
+namespace report::pass_factor_test {
 namespace {
 
 TEST(PassFactor, IsLimitOverMeasuredWithTheIntervalTurned) {
@@ -100,4 +100,4 @@ TEST(PassFactor, OfOneGroupMakesUpForWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::pass_factor_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace report {
+namespace report::plan_layout_test {
 namespace {
 
 TEST(PlanLayout, ShowsTheRoomInThePlanesCoordinates) {
@@ -131,4 +131,4 @@ TEST(PlanLayout, OfARouteIsAroundItsOutline) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::plan_layout_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::print_pages_test {
 namespace {
 
 using testing::HasSubstr;
@@ -106,4 +106,4 @@ TEST(PrintedPage, RoomsHavePagesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::print_pages_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace report {
+namespace report::shared_scale_test {
 namespace {
 
 // Two points.
@@ -122,4 +122,4 @@ TEST(ColourScales, ALimitWidensThem) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::shared_scale_test

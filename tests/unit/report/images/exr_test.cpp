@@ -18,7 +18,7 @@
 
 #include "tests/support/scratch_folder.h"
 
-namespace report {
+namespace report::exr_test {
 namespace {
 
 std::string rendered(const Document& document) {
@@ -99,4 +99,4 @@ TEST(ColourExr, HoldsLinearLightTimesOpacity) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::exr_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace report {
+namespace report::heatmap_test {
 namespace {
 
 TEST(Cividis, EndsAndMiddle) {
@@ -132,4 +132,4 @@ TEST(Raster, PointListsHaveNoCells) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::heatmap_test

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace report {
+namespace report::png_test {
 namespace {
 
 TEST(Png, ReadsBackTheSamePixels) {
@@ -41,4 +41,4 @@ TEST(Png, HeatMapIsScaledByAWholeFactor) {
 TEST(Png, EmptyRasterIsRefused) { EXPECT_THROW(encode_png(Raster{}), std::runtime_error); }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::png_test

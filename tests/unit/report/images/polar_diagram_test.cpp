@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string>
 
-namespace report {
+namespace report::polar_diagram_test {
 namespace {
 
 using test_support::angle_steps;
@@ -107,4 +107,4 @@ TEST(PolarPng, IsAPngOfTwiceTheDrawing) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::polar_diagram_test

@@ -8,6 +8,7 @@
 
 #include <array>
 
+namespace room_picture_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -117,3 +118,4 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
 }
 
 }  // namespace
+}  // namespace room_picture_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::contradiction_test {
 namespace {
 
 using nlohmann::json;
@@ -358,4 +358,4 @@ TEST(Contradiction, APassNeedsAPlaneThatFits) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::contradiction_test

@@ -18,7 +18,7 @@
 #include <set>
 #include <string>
 
-namespace report {
+namespace report::corpus_results_test {
 namespace {
 
 using rules::Verdict;
@@ -211,4 +211,4 @@ TEST(CorpusResults, NoneOfThemContradictsItself) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::corpus_results_test

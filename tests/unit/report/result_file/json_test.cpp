@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace report {
+namespace report::json_test {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST(Json, NumbersOfOnePointShareALine) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::json_test

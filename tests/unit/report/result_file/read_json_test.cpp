@@ -19,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace report {
+namespace report::read_json_test {
 namespace {
 
 using nlohmann::json;
@@ -539,4 +539,4 @@ TEST(ReadJson, SurvivesAnyReplacedValue) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::read_json_test

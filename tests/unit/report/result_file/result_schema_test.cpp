@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-namespace report {
+namespace report::result_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -44,4 +44,4 @@ TEST(ResultSchema, ListsNamesUnitsAndColumns) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::result_schema_test

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace report {
+namespace report::revise_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -875,4 +875,4 @@ TEST(Revise, IsReadBackFromTheResultFile) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::revise_test

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+namespace command_line_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -387,3 +388,4 @@ TEST(Options, RefusesPhotometryOptionsThatContradict) {
 }
 
 }  // namespace
+}  // namespace command_line_test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace environment_test {
 namespace {
 
 cli::Environment terminal() {
@@ -40,3 +41,4 @@ TEST(UseColor, NoColorWinsOverForceAndTheOptionOverBoth) {
 }
 
 }  // namespace
+}  // namespace environment_test

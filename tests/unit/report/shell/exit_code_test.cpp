@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 
+namespace exit_code_test {
 namespace {
 
 using rules::Verdict;
@@ -78,3 +79,4 @@ TEST(ExitCode, APlaneWithoutResultCountsEvenIfNothingWasRequired) {
 }
 
 }  // namespace
+}  // namespace exit_code_test

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+namespace help_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -240,3 +241,4 @@ TEST(Help, PagesAndScriptsHaveWhatTheTableHas) {
 }
 
 }  // namespace
+}  // namespace help_text_test

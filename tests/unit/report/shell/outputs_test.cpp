@@ -13,6 +13,7 @@
 
 #include "tests/support/scratch_folder.h"
 
+namespace outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,3 +173,4 @@ TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
 }
 
 }  // namespace
+}  // namespace outputs_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace cli {
+namespace cli::pdf_places_test {
 namespace {
 
 using testing::IsEmpty;
@@ -39,4 +39,4 @@ TEST(PdfPlaces, WhatCannotBeReadHasNone) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::pdf_places_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cli {
+namespace cli::project_folders_test {
 namespace {
 
 using testing::ElementsAre;
@@ -61,4 +61,4 @@ TEST(ProjectFolder, StandsForItsProjectsInOrder) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::project_folders_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/scratch_folder.h"
 
-namespace cli {
+namespace cli::project_options_test {
 namespace {
 
 using testing::ElementsAre;
@@ -81,4 +81,4 @@ TEST(ProjectOptions, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::project_options_test

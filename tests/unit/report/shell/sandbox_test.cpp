@@ -27,6 +27,7 @@
 
 #include "tests/support/scratch_folder.h"
 
+namespace sandbox_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -297,3 +298,4 @@ TEST_F(Sandbox, AThreadThatRanBeforeMakesNoSocketEither) {
 }
 
 }  // namespace
+}  // namespace sandbox_test

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cli {
+namespace cli::sheet_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +176,4 @@ TEST_F(SheetFilesTest, AVariantOfAProductIsFoundByItsLight) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::sheet_files_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace cli {
+namespace cli::warning_tally_test {
 namespace {
 
 using calc::DiagnosticId;
@@ -58,4 +58,4 @@ TEST(WarningTally, StrictWithIdsLeavesTheOthersAlone) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::warning_tally_test

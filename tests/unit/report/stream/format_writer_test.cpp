@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace report {
+namespace report::format_writer_test {
 namespace {
 
 // Of every kind, and twice: names repeat, and rules occur that were not in the first one.
@@ -103,4 +103,4 @@ TEST(FormatWriters, FoldPlanesByTheNumberOfAll) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::format_writer_test

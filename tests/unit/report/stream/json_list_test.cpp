@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::json_list_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -41,4 +41,4 @@ TEST(JsonList, IsLaidOutAsIfItHadBeenThereAtOnce) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::json_list_test

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace report {
+namespace report::spill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_F(Spills, WithoutRoomSayWhy) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::spill_test

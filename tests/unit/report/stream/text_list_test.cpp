@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace report::text_list_test {
 namespace {
 
 TEST(TextList, ComesBackInItsOrder) {
@@ -26,4 +26,4 @@ TEST(TextList, ComesBackInItsOrder) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::text_list_test

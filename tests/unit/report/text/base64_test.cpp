@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace report {
+namespace report::base64_test {
 namespace {
 
 TEST(Base64, IsReadBack) {
@@ -27,4 +27,4 @@ TEST(Base64, OnlyWhatItWritesItselfIsRead) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::base64_test

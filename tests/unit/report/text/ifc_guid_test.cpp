@@ -4,6 +4,7 @@
 
 #include <set>
 
+namespace ifc_guid_test {
 namespace {
 
 TEST(IfcGuid, IdsSayTheGlobalId) {
@@ -47,3 +48,4 @@ TEST(IfcGuid, NamesDecideAndNothingElse) {
 }
 
 }  // namespace
+}  // namespace ifc_guid_test

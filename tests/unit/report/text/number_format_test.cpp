@@ -6,7 +6,7 @@
 #include <locale>
 #include <string>
 
-namespace report {
+namespace report::number_format_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -203,4 +203,4 @@ TEST(NumberFormat, LocaleDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::number_format_test

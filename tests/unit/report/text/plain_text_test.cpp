@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace report {
+namespace report::plain_text_test {
 namespace {
 
 TEST(PlainText, GoodTextIsKept) {
@@ -43,4 +43,4 @@ TEST(PlainText, ShorteningKeepsTheEnd) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::plain_text_test

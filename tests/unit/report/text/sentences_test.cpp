@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace report {
+namespace report::sentences_test {
 namespace {
 
 using calc::say;
@@ -297,4 +297,4 @@ TEST(Sentences, EndWhateverIsWritten) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::sentences_test

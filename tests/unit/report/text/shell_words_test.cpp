@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace report {
+namespace report::shell_words_test {
 namespace {
 
 using testing::ElementsAre;
@@ -33,4 +33,4 @@ TEST(ShellWords, ReadsOtherLines) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::shell_words_test

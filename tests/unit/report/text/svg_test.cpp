@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace report {
+namespace report::svg_test {
 namespace {
 
 using testing::ElementsAre;
@@ -38,4 +38,4 @@ TEST(RoundTicks, NeedARange) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::svg_test

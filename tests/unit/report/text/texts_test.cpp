@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace report {
+namespace report::texts_test {
 namespace {
 
 const Texts kEnglish, kGerman(Language::german, true);
@@ -196,4 +196,4 @@ TEST(Texts, EnglishIsMarkedWhereTheReportIsNot) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::texts_test

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::bind_test {
 namespace {
 
 using testing::ElementsAre;
@@ -917,4 +917,4 @@ TEST(BindRequirementsMessage, AllErrorsAreReported) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::bind_test

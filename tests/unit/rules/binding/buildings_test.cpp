@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::buildings_test {
 namespace {
 
 using testing::Contains;
@@ -184,4 +184,4 @@ TEST(Buildings, NumberRequirementsThatHaveNoId) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::buildings_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::field_glare_test {
 namespace {
 
 using testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST(FieldGlareRequirement, IsOfLevelAreas) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::field_glare_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::glare_method_test {
 namespace {
 
 using testing::Contains;
@@ -275,4 +275,4 @@ TEST(GlareMethod, MayBeWaivedByTheCheckThatIsAsked) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::glare_method_test

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::judged_project_test {
 namespace {
 
-using calc::testing::in_project;
-using calc::testing::in_room;
+using calc::tests::in_project;
+using calc::tests::in_room;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,7 +27,7 @@ struct Judged {
 Judged load(const std::string& xml) {
   calc::Diagnostics diagnostics;
   Judged judged;
-  judged.project = load_judged_project(calc::testing::files_for_messages(xml), "dir/p.xml",
+  judged.project = load_judged_project(calc::tests::files_for_messages(xml), "dir/p.xml",
                                        builtin_rule_packs(), diagnostics);
   for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
     judged.messages.push_back(format_diagnostic(diagnostic));
@@ -203,4 +203,4 @@ TEST(LoadJudgedProject, LightOfEmergenciesInNormalUseIsToldOf) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::judged_project_test

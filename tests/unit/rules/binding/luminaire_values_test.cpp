@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::luminaire_values_test {
 namespace {
 
 using testing::ElementsAre;
@@ -310,4 +310,4 @@ TEST(LuminaireValue, GlareInAnEmergencyIsUpToFullOutput) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::luminaire_values_test

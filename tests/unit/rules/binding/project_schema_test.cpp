@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rules {
+namespace rules::project_schema_test {
 namespace {
 
 using testing::HasSubstr;
@@ -43,4 +43,4 @@ TEST(ProjectReference, HasEveryElementWithItsParentsAndAttributes) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::project_schema_test

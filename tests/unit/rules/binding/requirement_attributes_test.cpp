@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-namespace rules {
+namespace rules::requirement_attributes_test {
 namespace {
 
 TEST(RequirementAttributes, WorkplaceHasItsOwnAndThoseOfRules) {
@@ -29,4 +29,4 @@ TEST(RequirementAttributes, NoNameTwiceAndEachWithAMeaning) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::requirement_attributes_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::road_test {
 namespace {
 
 using testing::AllOf;
@@ -266,4 +266,4 @@ TEST(RoadRequirements, WantMaintenance) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::road_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::waiver_xml_test {
 namespace {
 
 using testing::ElementsAre;
@@ -177,4 +177,4 @@ TEST(Waivers, OfALimitOfItsOwnAreAttributes) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::waiver_xml_test

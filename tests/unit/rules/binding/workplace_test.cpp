@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::workplace_test {
 namespace {
 
 using testing::ElementsAre;
@@ -1036,4 +1036,4 @@ TEST(Workplace, OfAProjectWithAnErrorInATypeAsksNothingOfLuminaires) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::workplace_test

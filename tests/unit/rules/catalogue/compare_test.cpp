@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace rules {
+namespace rules::compare_test {
 namespace {
 
 constexpr Comparison kAtLeast = Comparison::at_least;
@@ -177,4 +177,4 @@ TEST(Margin, IsOfTheEndThatIsKnownWhereTheOtherIsOpen) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::compare_test

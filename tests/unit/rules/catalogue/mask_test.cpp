@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::mask_test {
 namespace {
 
 using testing::ElementsAre;
@@ -271,4 +271,4 @@ TEST(Mask, WordsTellAllThatItDoes) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::mask_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace rules {
+namespace rules::requirement_test {
 namespace {
 
 TEST(MetricNames, AreThoseOfProjectFiles) {
@@ -63,4 +63,4 @@ TEST(RatingOf, IsThatOfGlareAlone) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::requirement_test

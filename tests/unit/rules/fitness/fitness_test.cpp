@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::fitness_test {
 namespace {
 
 using testing::ElementsAre;
@@ -898,4 +898,4 @@ TEST(FitnessCorpus, EveryCheckRefusesWhatItIsNotAbout) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::fitness_test

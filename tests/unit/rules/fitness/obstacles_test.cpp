@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::obstacles_test {
 namespace {
 
 calc::Body box_to(const char* id, double top_m) {
@@ -33,4 +33,4 @@ TEST(PointsInObstacles, AreThoseInBodiesThatReachHalfAMetreAboveThem) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::obstacles_test

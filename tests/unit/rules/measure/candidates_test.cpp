@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::candidates_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -141,4 +141,4 @@ TEST(Candidates, UnseenPointsCountWhereTheyMayBeTheExtreme) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::candidates_test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace rules {
+namespace rules::combine_test {
 namespace {
 
 // Two channels, two points, two replicates.
@@ -99,4 +99,4 @@ TEST(CombineChannels, WithoutLuminairesIsExactDarkness) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::combine_test

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::despite_doubt_test {
 namespace {
 
 using testing::HasSubstr;
@@ -306,4 +306,4 @@ TEST(DespiteDoubt, ItsRiskIsThatOfTheInterval) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::despite_doubt_test

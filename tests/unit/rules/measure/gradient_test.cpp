@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rules {
+namespace rules::gradient_test {
 namespace {
 
 // Cells of a square metre, row by row.
@@ -140,4 +140,4 @@ TEST(Gradient, IntervalsHoldTheTruth) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::gradient_test

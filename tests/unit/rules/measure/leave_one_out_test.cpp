@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace rules {
+namespace rules::leave_one_out_test {
 namespace {
 
 // [replicate][point], around `mean_lx`; `common` is drawn for all points of a replicate together.
@@ -127,4 +127,4 @@ TEST(PairedDifference, HoldsTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::leave_one_out_test

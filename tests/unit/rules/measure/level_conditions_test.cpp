@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::level_conditions_test {
 namespace {
 
 const std::vector<std::string> kGroups{"a", "b"};
@@ -269,4 +269,4 @@ TEST(LevelConditions, SayWhatTheyAreNotFor) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::level_conditions_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::measure_test {
 namespace {
 
 using testing::ElementsAre;
@@ -306,4 +306,4 @@ TEST(Measure, AValueOnARouteIsOfTheCellAround) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::measure_test

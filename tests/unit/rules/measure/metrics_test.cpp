@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rules {
+namespace rules::metrics_test {
 namespace {
 
 // One-sided t factors of 3 and 7 degrees of freedom (from tables with more digits).
@@ -332,4 +332,4 @@ TEST(Confidence, WidensEveryInterval) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::metrics_test

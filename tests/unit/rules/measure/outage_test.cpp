@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::outage_test {
 namespace {
 
 // Two points under two luminaires, each a group: 10 and 1 lx from a, 2 and 8 lx from b.
@@ -102,4 +102,4 @@ TEST(Outage, WithoutAReplicateTheWorstLuminaireCountsToo) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::outage_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::replicate_sample_test {
 namespace {
 
 // Rows are replicates.
@@ -183,4 +183,4 @@ TEST(RatioLimits, HaveALowerEndWithAnUncertainDenominator) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::replicate_sample_test

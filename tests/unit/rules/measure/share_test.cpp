@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::share_test {
 namespace {
 
 using testing::ElementsAre;
@@ -89,4 +89,4 @@ TEST(Share, IntervalHoldsTheTruth) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::share_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace rules {
+namespace rules::evaluate_test {
 namespace {
 
 calc::Estimate between(double low, double high) { return {0.5 * (low + high), low, high}; }
@@ -227,4 +227,4 @@ TEST(EvaluateClass, FindsTheBestThatIsReached) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::evaluate_test

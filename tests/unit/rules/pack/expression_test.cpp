@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rules {
+namespace rules::expression_test {
 namespace {
 
 // As nested calls: "(add 1 (row Em))".
@@ -91,4 +91,4 @@ TEST(ExpressionMessage, HasBounds) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::expression_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::import_columns_test {
 namespace {
 
 TEST(ImportColumns, KnowUsualHeads) {
@@ -76,4 +76,4 @@ TEST(ImportColumns, AreAllInTheHelp) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::import_columns_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::import_plane_test {
 namespace {
 
 void expect_plane(const char* text, bool is_upright, double lowest_m, double highest_m) {
@@ -64,4 +64,4 @@ TEST(ImportPlane, WordsNameWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::import_plane_test

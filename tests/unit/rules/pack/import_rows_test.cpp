@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::import_rows_test {
 namespace {
 
 using testing::ElementsAre;
@@ -240,4 +240,4 @@ TEST(ImportRowsMessage, NamesColumnsThatAreUnknownOrMissing) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::import_rows_test

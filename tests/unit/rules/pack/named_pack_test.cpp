@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::named_pack_test {
 namespace {
 
 RulePack pack_of(std::string id, std::string edition, std::string status = "published") {
@@ -56,4 +56,4 @@ TEST(NamedPack, OneEditionThatIsLoadedTwiceIsAmbiguous) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::named_pack_test

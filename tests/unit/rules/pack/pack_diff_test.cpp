@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace rules {
+namespace rules::pack_diff_test {
 namespace {
 
 using testing::Contains;
@@ -691,4 +691,4 @@ TEST(RowNames, AreOfRowsThatAreThereAndEachOnce) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::pack_diff_test

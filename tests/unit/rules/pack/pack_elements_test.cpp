@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace rules {
+namespace rules::pack_elements_test {
 namespace {
 
 TEST(RulePackSchema, IsThePublishedFile) {
@@ -19,4 +19,4 @@ TEST(RulePackSchema, IsThePublishedFile) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::pack_elements_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::row_values_test {
 namespace {
 
 using testing::ElementsAre;
@@ -112,4 +112,4 @@ TEST(RowValues, OfTheShippedPacksAreMeant) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::row_values_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::rule_corpus_test {
 namespace {
 
 const std::filesystem::path kCorpus = LUXGATE_RULES_CORPUS;
@@ -105,4 +105,4 @@ TEST(RuleCorpus, EveryFileIsAsExpectedAndEveryCheckHasOne) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::rule_corpus_test

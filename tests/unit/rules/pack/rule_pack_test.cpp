@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::rule_pack_test {
 namespace {
 
 using testing::ElementsAre;
@@ -444,4 +444,4 @@ TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::rule_pack_test

@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-namespace rules {
+namespace rules::aggregate_corpus_test {
 namespace {
 
 std::string text_of(const calc::XmlElement& element, const char* name) {
@@ -100,4 +100,4 @@ TEST(AggregateCorpus, EveryFileIsAsExpectedAndEveryAggregateAndClassHasOne) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::aggregate_corpus_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::coverage_test {
 namespace {
 
 using testing::Contains;
@@ -385,4 +385,4 @@ TEST(RowCoverage, PacksWithoutRowsAndOwnLimitsHaveNone) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::coverage_test

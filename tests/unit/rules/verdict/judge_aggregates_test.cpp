@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::judge_aggregates_test {
 namespace {
 
 using testing::ElementsAre;
@@ -362,4 +362,4 @@ TEST(ReadAggregates, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::judge_aggregates_test

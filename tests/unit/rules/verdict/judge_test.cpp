@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rules {
+namespace rules::judge_test {
 namespace {
 
 // Three points in a row, cells of 1 m x 0.5 m.
@@ -341,4 +341,4 @@ TEST(NotJudgedPlane, RepeatsTheReasonForEveryRequirement) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::judge_test

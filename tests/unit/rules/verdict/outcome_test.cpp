@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace rules {
+namespace rules::outcome_test {
 namespace {
 
 constexpr std::array kAll{Outcome::not_judged,   Outcome::warned, Outcome::fail,
@@ -54,4 +54,4 @@ TEST(Outcome, OnlyWhatIsAskedForAndNotWaivedCounts) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::outcome_test

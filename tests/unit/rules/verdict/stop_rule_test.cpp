@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rules {
+namespace rules::stop_rule_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -276,4 +276,4 @@ TEST(AccuracyGoal, OfAPlaceOutsideTheGridIsReached) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::stop_rule_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rules {
+namespace rules::waiver_remarks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(WaiverRemarks, DeviationsAndZonesEndToo) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::waiver_remarks_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace rules {
+namespace rules::waiver_test {
 namespace {
 
 Finding finding_of(Verdict verdict, const std::string& reason = "") {
@@ -47,4 +47,4 @@ TEST(Waiver, WithoutOneNothingChanges) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::waiver_test

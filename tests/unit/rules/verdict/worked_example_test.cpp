@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace rules {
+namespace rules::worked_example_test {
 namespace {
 
 const RulePack& demo() {
@@ -226,4 +226,4 @@ TEST(WorkedExample, Aggregates) {
 }
 
 }  // namespace
-}  // namespace rules
+}  // namespace rules::worked_example_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::eulumdat_test {
 namespace {
 
 using test_support::angle_steps;
@@ -388,4 +388,4 @@ TEST(Eulumdat, MutilatedFilesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::eulumdat_test

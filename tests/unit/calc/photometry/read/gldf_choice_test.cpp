@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::gldf_choice_test {
 namespace {
 
 using test_support::GldfSample;
@@ -200,4 +200,4 @@ TEST(GldfChoice, TheEarlierFormOfEmittersIsRead) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::gldf_choice_test

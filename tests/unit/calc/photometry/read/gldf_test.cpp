@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace calc {
+namespace calc::gldf_test {
 namespace {
 
 using test_support::cos_deg;
@@ -313,4 +313,4 @@ TEST(Gldf, KeepsTheAxisOfTheTable) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::gldf_test

@@ -14,7 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::gldf_together_test {
 namespace {
 
 using test_support::GldfSample;
@@ -303,4 +303,4 @@ TEST(GldfTogether, OverridesAreOfTheWholeLuminaire) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::gldf_together_test

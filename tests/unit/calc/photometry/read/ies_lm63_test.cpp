@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace calc {
+namespace calc::ies_lm63_test {
 namespace {
 
 using test_support::angle_steps;
@@ -396,4 +396,4 @@ TEST(Lm63, MutilatedFilesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::ies_lm63_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::ies_opening_test {
 namespace {
 
 struct Case {
@@ -68,4 +68,4 @@ TEST(Lm63Opening, UnknownCodesKeepTheirSizeAndSaySo) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::ies_opening_test

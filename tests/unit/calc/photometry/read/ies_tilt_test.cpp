@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace calc {
+namespace calc::ies_tilt_test {
 namespace {
 
 using test_support::ies_text;
@@ -98,4 +98,4 @@ TEST(Lm63Tilt, BadDataAreRefused) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::ies_tilt_test

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace calc {
+namespace calc::ies_types_ab_test {
 namespace {
 
 using test_support::angle_steps;
@@ -181,4 +181,4 @@ TEST(Lm63TypesAB, WhatMakesNoSenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::ies_types_ab_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::number_stream_test {
 namespace {
 
 TEST(NumberStream, ReadsTokensAcrossAnyDelimiterWithTheirLines) {
@@ -32,4 +32,4 @@ TEST(NumberStream, NumbersAreLocaleFreeAndFinite) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::number_stream_test

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::photometry_file_test {
 namespace {
 
 using namespace std::string_literals;
@@ -182,4 +182,4 @@ TEST(PhotometryFile, ExampleFilesHoldTheLightTheyState) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::photometry_file_test

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace calc {
+namespace calc::pitfalls_test {
 namespace {
 
 using test_support::angle_steps;
@@ -185,4 +185,4 @@ TEST(PhotometryPitfalls, CountsAreCheckedBeforeAllocation) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::pitfalls_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace calc {
+namespace calc::real_files_test {
 namespace {
 
 using test_support::read_manifest;
@@ -143,4 +143,4 @@ INSTANTIATE_TEST_SUITE_P(
         Outcome{"gldf/gldfrs__igz___p450.gldf", 2000 * 0.54, ""}));
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::real_files_test

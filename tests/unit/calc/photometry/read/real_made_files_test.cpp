@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace calc {
+namespace calc::real_made_files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -184,4 +184,4 @@ TEST_F(RealMadeFiles, SourcesOpeningsAndTiltAreKept) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::real_made_files_test

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <string>
 
-namespace calc {
+namespace calc::real_pairs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ TEST(RealPhotometryPairs, AgreeInOrientation) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::real_pairs_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace calc {
+namespace calc::text_encoding_test {
 namespace {
 
 using namespace std::string_literals;
@@ -34,4 +34,4 @@ TEST(TextEncoding, QuotesAreCutBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::text_encoding_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::tm33_opening_test {
 namespace {
 
 using testing::HasSubstr;
@@ -113,4 +113,4 @@ TEST(Tm33Opening, BadSizesAreErrors) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::tm33_opening_test

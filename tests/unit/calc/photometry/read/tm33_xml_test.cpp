@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace calc {
+namespace calc::tm33_xml_test {
 namespace {
 
 using test_support::angle_steps;
@@ -407,4 +407,4 @@ TEST(Tm33, CutFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::tm33_xml_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::xml_query_test {
 namespace {
 
 XmlElement parse(const std::string& text) {
@@ -58,4 +58,4 @@ TEST(XmlQuery, LettersIgnoreBlanksMarksAndCase) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::xml_query_test

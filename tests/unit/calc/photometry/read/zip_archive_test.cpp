@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace calc {
+namespace calc::zip_archive_test {
 namespace {
 
 using test_support::diagnostics_text;
@@ -161,4 +161,4 @@ TEST(ZipArchive, AnyChangedByteGivesContentsOrAnError) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::zip_archive_test

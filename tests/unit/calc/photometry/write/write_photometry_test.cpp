@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace calc {
+namespace calc::write_photometry_test {
 namespace {
 
 using test_support::angle_steps;
@@ -390,4 +390,4 @@ TEST(DecimalText, HasSignificantDigitsWithoutExponent) {
 }
 
 }  // namespace
-}  // namespace calc
+}  // namespace calc::write_photometry_test

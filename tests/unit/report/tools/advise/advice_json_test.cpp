@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-namespace cli {
+namespace cli::advice_json_test {
 namespace {
 
 // The published file is written by the program: 'luxgate schema --advice > advice.schema.json'.
@@ -17,4 +17,4 @@ TEST(AdviceSchema, IsThePublishedFile) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::advice_json_test

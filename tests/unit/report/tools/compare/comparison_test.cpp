@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace comparison_test {
 namespace {
 
 report::Comparison two_points(double second_b) {
@@ -116,3 +117,4 @@ TEST(Comparison, PageIsInTheReadersLanguage) {
 }
 
 }  // namespace
+}  // namespace comparison_test

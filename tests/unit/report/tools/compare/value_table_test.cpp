@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace value_table_test {
 namespace {
 
 std::string problem_with(const std::string& text) {
@@ -73,3 +74,4 @@ TEST(ValueTable, RefusesWhatItCannotMean) {
 }
 
 }  // namespace
+}  // namespace value_table_test

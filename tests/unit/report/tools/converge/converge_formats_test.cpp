@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <regex>
 
-namespace report {
+namespace report::converge_formats_test {
 namespace {
 
 using testing::HasSubstr;
@@ -215,4 +215,4 @@ TEST(ConvergeDocument, NamesTheDeviceAndSaysThatSoftwareIsNoGpu) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::converge_formats_test

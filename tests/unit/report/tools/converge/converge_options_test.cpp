@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cli {
+namespace cli::converge_options_test {
 namespace {
 
 using testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST(CheckOptions, AFileOfVerticesFixesSeedReplicatesAndPaths) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::converge_options_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cli {
+namespace cli::converge_reference_test {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST_F(ConvergeReference, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::converge_reference_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace report {
+namespace report::converge_statistics_test {
 namespace {
 
 std::vector<double> powers(double first, double exponent, std::size_t count) {
@@ -169,4 +169,4 @@ TEST(ConvergeMedian, OfOddAndEvenCounts) {
 }
 
 }  // namespace
-}  // namespace report
+}  // namespace report::converge_statistics_test

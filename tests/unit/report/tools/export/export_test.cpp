@@ -27,6 +27,7 @@
 #include <random>
 #include <sstream>
 
+namespace export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -936,3 +937,4 @@ TEST(RadianceExport, TheScriptRuns) {
 }
 
 }  // namespace
+}  // namespace export_test

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+namespace gltf_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -293,3 +294,4 @@ TEST(GltfExport, SaysWhatIsMissing) {
 }
 
 }  // namespace
+}  // namespace gltf_test

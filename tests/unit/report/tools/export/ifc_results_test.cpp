@@ -14,6 +14,7 @@
 #include <map>
 #include <string>
 
+namespace ifc_results_test {
 namespace {
 
 using ::testing::Contains;
@@ -374,3 +375,4 @@ TEST(IfcResults, NamesAndOddValuesAreWrittenSafely) {
 }
 
 }  // namespace
+}  // namespace ifc_results_test

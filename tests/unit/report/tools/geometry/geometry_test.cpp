@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace cli {
+namespace cli::geometry_test {
 namespace {
 
 // The cube 0..size as an OBJ file; the last `open` of its six sides are missing.
@@ -88,8 +88,8 @@ TEST(Geometry, UnitsMustBeGivenForFilesThatDoNotSayThem) {
             "cm, mm, in or ft");
   const GeometryReport gltf =
       examine_geometry("dir/t.gltf",
-                       calc::MemoryFileReader({{"dir/t.gltf", calc::testing::kSquareGltf},
-                                               {"dir/tile.bin", calc::testing::square_bytes()}}),
+                       calc::MemoryFileReader({{"dir/t.gltf", calc::tests::kSquareGltf},
+                                               {"dir/tile.bin", calc::tests::square_bytes()}}),
                        GeometryOptions());
   EXPECT_EQ(gltf.kind, "gltf");
   EXPECT_EQ(gltf.up, "y");
@@ -120,4 +120,4 @@ TEST(Geometry, RoomsOfProjectsAreClosed) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::geometry_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cli {
+namespace cli::rimless_test {
 namespace {
 
 void add_quad(calc::SurfaceModel& model, const glm::dvec3& a, const glm::dvec3& u,
@@ -71,4 +71,4 @@ TEST(Rimless, WhatIsNotKnownIsNotRimless) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace cli::rimless_test

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+namespace dxf_design_test {
 namespace {
 
 using test_support::DxfText;
@@ -347,3 +348,4 @@ TEST(SuggestMap, IsReadBack) {
 }
 
 }  // namespace
+}  // namespace dxf_design_test

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+namespace dxf_drawing_test {
 namespace {
 
 using test_support::DxfText;
@@ -340,3 +341,4 @@ TEST(DxfDrawing, FilesThatWereCutAreRefused) {
 }
 
 }  // namespace
+}  // namespace dxf_drawing_test

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+namespace dxf_pairs_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -124,3 +125,4 @@ TEST(DxfTexts, FormatsAreNoText) {
 }
 
 }  // namespace
+}  // namespace dxf_pairs_test

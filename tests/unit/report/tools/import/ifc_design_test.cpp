@@ -8,6 +8,7 @@
 
 #include "tests/unit/report/tools/import/ifc_text.h"
 
+namespace ifc_design_test {
 namespace {
 
 using cli::Design;
@@ -305,3 +306,4 @@ TEST(IfcDesign, ABillionBodiesAreRefusedSoon) {
 }
 
 }  // namespace
+}  // namespace ifc_design_test

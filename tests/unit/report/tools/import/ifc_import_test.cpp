@@ -8,6 +8,7 @@
 
 #include <string>
 
+namespace ifc_import_test {
 namespace {
 
 using cli::Design;
@@ -120,3 +121,4 @@ TEST(IfcImport, BrokenFilesHaveALine) {
 }
 
 }  // namespace
+}  // namespace ifc_import_test

@@ -11,6 +11,7 @@
 
 #include "tests/unit/report/tools/import/ifc_text.h"
 
+namespace ifc_shape_test {
 namespace {
 
 using cli::IfcFile;
@@ -278,3 +279,4 @@ TEST(IfcShape, AnExtrusionAlongTheGroundStandsOnOneOfItsSides) {
 }
 
 }  // namespace
+}  // namespace ifc_shape_test

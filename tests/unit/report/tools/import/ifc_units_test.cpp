@@ -7,6 +7,7 @@
 
 #include "tests/unit/report/tools/import/ifc_text.h"
 
+namespace ifc_units_test {
 namespace {
 
 using cli::IfcUnits;
@@ -106,3 +107,4 @@ TEST(IfcUnits, AFileWithoutAnAngleSaysSo) {
 }
 
 }  // namespace
+}  // namespace ifc_units_test

@@ -7,6 +7,7 @@
 
 #include <string>
 
+namespace import_map_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -102,3 +103,4 @@ TEST(ImportMap, ManualHasEveryKey) {
 }
 
 }  // namespace
+}  // namespace import_map_test

@@ -5,6 +5,7 @@
 
 #include <string>
 
+namespace project_merge_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -106,3 +107,4 @@ TEST(ProjectMerge, TextsThatAreNoXmlAreErrors) {
 }
 
 }  // namespace
+}  // namespace project_merge_test

@@ -5,6 +5,7 @@
 
 #include <string>
 
+namespace project_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -160,3 +161,4 @@ TEST(ProjectText, BoxesTurnAboutTheirCorner) {
 }
 
 }  // namespace
+}  // namespace project_text_test

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+namespace step_text_test {
 namespace {
 
 using cli::StepProblem;
@@ -229,3 +230,4 @@ TEST(StepText, KnowsWhereItsDataEnd) {
 }
 
 }  // namespace
+}  // namespace step_text_test

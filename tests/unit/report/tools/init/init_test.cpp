@@ -8,6 +8,7 @@
 
 #include "tests/support/scratch_folder.h"
 
+namespace init_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,3 +25,4 @@ TEST(Init, WritesNothingWhenOneOfItsFilesExists) {
 }
 
 }  // namespace
+}  // namespace init_test

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+namespace photometry_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -494,3 +495,4 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
 }
 
 }  // namespace
+}  // namespace photometry_test

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace room_pictures_test {
 namespace {
 
 using namespace test_support;
@@ -164,3 +165,4 @@ TEST(RoomPictures, VerticesAreDrawn) {
 }
 
 }  // namespace
+}  // namespace room_pictures_test

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+namespace selftest_test {
 namespace {
 
 using namespace cli::selftest;
@@ -134,3 +135,4 @@ TEST(SelftestCases, HaveNamesOfTheirOwnAndKnownKinds) {
 }
 
 }  // namespace
+}  // namespace selftest_test

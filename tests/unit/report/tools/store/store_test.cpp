@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace store_test {
 namespace {
 
 TEST(ParseBytes, TakesAWholeNumberAndAUnit) {
@@ -20,3 +21,4 @@ TEST(ParseBytes, RefusesTheRest) {
 }
 
 }  // namespace
+}  // namespace store_test

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace job_script_test {
 namespace {
 
 using testing::HasSubstr;
@@ -106,3 +107,4 @@ TEST(ShardsFor, TakesThreeMinutesEach) {
 }
 
 }  // namespace
+}  // namespace job_script_test

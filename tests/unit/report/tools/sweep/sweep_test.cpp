@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+namespace sweep_test {
 namespace {
 
 using cli::ParetoPlace;
@@ -410,3 +411,4 @@ TEST(SweepHtml, EscapesWhatComesFromFiles) {
 }
 
 }  // namespace
+}  // namespace sweep_test
