@@ -2,7 +2,7 @@
 #   cmake -DROOT=<source folder> -P check_top_level.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(allowed .ci .clang-format .clang-tidy .gitignore .pre-commit-hooks.yaml CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
+set(allowed .ci .github .clang-format .clang-tidy .gitignore .pre-commit-hooks.yaml CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
   calc examples gpu report rules tests)
 execute_process(COMMAND git -C ${ROOT} ls-files RESULT_VARIABLE failure OUTPUT_VARIABLE files ERROR_QUIET)
 if(failure)
