@@ -18,7 +18,7 @@ constexpr double kAside = 0.42;      // rad, from straight across the longer sid
 constexpr double kSight = 0.7;       // rad, angle of sight before the picture is fitted
 constexpr double kDistance = 2.4;    // diagonals of the box, from its middle
 
-std::array<glm::dvec3, 8> corners_of(const Box& box) {
+std::array<glm::dvec3, 8> corners_of(const RoomBox& box) {
   std::array<glm::dvec3, 8> result;
   for (std::size_t k = 0; k < 8; ++k) {
     result[k] = {(k & 1u) != 0 ? box.high_m.x : box.low_m.x,
@@ -29,7 +29,7 @@ std::array<glm::dvec3, 8> corners_of(const Box& box) {
 }
 
 // Scales and shifts what the matrix shows so that the box just fills the picture.
-void fit(Camera& camera, const Box& box) {
+void fit(Camera& camera, const RoomBox& box) {
   glm::dvec3 low(1e300), high(-1e300);
   for (const glm::dvec3& corner : corners_of(box)) {
     const glm::dvec3 p = camera.project(corner);
@@ -47,11 +47,11 @@ void fit(Camera& camera, const Box& box) {
       scale * glm::translate(glm::dmat4(1.0), -middle) * camera.clip_from_local;
 }
 
-double diagonal_m(const Box& box) { return std::max(glm::length(box.high_m - box.low_m), 1e-6); }
+double diagonal_m(const RoomBox& box) { return std::max(glm::length(box.high_m - box.low_m), 1e-6); }
 
 }  // namespace
 
-Camera corner_camera(const Box& box) {
+Camera corner_camera(const RoomBox& box) {
   const glm::dvec3 size = box.high_m - box.low_m;
   const double turn = size.x >= size.y ? 0.0 : 1.5707963267948966;
   const double around = turn - 1.5707963267948966 - kAside;  // of the eye, from the middle
@@ -69,7 +69,7 @@ Camera corner_camera(const Box& box) {
   return camera;
 }
 
-Camera plan_camera(const Box& box) {
+Camera plan_camera(const RoomBox& box) {
   const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
   const double d = diagonal_m(box);
   Camera camera;

@@ -6,7 +6,7 @@
 namespace gpu {
 
 // A box in local coordinates, z up.
-struct Box {
+struct RoomBox {
   glm::dvec3 low_m{0.0}, high_m{0.0};
 };
 
@@ -29,9 +29,9 @@ struct Camera {
 
 // From above one corner, across the longer side; its horizontal axis runs to the right. The box
 // fills the picture up to a small margin.
-Camera corner_camera(const Box& box);
+Camera corner_camera(const RoomBox& box);
 
 // Straight from above, without perspective: x to the right, y up, as in a plan.
-Camera plan_camera(const Box& box);
+Camera plan_camera(const RoomBox& box);
 
 }  // namespace gpu

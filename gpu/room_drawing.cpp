@@ -65,8 +65,8 @@ glm::vec3 normal_of(const calc::PreparedScene& scene, std::uint32_t triangle) {
 
 }  // namespace
 
-Box box_of(const calc::PreparedScene& scene) {
-  Box box{glm::dvec3(1e300), glm::dvec3(-1e300)};
+RoomBox box_of(const calc::PreparedScene& scene) {
+  RoomBox box{glm::dvec3(1e300), glm::dvec3(-1e300)};
   const auto add = [&box](const glm::dvec3& p) {
     box.low_m = glm::min(box.low_m, p);
     box.high_m = glm::max(box.high_m, p);

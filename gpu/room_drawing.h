@@ -17,7 +17,7 @@
 namespace gpu {
 
 // Surfaces and luminaires; a box with some size in every direction.
-Box box_of(const calc::PreparedScene& scene);
+RoomBox box_of(const calc::PreparedScene& scene);
 
 // Where surfaces end or fold by more than 20 degrees; those of removed ones are faint. scale:
 // pixels of the drawing per pixel of the picture as it will be seen.

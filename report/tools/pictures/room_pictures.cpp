@@ -41,7 +41,7 @@ int fitting_width(const gpu::Camera& camera, int wanted) {
 }
 
 std::vector<View> make_views(const calc::Tracer& tracer, bool opens_room) {
-  const gpu::Box box = gpu::box_of(tracer.scene());
+  const gpu::RoomBox box = gpu::box_of(tracer.scene());
   std::vector<View> views{{"corner", "seen from above a corner", gpu::corner_camera(box), 1, {}},
                           {"plan", "seen from above", gpu::plan_camera(box), 1, {}}};
   views[0].width = fitting_width(views[0].camera, kCornerWidth);

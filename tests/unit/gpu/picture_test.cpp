@@ -49,7 +49,7 @@ gpu::PictureScene letter() {
   add_quad(scene, {0.1f, 0.1f, 0.4f}, {0.3f, 0, 0}, {0, 0.3f, 0}, 3.0f);
   return scene;
 }
-const gpu::Box kLetterBox{{0, 0, 0}, {3, 2, 0.4}};
+const gpu::RoomBox kLetterBox{{0, 0, 0}, {3, 2, 0.4}};
 
 TEST(Picture, IsNotMirrored) {
   LUXGATE_NEEDS_OPENGL();
@@ -85,7 +85,7 @@ TEST(Picture, CornerViewHasXToTheRightAndZUp) {
 TEST(Picture, FitsAndDrawsNothingOutside) {
   LUXGATE_NEEDS_OPENGL();
   const auto device = gl_device();
-  for (const gpu::Box& box : {gpu::Box{{-3, 5, 1}, {17, 7, 4}}, gpu::Box{{0, 0, 0}, {1, 6, 2}}}) {
+  for (const gpu::RoomBox& box : {gpu::RoomBox{{-3, 5, 1}, {17, 7, 4}}, gpu::RoomBox{{0, 0, 0}, {1, 6, 2}}}) {
     for (const gpu::Camera& camera : {gpu::corner_camera(box), gpu::plan_camera(box)}) {
       gpu::PictureScene scene;
       const glm::vec3 low(box.low_m), size(box.high_m - box.low_m);
