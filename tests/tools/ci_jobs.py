@@ -26,6 +26,8 @@ shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 VARIABLES = git_repository.environment(WORK / "home")
 VARIABLES["PATH"] = f"{PROGRAM.parent}:{VARIABLES['PATH']}"
+# As in the image of a job, which has no OpenGL: pictures of rooms would be four fifths of the time, and are cli.pictures.
+VARIABLES["LUXGATE_GL_FAULT"] = "no-egl"
 HOSTILE = "x$(touch${IFS}pwned)`touch${IFS}pwned`;touch${IFS}pwned;#'\""
 problems = []
 

@@ -65,8 +65,12 @@ expect_in("${out}" "--backend gpu --gpu-stages light-paths,near-field")
 run_luxgate(0 ARGS plan ${cornell} --backend gpu --gpu-stages near-field)
 expect_in("${out}" "gpu stages: near-field")
 
-# The same verdicts, whatever the project.
-file(GLOB projects ${EXAMPLES}/*/project.xml)
+# The same verdicts, whatever the kind of project: points, reflections, spots, a road, an escape route. The sums of all
+# examples are GlSolve.GivesTheSameSumForEveryExample.
+set(projects "")
+foreach(example 01-one-luminaire 02-direct-and-indirect 04-office 05-failing-corridor 07-spot-and-wall-washer 13-escape-route 16-road)
+  list(APPEND projects ${EXAMPLES}/${example}/project.xml)
+endforeach()
 foreach(backend cpu gpu)
   execute_process(COMMAND ${LUXGATE} check --quiet --no-config --max-paths 128 ${projects} --backend ${backend} --format csv
     OUTPUT_VARIABLE table RESULT_VARIABLE code_${backend})
@@ -85,17 +89,19 @@ endif()
 foreach(program IN LISTS programs)
   file(WRITE ${program} "damaged")
 endforeach()
+# One stage has few shaders: software OpenGL takes nine seconds to compile all of them.
+file(SHA256 ${WORK}/connections.csv hash_of_stage)
 foreach(folder ${WORK}/programs off /proc/none)
   run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE=${folder}
-    ARGS ${work} ${cornell} --backend gpu --format points-csv=${WORK}/cached.csv)
+    ARGS ${work} ${cornell} --backend gpu --gpu-stages connections --format points-csv=${WORK}/cached.csv)
   file(SHA256 ${WORK}/cached.csv hash)
-  if(NOT hash STREQUAL hash1)
+  if(NOT hash STREQUAL hash_of_stage)
     message(SEND_ERROR "LUXGATE_PROGRAM_CACHE=${folder} changes results")
   endif()
 endforeach()
 file(REMOVE_RECURSE ${WORK}/cache)
 run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE= XDG_CACHE_HOME=${WORK}/cache
-  ARGS check --quiet --max-paths 256 ${cornell} --backend gpu)
+  ARGS check --quiet --max-paths 256 ${cornell} --backend gpu --gpu-stages connections)
 file(GLOB programs_in_cache LIST_DIRECTORIES false ${WORK}/cache/luxgate/programs/*)
 list(LENGTH programs kept)
 if(kept GREATER 0 AND programs_in_cache STREQUAL "")

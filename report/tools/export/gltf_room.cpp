@@ -230,7 +230,7 @@ void add_legend(GlbWriter& writer, const calc::PreparedScene& scene,
                 const report::ColourScale& scale) {
   constexpr double kShare = 0.6, kGap = 0.04;  // of the room's width
   const report::Raster raster = report::with_legend({}, scale);
-  const gpu::Box box = gpu::box_of(scene);
+  const gpu::RoomBox box = gpu::box_of(scene);
   const glm::dvec3 size_m = box.high_m - box.low_m;
   const double width_m = kShare * std::max(size_m.x, size_m.z);
   const double height_m = width_m * raster.height / raster.width;
