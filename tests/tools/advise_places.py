@@ -3,7 +3,7 @@
 
   advise_places.py LUXGATE EXAMPLES WORK [PLACES]
 
-Gains by reciprocity against a run for each place: of an office with too few luminaires PLACES (default 10; 0: all) of
+Gains by reciprocity against a run for each place: of an office with too few luminaires PLACES (default 6; 0: all) of
 its free places, evenly chosen from the ranked list. Then what is advised together, surfaces, and what is refused.
 Exit code 1: something does not hold.
 """
@@ -255,7 +255,9 @@ def surfaces(luxgate, work):
                              rf'\1"{one["reflectance"] + by!r}"', text)
             path = write(os.path.join(work, "office", "lighter.xml"), changed)
             return findings(luxgate, path, *finely)[1]
-        then, up, down = lighter(0.1), lighter(0.05), lighter(-0.05)
+        then = lighter(0.1)
+        # How it begins is worked out alike for all surfaces: one is held against runs.
+        up, down = (lighter(0.05), lighter(-0.05)) if one["surface"] == "floor" else (None, None)
         for number, asked in enumerate(room["requirements"]):
             name = asked["plane"], asked["id"]
 
@@ -264,12 +266,13 @@ def surfaces(luxgate, work):
             step, slope, after = one["step_lx"][number], one["slope_lx"][number], one["after"][number]
             found = then[name]["value"] - before[name]["value"]
             off = (width(then, before) + ((step["high"] - step["low"]) / 2) ** 2) ** 0.5
-            print(f"  {one['surface']}, {name[0]}: {step['value']:.2f} lx by paths, {found:.2f} by runs; "
-                  f"as it begins {slope['value']:.2f}, {up[name]['value'] - down[name]['value']:.2f} by runs")
+            print(f"  {one['surface']}, {name[0]}: {step['value']:.2f} lx by paths, {found:.2f} by runs")
             expect(abs(step["value"] - found) <= 1.3 * off, f"{one['surface']} {name}: {step} {found} {off}")
-            middle = up[name]["value"] - down[name]["value"]
-            off = (width(up, down) + ((slope["high"] - slope["low"]) / 2) ** 2) ** 0.5
-            expect(abs(slope["value"] - middle) <= 1.3 * off, f"{one['surface']} {name}: {slope} {middle} {off}")
+            if up:
+                middle = up[name]["value"] - down[name]["value"]
+                off = (width(up, down) + ((slope["high"] - slope["low"]) / 2) ** 2) ** 0.5
+                print(f"    as it begins {slope['value']:.2f}, {middle:.2f} by runs")
+                expect(abs(slope["value"] - middle) <= 1.3 * off, f"{one['surface']} {name}: {slope} {middle} {off}")
             expect(after["low"] <= then[name]["high"] and then[name]["low"] <= after["high"],
                    f"{one['surface']} {name}: the check is of that surface")
 
@@ -464,7 +467,7 @@ def cases(luxgate, examples, work):
 
 def main():
     luxgate, examples, work = sys.argv[1:4]
-    count = int(sys.argv[4]) if len(sys.argv) > 4 else 10
+    count = int(sys.argv[4]) if len(sys.argv) > 4 else 6
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     if jsonschema:
