@@ -3,6 +3,10 @@ add_executable(bench_check bench/bench_check.cpp)
 target_link_libraries(bench_check PRIVATE calc_radiosity rules TBB::tbb)
 add_test(NAME bench_check_runs COMMAND bench_check ${CMAKE_SOURCE_DIR}/examples/03-cornell-box/project.xml 0.2)
 
+# Rooms made in code, and tables: what the benchmarks share.
+add_library(bench_scenes STATIC bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp bench/table.cpp)
+target_link_libraries(bench_scenes PUBLIC calc_radiosity fmt::fmt)
+
 add_executable(bench_core
   bench/accuracy.cpp
   bench/bench_core.cpp
@@ -14,20 +18,17 @@ add_executable(bench_core
   bench/near.cpp
   bench/openings.cpp
   bench/path_tracing.cpp
-  bench/photometry.cpp
   bench/project_file.cpp
   bench/ratios.cpp
   bench/ray_limit.cpp
-  bench/room_model.cpp
   bench/scaling.cpp
-  bench/scenes.cpp
   bench/smoke.cpp
   bench/sparse.cpp
   bench/stiff.cpp
-  bench/table.cpp
   bench/truth.cpp
   bench/verdicts.cpp)
-target_link_libraries(bench_core PRIVATE calc_radiosity rules TBB::tbb)
+luxgate_compile_together(bench_core)
+target_link_libraries(bench_core PRIVATE bench_scenes calc_radiosity rules TBB::tbb)
 add_test(NAME bench_core_runs COMMAND bench_core smoke)
 
 # Ratios for a look at every change: against the ray tracer alone, instant radiosity and path tracing.

@@ -45,17 +45,15 @@ add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp bench/gl_clock.cpp)
 target_include_directories(bench_gpu_stages SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 target_link_libraries(bench_gpu_stages PRIVATE
   gpu calc_radiosity TBB::tbb fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
-add_executable(bench_gpu_traversal
-  bench/bench_gpu_traversal.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
+add_executable(bench_gpu_traversal bench/bench_gpu_traversal.cpp)
 target_include_directories(bench_gpu_traversal SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
-target_link_libraries(bench_gpu_traversal PRIVATE gpu calc_radiosity fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
+target_link_libraries(bench_gpu_traversal PRIVATE bench_scenes gpu calc_radiosity fmt::fmt ${LUXGATE_EPOXY_LIBRARY})
 add_test(NAME bench_gpu_traversal_runs COMMAND bench_gpu_traversal 512 1 office)
 set_tests_properties(bench_gpu_traversal_runs PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "no OpenGL:")
 
 # What only a machine with a GPU can tell, in one call; ctest sees that it runs.
-add_executable(gpu_figures
-  bench/gpu_figures.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp bench/table.cpp)
-target_link_libraries(gpu_figures PRIVATE luxgate_cli)
+add_executable(gpu_figures bench/gpu_figures.cpp)
+target_link_libraries(gpu_figures PRIVATE bench_scenes luxgate_cli)
 add_test(NAME gpu_figures_runs COMMAND gpu_figures --quick --messages)
 set_tests_properties(gpu_figures_runs PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "no OpenGL:")
 
@@ -66,6 +64,5 @@ add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}
 set_tests_properties(cli.gpu_backend PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "skipped:")
 
 # Counts for gpu_model.py, which says what devices should take and why.
-add_executable(gpu_model_counts
-  bench/gpu_model_counts.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp)
-target_link_libraries(gpu_model_counts PRIVATE gpu calc_radiosity rules)
+add_executable(gpu_model_counts bench/gpu_model_counts.cpp)
+target_link_libraries(gpu_model_counts PRIVATE bench_scenes gpu calc_radiosity rules)

@@ -3,8 +3,10 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace calc::gltf {
 namespace {
@@ -87,8 +89,10 @@ Elements elements_in(const tinygltf::Model& model, int view_index, std::size_t o
   return {bytes.data() + view.byteOffset + offset, stride, count, components, component_type};
 }
 
-std::size_t whole(int number, const char* what) {
-  if (number < 0) fail("sparse accessor: {} is {}", what, number);
+// int or std::size_t, as tinygltf has it: 2.9 changed some.
+template <std::integral Number>
+std::size_t whole(Number number, const char* what) {
+  if (std::cmp_less(number, 0)) fail("sparse accessor: {} is {}", what, number);
   return static_cast<std::size_t>(number);
 }
 

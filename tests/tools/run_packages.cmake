@@ -123,6 +123,19 @@ if(PYTHON)
   expect_in("${output}" "project.xml: pass\n" "least [0-9.]+ lx at")
 endif()
 
+# The bill of materials: what is linked, what is compiled in, the same bytes again.
+if(PYTHON)
+  foreach(name bill again)
+    run(${PYTHON} -B ${SOURCE}/report/packages/bill_of_materials.py ${BUILD}/report/cli/luxgate 0.1.0 ${WORK}/${name}.json)
+  endforeach()
+  file(READ ${WORK}/bill.json bill)
+  file(READ ${WORK}/again.json again)
+  if(NOT bill STREQUAL again)
+    message(SEND_ERROR "the bill of materials has other bytes the second time")
+  endif()
+  expect_in("${bill}" "\"bomFormat\": \"CycloneDX\"" "\"name\": \"libembree[34]-" "\"name\": \"libglm-dev\"" "\"name\": \"MIT\"" "\"value\": \"compiled in\"")
+endif()
+
 # The archive, unpacked elsewhere and run from a third folder with an empty environment.
 run(${CMAKE_COMMAND} -DBUILD=${BUILD} -DOUT=${WORK}/out -P ${SOURCE}/report/packages/make_archive.cmake)
 file(GLOB archive ${WORK}/out/luxgate-*.tar.gz)
