@@ -3,7 +3,7 @@
 
   advise_places.py LUXGATE EXAMPLES WORK [PLACES]
 
-Gains by reciprocity against a run for each place: of an office with too few luminaires PLACES (default 6; 0: all) of
+Gains by reciprocity against a run for each place: of an office with too few luminaires PLACES (default 10; 0: all) of
 its free places, evenly chosen from the ranked list. Then what is advised together, surfaces, and what is refused.
 Exit code 1: something does not hold.
 """
@@ -467,7 +467,7 @@ def cases(luxgate, examples, work):
 
 def main():
     luxgate, examples, work = sys.argv[1:4]
-    count = int(sys.argv[4]) if len(sys.argv) > 4 else 6
+    count = int(sys.argv[4]) if len(sys.argv) > 4 else 10
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     if jsonschema:

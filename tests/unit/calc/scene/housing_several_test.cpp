@@ -11,6 +11,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace calc::tests::housing_several_test {
@@ -93,11 +94,11 @@ std::vector<std::string> ids(const Loaded& loaded) {
   return found;
 }
 
-const Body& body(const Loaded& loaded, const std::string& id) {
+const Body& body(const Loaded& loaded, std::string_view id) {
   for (const Body& one : loaded.project->spaces[0].bodies) {
     if (one.id == id) return one;
   }
-  throw std::runtime_error("no body " + id);
+  throw std::runtime_error("no body " + std::string(id));
 }
 
 void expect_box(const Body& one, const glm::dvec3& lower_m, const glm::dvec3& upper_m) {
