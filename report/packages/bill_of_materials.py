@@ -13,35 +13,44 @@ import subprocess
 import sys
 
 
-def installed(package):
-    """(version, source, source's version), None if the package is not installed."""
-    form = "${db:Status-Status}\t${Version}\t${source:Package}\t${source:Version}\n"
-    done = subprocess.run(["dpkg-query", "-W", "-f", form, package], capture_output=True, text=True)
-    fields = done.stdout.split("\n")[0].split("\t")
-    return fields[1:] if done.returncode == 0 and fields[0] == "installed" else None
+def said_by_dpkg(*words):
+    """Lines; of a question about many things, as it takes dpkg as long as one about one."""
+    return subprocess.run(["dpkg-query", *words], capture_output=True, text=True).stdout.splitlines()
 
 
-def package_of(file):
-    real = os.path.realpath(file)
-    for path in (real, re.sub("^/usr/", "/", real)):  # dpkg knows a file by one of two names where /lib is a link
-        done = subprocess.run(["dpkg-query", "--search", path], capture_output=True, text=True)
-        if done.returncode == 0:
-            return re.match("[^:,]+", done.stdout)[0]
-    sys.exit(f"{file}: no package has it")
+def packages_of(files):
+    names = {}  # dpkg knows a file by one of two names where /lib is a link to /usr/lib
+    for file in files:
+        real = os.path.realpath(file)
+        names[real] = names[re.sub("^/usr/", "/", real)] = file
+    owner = {}
+    for line in said_by_dpkg("--search", *names):
+        package, path = line.split(": ", 1)
+        owner[names[path]] = re.match("[^:,]+", package)[0]
+    if lost := sorted(set(files) - set(owner)):
+        sys.exit(f"no package has {', '.join(lost)}")
+    return set(owner.values())
+
+
+def installed(packages):
+    """Name to (version, source, source's version)."""
+    rows = (line.split("\t") for line in said_by_dpkg(
+        "-W", "-f", "${db:Status-Status}\t${Package}\t${Version}\t${source:Package}\t${source:Version}\n", *packages))
+    return {row[1]: row[2:] for row in rows if row[0] == "installed"}
 
 
 def main():
     program, version, out = sys.argv[1:]
     rows = {row["package"]: row for row in csv.DictReader(pathlib.Path(__file__).with_name("libraries.csv").open(encoding="utf-8"))}
     loaded = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
-    linked = {package_of(file) for file in re.findall(r"=> (/\S+)", loaded)}
+    linked = packages_of(set(re.findall(r"=> (/\S+)", loaded)))
     compiled_in = {name for name, row in rows.items() if row["place"] == "headers"}
     system = dict(re.findall(r'^(\w+)="?([^"\n]*)"?$', pathlib.Path("/etc/os-release").read_text(), re.MULTILINE))
+    all_installed = installed(linked | compiled_in)
+    if lost := sorted((linked | compiled_in) - set(all_installed)):
+        sys.exit(f"not installed: {', '.join(lost)}; the program is not of this system")
     components = []
-    for name in sorted(linked | compiled_in):
-        found = installed(name)
-        if not found:
-            sys.exit(f"{name} is not installed: the program is not of this system")
+    for name, found in sorted(all_installed.items()):
         component = {
             "type": "library", "name": name, "version": found[0],
             "purl": f"pkg:deb/{system['ID']}/{name}@{found[0].replace('+', '%2B').replace(':', '%3A')}?arch=amd64&distro={system['ID']}-{system['VERSION_ID']}",
