@@ -1,8 +1,8 @@
 """Which tests a change can break, from what the build knows: python3 changed_tests.py ROOT BUILD REVISION FILE
 
 Changed is what differs from REVISION in the work tree, and what git does not know. A test is chosen if a program that its command names is
-made of a changed file, by the build's own list of dependencies, or if its command names a changed file or a folder that holds one. Of tests
-that run the whole program only those are chosen that took less than MOST_S in the last run: the others are counted. FILE is for
+made of a changed file, by the build's own list of dependencies, or if its command names a changed file or a folder that holds one. A change
+of the build itself can break all. Of tests that run the whole program only those are chosen that took less than MOST_S in the last run: the others are counted. FILE is for
 `ctest --tests-information`. Ends with 3 if no test is chosen.
 """
 import collections
@@ -72,6 +72,9 @@ def main():
     holders -= {os.path.join(root, name) for name in ("calc", "rules", "report", "gpu", "tests", "examples")}
     seconds = seconds_of_tests(build)
     chosen, left_out = [], []
+    scripts = os.path.join(root, "tests/tools/")
+    if any(file.endswith(("/CMakeLists.txt", ".cmake", ".cmake.in")) and not file.startswith(scripts) for file in changed):
+        new_programs |= programs
     for number, (test, named) in enumerate(zip(tests, paths), 1):
         if named & holders or test.get("command", [""])[0] in new_programs:
             chosen.append(number)
