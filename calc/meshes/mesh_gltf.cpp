@@ -15,6 +15,8 @@
 #include <exception>
 #include <map>
 #include <set>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,6 +61,18 @@ BufferFiles read_buffer_files(const GltfContainer& container, const SideFiles& s
   return files;
 }
 
+// Since tinygltf 2.8 there is a callback for sizes, and 2.9 takes all of them or none.
+template <class Callbacks>
+void set_size_callback(Callbacks& callbacks) {
+  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+    callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& name,
+                                      void* self) {
+      *size = static_cast<BufferFiles*>(self)->bytes_of.at(name).size();
+      return true;
+    };
+  }
+}
+
 tinygltf::FsCallbacks callbacks_of(BufferFiles& files) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.FileExists = [](const std::string& name, void* self) {
@@ -79,8 +93,20 @@ tinygltf::FsCallbacks callbacks_of(BufferFiles& files) {
   };
   callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
                                 void*) { return false; };
+  set_size_callback(callbacks);
   callbacks.user_data = &files;
   return callbacks;
+}
+
+// The library's answer is checked where it gives one: files of the system would be read by
+// callbacks that it did not take.
+template <class Library>
+void set_callbacks(Library& library, const tinygltf::FsCallbacks& callbacks) {
+  if constexpr (std::is_void_v<decltype(library.SetFsCallbacks(callbacks))>) {
+    library.SetFsCallbacks(callbacks);
+  } else if (!library.SetFsCallbacks(callbacks)) {
+    throw std::logic_error("tinygltf wants more callbacks than it is given");
+  }
 }
 
 bool ignore_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
@@ -96,7 +122,7 @@ tinygltf::Model load_model(std::string_view bytes, const GltfContainer& containe
   }
   tinygltf::TinyGLTF library;
   library.SetImageLoader(ignore_image, nullptr);
-  library.SetFsCallbacks(callbacks_of(files));
+  set_callbacks(library, callbacks_of(files));
   tinygltf::Model model;
   std::string problem, warning;
   const auto size = static_cast<unsigned>(bytes.size());

@@ -92,7 +92,9 @@ std::string repository_problem(int error, const std::string& place, bool is_name
     return fmt::format("'{}' lies in no git repository{}", place,
                        is_named ? ": GIT_DIR names it, which is to name one" : "");
   }
-  if (words.find("extension") != std::string::npos || words.find("version") != std::string::npos) {
+  // libgit2 has no code for it; 1.5 speaks of the extension, 1.9 of the object format.
+  if (words.find("extension") != std::string::npos || words.find("version") != std::string::npos ||
+      words.find("object format") != std::string::npos) {
     return fmt::format(
         "{} is of a kind that luxgate cannot read, such as one with SHA-256 ids; allowed are those "
         "with SHA-1 ids{}",

@@ -462,8 +462,8 @@ TEST_F(GlHits, TakeNoEarlierHits) {
   EXPECT_THROW(find(*gl, field, points), calc::BackendFailure);
 }
 
-// A driver that leaves long loops early must not look like a free view: the lamp's light passes by
-// slivers one above the other.
+// A driver that leaves long loops early, as llvmpipe of Mesa 22 does, must not look like a free
+// view: the lamp's light passes by slivers one above the other.
 TEST_F(GlHits, DoNotTakeALoopCutShortForAnAnswer) {
   LUXGATE_NEEDS_OPENGL();
   const calc::PhotometricWeb web = isotropic_web(1e6);
@@ -480,7 +480,6 @@ TEST_F(GlHits, DoNotTakeALoopCutShortForAnAnswer) {
   const auto gl = caster();
   try {
     const ShortRayLight found = find(*gl, field, points);
-    EXPECT_FALSE(device()->device().is_software);
     const Sums cpu = sums_of(field.near(), points, nullptr),
                own = sums_of(field.near(), points, &found);
     EXPECT_GT(sum_of(found.lx), 0.0);
@@ -508,7 +507,6 @@ TEST_F(GlHits, DoNotTakeABoundCutShortForDarkness) {
                           64);
   try {
     const ShortRayLight found = find(*caster(), field, points);
-    EXPECT_FALSE(device()->device().is_software);
     expect_same_sums(sums_of(field.near(), points, nullptr), sums_of(field.near(), points, &found),
                      0.0);
   } catch (const calc::BackendFailure& failure) {

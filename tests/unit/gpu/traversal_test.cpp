@@ -396,7 +396,7 @@ TEST(GlTraversal, ALoopThatWasLeftEarlyIsNoAnswer) {
 }
 
 // Half sheets, one above the other: a ray meets all their boxes and none of them, in more turns
-// than llvmpipe takes.
+// than llvmpipe of Mesa 22 takes; that of Mesa 25 takes them.
 TEST(GlTraversal, SaysSoWhenARayNeedsTooManyTurns) {
   LUXGATE_NEEDS_OPENGL();
   calc::PreparedScene pile;
@@ -409,8 +409,12 @@ TEST(GlTraversal, SaysSoWhenARayNeedsTooManyTurns) {
   for (const Answer& answer : search.ask({{{200, 200, -1}, 0.0f, {0, 0, 100}, 1e30f},
                                           {{200, 200, 90}, 0.0f, {1, 0, -100}, 1e30f}})) {
     EXPECT_EQ(answer.triangle, kNoTriangle);
-    EXPECT_EQ(answer.is_cut, is_software ? 1u : 0u);
-    EXPECT_EQ(answer.shadow, is_software ? 2u : 0u);
+    if (is_software && answer.is_cut != 0) {
+      EXPECT_EQ(answer.shadow, 2u);
+    } else {
+      EXPECT_EQ(answer.is_cut, 0u);
+      EXPECT_EQ(answer.shadow, 0u);
+    }
   }
 }
 
