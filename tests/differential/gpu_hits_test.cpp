@@ -122,6 +122,10 @@ Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
 
 // A ray that grazes an edge, or a draw at the border of two, changes all of what hangs on it.
 constexpr double kRounding = 1e-6;
+// Of a single sample, a product of floats along up to three steps and over squares of short
+// distances: the sums are means of many. 2.2e-6 was seen on Mesa 25 between sheets 0.1 m apart,
+// 1e-7 on Mesa 22.
+constexpr double kRoundingOfOne = 4e-6;
 
 // grazed: share of values that may differ by more than rounding.
 void expect_same_sums(const Sums& cpu, const Sums& device, double grazed) {
@@ -148,7 +152,7 @@ void expect_same_sums(const Sums& cpu, const Sums& device, double grazed) {
     device_rays += device.rays[r];
     const bool is_same =
         cpu.rays[r] == device.rays[r] && std::abs(cpu.largest[r] - device.largest[r]) <=
-                                             static_cast<float>(kRounding) * cpu.largest[r];
+                                             static_cast<float>(kRoundingOfOne) * cpu.largest[r];
     if (!is_same) ++unlike;
   }
   std::printf(
