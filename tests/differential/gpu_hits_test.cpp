@@ -123,8 +123,7 @@ Kinds kinds_of(const NearScene& field, const std::vector<HitLight>& found) {
 // A ray that grazes an edge, or a draw at the border of two, changes all of what hangs on it.
 constexpr double kRounding = 1e-6;
 // Of a single sample, a product of floats along up to three steps and over squares of short
-// distances: the sums are means of many. 2.2e-6 was seen on Mesa 25 between sheets 0.1 m apart,
-// 1e-7 on Mesa 22.
+// distances: the sums are means of many. 2.2e-6 was seen on Mesa 25 between sheets 0.1 m apart.
 constexpr double kRoundingOfOne = 4e-6;
 
 // grazed: share of values that may differ by more than rounding.
