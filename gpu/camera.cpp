@@ -47,7 +47,9 @@ void fit(Camera& camera, const RoomBox& box) {
       scale * glm::translate(glm::dmat4(1.0), -middle) * camera.clip_from_local;
 }
 
-double diagonal_m(const RoomBox& box) { return std::max(glm::length(box.high_m - box.low_m), 1e-6); }
+double diagonal_m(const RoomBox& box) {
+  return std::max(glm::length(box.high_m - box.low_m), 1e-6);
+}
 
 }  // namespace
 

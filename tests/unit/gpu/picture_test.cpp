@@ -85,7 +85,8 @@ TEST(Picture, CornerViewHasXToTheRightAndZUp) {
 TEST(Picture, FitsAndDrawsNothingOutside) {
   LUXGATE_NEEDS_OPENGL();
   const auto device = gl_device();
-  for (const gpu::RoomBox& box : {gpu::RoomBox{{-3, 5, 1}, {17, 7, 4}}, gpu::RoomBox{{0, 0, 0}, {1, 6, 2}}}) {
+  for (const gpu::RoomBox& box :
+       {gpu::RoomBox{{-3, 5, 1}, {17, 7, 4}}, gpu::RoomBox{{0, 0, 0}, {1, 6, 2}}}) {
     for (const gpu::Camera& camera : {gpu::corner_camera(box), gpu::plan_camera(box)}) {
       gpu::PictureScene scene;
       const glm::vec3 low(box.low_m), size(box.high_m - box.low_m);
