@@ -30,6 +30,4 @@ endforeach()
 
 add_library(headers_compile_alone OBJECT ${header_sources})
 target_link_libraries(headers_compile_alone PRIVATE luxgate_cli)
-# What is precompiled, tree.includes asks for.
-target_precompile_headers(headers_compile_alone REUSE_FROM luxgate_precompiled)
-set_target_properties(headers_compile_alone PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_compile_options(headers_compile_alone PRIVATE -O0)
