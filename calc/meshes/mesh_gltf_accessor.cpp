@@ -89,7 +89,7 @@ Elements elements_in(const tinygltf::Model& model, int view_index, std::size_t o
   return {bytes.data() + view.byteOffset + offset, stride, count, components, component_type};
 }
 
-// int or std::size_t, as tinygltf has it: 2.9 changed some.
+// tinygltf has int before 2.9, and std::size_t for some since.
 template <std::integral Number>
 std::size_t whole(Number number, const char* what) {
   if (std::cmp_less(number, 0)) fail("sparse accessor: {} is {}", what, number);

@@ -3,7 +3,7 @@
 #include "calc/rays/instruction_set.h"
 #include "calc/rays/tree_kernels.h"
 
-// Which one CMake found. What is asked of it here is the same in both.
+// The version that CMake found. What is asked of it here is the same in both.
 #if LUXGATE_EMBREE == 3
 #include <embree3/rtcore.h>
 #else

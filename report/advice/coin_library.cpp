@@ -17,7 +17,7 @@ CoinLibrary opened() {
     }
     return file;
   };
-  // CBC 2.10.8 changed its name, not what is called here: Debian 13 and Ubuntu 24.04 have the
+  // CBC after 2.10.8 has another name, not other functions: Debian 13 and Ubuntu 24.04 have the
   // first, Debian 12 the second.
   void* const files[] = {open({"libClp.so.1"}), open({"libCbcSolver.so.3.1", "libCbcSolver.so.3"})};
   if (files[0] == nullptr || files[1] == nullptr) {

@@ -55,7 +55,7 @@ struct Provenance {
   double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
-  std::string backend;      // see check::Backend::description
+  std::string backend;      // "cpu"; see report/check/backend.h
   int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
   SameBits same_bits = SameBits::any_processor;
   bool is_redacted = false;  // see redact()

@@ -61,8 +61,7 @@ struct EmbreeScene {
   }
   bool is_blocked(const calc::Ray& ray) const {
     RTCRay query = ray_of(ray);
-    // The third argument is what tells the versions apart: a context that Embree 3 must have,
-    // options in Embree 4.
+    // Embree 3 must be given a context; Embree 4 may be given options instead.
 #if LUXGATE_EMBREE == 3
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

@@ -2,8 +2,8 @@
 
 Changed is what differs from REVISION in the work tree, and what git does not know. A test is chosen if a program that its command names is
 made of a changed file, by the build's own list of dependencies, or if its command names a changed file or a folder that holds one. A change
-of the build itself can break all. Of tests that run the whole program only those are chosen that took less than MOST_S in the last run: the others are counted. FILE is for
-`ctest --tests-information`. Ends with 3 if no test is chosen.
+of the build itself can break all. Of tests that run the whole program only those are chosen that took less than MOST_S in the last run: the
+others are counted. FILE is for `ctest --tests-information`. Ends with 3 if no test is chosen.
 """
 import collections
 import json
