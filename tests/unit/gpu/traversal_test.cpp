@@ -20,9 +20,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
-#include <optional>
 #include <vector>
 
 namespace traversal_test {
