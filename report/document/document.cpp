@@ -214,8 +214,18 @@ rules::Outcome outcome_of(const ProjectPart& project) {
 
 rules::Outcome outcome_of(const Document& document) { return totals_of(document).outcome; }
 
+bool is_nothing_chosen(const ProjectPart& project) {
+  const auto says_so = [](const calc::Diagnostic& diagnostic) {
+    return diagnostic.id == calc::DiagnosticId::nothing_selected;
+  };
+  return project.is_judged &&
+         std::any_of(project.diagnostics.begin(), project.diagnostics.end(), says_so);
+}
+
 void Totals::add(const ProjectPart& project) {
+  ++projects;
   projects_not_judged += project.is_judged ? 0 : 1;
+  projects_unchosen += is_nothing_chosen(project) ? 1 : 0;
   report::add(count_verdicts(project), verdicts);
   const WarningCounts counts = count_warnings(project);
   warnings.all += counts.all;
@@ -223,7 +233,8 @@ void Totals::add(const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const rules::RowCoverage& row : space.coverage) rows_in_part += row.is_whole() ? 0 : 1;
   }
-  outcome = graver(outcome, outcome_of(project));
+  gravest = graver(gravest, outcome_of(project));
+  outcome = is_selection_empty() ? rules::Outcome::not_judged : gravest;
   hangs_on_the_day = hangs_on_the_day || does_hang_on_the_day(project);
   is_cut_short = is_cut_short || was_cut_short(project);
 }
@@ -243,5 +254,13 @@ DocumentFrame frame_of(const Document& document) {
 }
 
 DocumentEnd end_of(const Document& document) { return {document.provenance, totals_of(document)}; }
+
+std::vector<calc::Diagnostic> document_errors(const DocumentEnd& end) {
+  calc::Diagnostics errors;
+  if (end.totals.is_selection_empty()) {
+    errors.report(calc::DiagnosticId::selection_empty, {}, end.provenance.selection);
+  }
+  return errors.all();
+}
 
 }  // namespace report

@@ -342,23 +342,33 @@ bool is_strict_warning(const ProjectPart& project, const calc::Diagnostic& diagn
 WarningCounts count_warnings(const Document& document);
 WarningCounts count_warnings(const ProjectPart& project);
 
+// Options chose a part of what projects require, and this one has nothing of it; what could not be
+// judged may have it.
+bool is_nothing_chosen(const ProjectPart& project);
+
 // The gravest of everything in it. not_judged: also a project that could not be judged at all, and
-// a plane without result, even one of which nothing is required.
+// a plane without result, even one of which nothing is required, and projects of which none has
+// what options chose.
 rules::Outcome outcome_of(const Document& document);
 rules::Outcome outcome_of(const ProjectPart& project);
 
 // What a document says of all its projects together, summed up one by one: the projects themselves
 // need not be kept for it.
 struct Totals {
+  int projects = 0;
   int projects_not_judged = 0;
+  int projects_unchosen = 0;  // see is_nothing_chosen()
   VerdictCounts verdicts;
   WarningCounts warnings;
   int rows_in_part = 0;  // of rule packs: of which something was never asked
-  rules::Outcome outcome = rules::Outcome::nothing_asked;
-  bool hangs_on_the_day = false;  // see above
-  bool is_cut_short = false;      // by time or an interruption, so that it hangs on the machine
+  rules::Outcome gravest = rules::Outcome::nothing_asked;  // of the projects, each for itself
+  rules::Outcome outcome = rules::Outcome::nothing_asked;  // of all together
+  bool hangs_on_the_day = false;                           // see above
+  bool is_cut_short = false;  // by time or an interruption, so that it hangs on the machine
 
   void add(const ProjectPart& project);
+  // Options chose nothing in any of the projects.
+  bool is_selection_empty() const { return projects > 0 && projects_unchosen == projects; }
 };
 Totals totals_of(const Document& document);
 
@@ -377,6 +387,8 @@ struct DocumentEnd {  // what is known after the last one
 // Of one that is there as a whole, which the frame refers to.
 DocumentFrame frame_of(const Document& document);
 DocumentEnd end_of(const Document& document);
+// Errors of no single project, which every format says beside those of projects.
+std::vector<calc::Diagnostic> document_errors(const DocumentEnd& end);
 
 }  // namespace report
 

@@ -140,6 +140,11 @@ class GithubWriter : public FormatWriter {
     messages_.copy_to(sink);
     problems_.copy_to(sink);
     std::string text;
+    for (const calc::Diagnostic& error : document_errors(end)) {
+      text += github_line("error", error.where,
+                          fmt::format("luxgate: {}", calc::diagnostic_name(error.id)),
+                          printable(error.message));
+    }
     if (const Document* revised = frame_.revised) {
       for (const CiChange& change : ci_changes(*revised)) {
         text += github_line(change.stops ? "error" : "notice", change.where,
@@ -166,7 +171,7 @@ class GithubWriter : public FormatWriter {
 class GitlabWriter : public FormatWriter {
  public:
   GitlabWriter(const DocumentFrame& frame, const SpillPlace& place)
-      : findings_(frame), problems_(place, 0), messages_(place, 0) {
+      : paths_(frame.paths), findings_(frame), problems_(place, 0), messages_(place, 0) {
     if (frame.revised == nullptr) return;
     for (const CiChange& change : ci_changes(*frame.revised)) {
       problems_.add(gitlab_issue("luxgate/" + change.rule, change.message,
@@ -204,12 +209,21 @@ class GitlabWriter : public FormatWriter {
     }
   }
 
-  void finish(const DocumentEnd& /*end*/, Sink& sink) override {
+  void finish(const DocumentEnd& end, Sink& sink) override {
+    for (const calc::Diagnostic& error : document_errors(end)) {
+      // An issue without a file is refused: it is that of the first project.
+      const std::string name(calc::diagnostic_name(error.id));
+      const std::string file = paths_.empty() ? "" : paths_.front();
+      messages_.add(gitlab_issue("luxgate/" + name, printable(error.message),
+                                 of_messages_.of(name + "\n" + error.message), "blocker",
+                                 {file, 0, 0}));
+    }
     problems_.copy_to(sink, &messages_);
     sink.write("\n");
   }
 
  private:
+  const std::vector<std::string>& paths_;  // of the projects
   CiFindings findings_;
   UniqueFingerprints of_problems_, of_messages_;
   JsonList problems_, messages_;

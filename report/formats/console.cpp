@@ -557,6 +557,9 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
   text += summary + "\n";
   if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
     text += words + "\n";
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    text += calc::format_diagnostic(error) + "\n";
+  }
   sink.write(text);
 }
 

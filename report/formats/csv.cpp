@@ -71,11 +71,11 @@ class ResultsCsvWriter : public TableCsvWriter {
 
   void finish(const DocumentEnd& end, Sink& sink) override {
     TableCsvWriter::finish(end, sink);
-    if (frame_.revised == nullptr) return;
-    std::string changes;
-    results_of_revision(*frame_.revised,
-                        [&](std::span<const TableCell> row) { add_row(row, changes); });
-    sink.write(changes);
+    std::string lines;
+    const auto visit = [&](std::span<const TableCell> row) { add_row(row, lines); };
+    results_of_errors(end, visit);
+    if (frame_.revised != nullptr) results_of_revision(*frame_.revised, visit);
+    sink.write(lines);
   }
 
  private:

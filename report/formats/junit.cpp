@@ -146,6 +146,25 @@ void add_revision_suite(pugi::xml_node root, const Document& document,
   if (!words.empty()) suite.append_child("system-out").text() = words.c_str();
 }
 
+// A suite of its own: errors of no single project.
+void add_error_suite(pugi::xml_node root, const std::vector<calc::Diagnostic>& errors) {
+  pugi::xml_node suite = root.append_child("testsuite");
+  set(suite, "name", "luxgate");
+  Counts counts;
+  for (std::size_t i = 0; i < errors.size(); ++i) counts.add(CaseResult::error);
+  counts.write_to(suite, true);
+  for (const calc::Diagnostic& error : errors) {
+    pugi::xml_node test = suite.append_child("testcase");
+    const std::string id = calc::diagnostic_name(error.id), words = printable(error.message);
+    set(test, "classname", "luxgate");
+    set(test, "name", "error / " + id);
+    pugi::xml_node problem = test.append_child("error");
+    set(problem, "type", id);
+    set(problem, "message", words);
+    problem.text() = words.c_str();
+  }
+}
+
 // A suite as it stands in the file, one level deep.
 std::string suite_text(const pugi::xml_document& xml) {
   std::ostringstream out;
@@ -200,7 +219,14 @@ void JunitWriter::add(const ProjectPart& project) {
   suites_.write(suite_text(xml));
 }
 
-void JunitWriter::finish(const DocumentEnd& /*end*/, Sink& sink) {
+void JunitWriter::finish(const DocumentEnd& end, Sink& sink) {
+  const std::vector<calc::Diagnostic> errors = document_errors(end);
+  for (std::size_t i = 0; i < errors.size(); ++i) all_.add(CaseResult::error);
+  if (!errors.empty()) {
+    pugi::xml_document xml;
+    add_error_suite(xml, errors);
+    suites_.write(suite_text(xml));
+  }
   if (const Document* revised = frame_.revised) {
     const std::vector<CiChange> changes = ci_changes(*revised);
     for (const CiChange& change : changes) all_.add(result_of(change));

@@ -216,6 +216,9 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
     text += "\n**" + escape_markdown(part) + "**\n";
     remarked.selection.clear();
   }
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    text += "\n**" + escape_markdown(calc::format_diagnostic(error)) + "**\n";
+  }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
   if (has_projects()) text += "\n" + project_lines_;

@@ -286,6 +286,16 @@ std::size_t column_of(std::span<const TableColumn> columns, std::string_view nam
 
 const DocumentTable& results_table() { return kResultsTable; }
 
+void results_of_errors(const DocumentEnd& end, const VisitRow& visit) {
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    ResultRow row;
+    row.set("requirement", calc::diagnostic_name(error.id));
+    row.set("verdict", calc::name_of(error.severity()));
+    row.set("reason", calc::format_diagnostic(error));
+    row.visit_with(visit);
+  }
+}
+
 void results_of_revision(const Document& document, const VisitRow& visit) {
   for (const CiChange& change : ci_changes(document)) {
     ResultRow row;

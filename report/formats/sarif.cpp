@@ -146,8 +146,7 @@ Json artifact_json(const calc::InputFile& input) {
   return json;
 }
 
-Json notification_json(const ProjectPart& project, const calc::Diagnostic& diagnostic) {
-  const bool is_error = !is_warning(diagnostic) || is_strict_warning(project, diagnostic);
+Json notification_json(const calc::Diagnostic& diagnostic, bool is_error) {
   Json json = {{"descriptor", {{"id", calc::diagnostic_name(diagnostic.id)}}},
                {"level", is_error ? "error" : "warning"},
                {"message", {{"text", printable(diagnostic.message)}}}};
@@ -237,7 +236,8 @@ class SarifWriter : public FormatWriter {
 
 void SarifWriter::add(const ProjectPart& project) {
   for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-    notifications_.add(notification_json(project, diagnostic));
+    notifications_.add(notification_json(
+        diagnostic, !is_warning(diagnostic) || is_strict_warning(project, diagnostic)));
   }
   for (const std::string& words : ci_left_out(project)) {
     notifications_.add(
@@ -262,7 +262,10 @@ void SarifWriter::finish(const DocumentEnd& end, Sink& sink) {
       results_.add(change_json(change), change.rule);
     }
   }
-  const Json invocation = {{"executionSuccessful", end.totals.projects_not_judged == 0},
+  const std::vector<calc::Diagnostic> errors = document_errors(end);
+  for (const calc::Diagnostic& error : errors) notifications_.add(notification_json(error, true));
+  const bool is_successful = end.totals.projects_not_judged == 0 && errors.empty();
+  const Json invocation = {{"executionSuccessful", is_successful},
                            {"commandLine", printable(end.provenance.command_line)},
                            {"toolExecutionNotifications", json_gap()}};
   Json run = {{"tool",

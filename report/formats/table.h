@@ -46,6 +46,8 @@ struct DocumentTable {
 // not be judged, so that nothing unchecked is missed; then rows whose verdict is "in part", "left
 // out", "warning" or "strict warning": what must be read with the others.
 const DocumentTable& results_table();
+// Rows of the same table for errors of no single project, whose verdict is "error".
+void results_of_errors(const DocumentEnd& end, const VisitRow& visit);
 // Rows of the same table for what a revision made worse, or asks less; document: with a revision.
 void results_of_revision(const Document& document, const VisitRow& visit);
 

@@ -367,6 +367,9 @@ void XlsxWriter::write_counts(SheetSeries& summary, const DocumentEnd& end) cons
   summary.add_pair("In words", summary_words(totals));
   const std::string selection = selection_words(end.provenance);
   if (!selection.empty()) summary.add_pair("Only a part", selection);
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    summary.add_pair("Error", calc::format_diagnostic(error));
+  }
   summary.add_pair("Pass", count_cell(totals.verdicts.pass));
   summary.add_pair("Fail", count_cell(totals.verdicts.fail));
   summary.add_pair("Undecided", count_cell(totals.verdicts.undecided));
@@ -452,10 +455,12 @@ void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
   SheetSeries summary("Summary", {{"", 46}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
                       place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;
+  const auto visit = [&](std::span<const TableCell> row) {
+    requirements_.add(results_order_.row(row));
+  };
+  results_of_errors(end, visit);
   if (frame_.revised != nullptr) {
-    results_of_revision(*frame_.revised, [&](std::span<const TableCell> row) {
-      requirements_.add(results_order_.row(row));
-    });
+    results_of_revision(*frame_.revised, visit);
     revision = revision_sheet(*frame_.revised, place_);
   }
   write_what(summary);

@@ -468,8 +468,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.insert(sections.end(), sections_.begin(), sections_.end());
   sections.push_back({"#method", t_[Text::method_title]});
   sections.push_back({"#provenance", t_[Text::provenance]});
-  sink.write("</p>\n" + on_cover_ + about_ +
-             html_verdict_banner(t_, frame_, end.totals, end.provenance) +
+  sink.write("</p>\n" + on_cover_ + about_ + html_verdict_banner(t_, frame_, end) +
              (has_cover() ? "</div>\n" : "") + contents(t_, sections, numbers_) + "</header>\n");
 }
 

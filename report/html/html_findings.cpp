@@ -329,15 +329,20 @@ std::string html_verdict(const Texts& t, const rules::Finding& finding) {
   return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
 }
 
-std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals,
-                                const Provenance& provenance) {
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame,
+                                const DocumentEnd& end) {
+  const Totals& totals = end.totals;
   const VerdictCounts& counts = totals.verdicts;
-  const bool is_part = !provenance.selection.empty();
+  const bool is_part = !end.provenance.selection.empty();
   const bool is_good =
       totals.outcome == rules::Outcome::pass || totals.outcome == rules::Outcome::waived;
   const rules::Outcome outcome =
       is_part && is_good ? rules::Outcome::nothing_asked : totals.outcome;
-  const std::string part = escape_html(selection_words(provenance, t));
+  const std::string part = escape_html(selection_words(end.provenance, t));
+  std::string errors;
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    errors += "<p>" + escape_html(calc::format_diagnostic(error)) + "</p>";
+  }
   std::string chips;
   for (const rules::Verdict verdict : rules::kGravestFirst) {
     const int count = counts.of(verdict);
@@ -356,10 +361,11 @@ std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, cons
   return gate + fmt::format(
                     "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
                     "class=\"outcome\">{}</p>"
-                    "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
+                    "<p>{}</p>{}</div><ul class=\"counts\">{}</ul></div>\n",
                     banner_attributes(outcome), outcome_symbol(outcome),
                     is_part && is_good ? part : banner_sentence(t, outcome, counts),
-                    summary_words(t, totals) + (is_part && !is_good ? " · " + part : ""), chips);
+                    summary_words(t, totals) + (is_part && !is_good ? " · " + part : ""), errors,
+                    chips);
 }
 
 HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) {

@@ -208,7 +208,7 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
       path, {options.settings, files, packs, stages, watcher, nullptr, store ? &*store : nullptr,
              check::most_at_once(options.settings, choice.backend)});
   cli::tell_set_values(options.set, part);
-  if (!options.settings.selection.is_all() && !cli::is_anything_chosen(part)) {
+  if (report::is_nothing_chosen(part)) {
     diagnostics.report(calc::DiagnosticId::selection_empty, {},
                        check::selection_words(options.settings.selection));
     return refused(diagnostics);

@@ -27,6 +27,7 @@ class ResultWriter : public FormatWriter {
     json.at("counts") = json_of(end.totals.verdicts);
     json.at("warnings") = json_of(end.totals.warnings);
     json.at("projects") = json_gap();
+    if (const auto errors = document_errors(end); !errors.empty()) json["errors"] = json_of(errors);
     const std::vector<std::string> pieces = json_layout_around_gaps(json, 0);
     sink.write(pieces.at(0));
     projects_.copy_to(sink);

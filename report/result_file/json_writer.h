@@ -33,8 +33,9 @@ class Writer : public Visitor {
     json_[key] = about.null_if.value_or(false) ? OrderedJson() : json_of(value);
   }
   template <class Make, class Choices = int>
-  void written(const char* key, const Make& make, const About& /*about*/ = {},
+  void written(const char* key, const Make& make, const About& about = {},
                const Choices& /*choices*/ = {}) {
+    if (!about.presence.is_there) return;
     json_[key] = json_of(make());
   }
   template <class Fields>

@@ -491,6 +491,10 @@ void describe(auto& v, Is<Document> auto& document) {
   v.written("warnings", [&] { return count_warnings(document); }, {.presence = kSinceLater});
   v.field("projects", document.projects);
   v.field("revision", document.revision, {.presence = only_if(document.revision.has_value())});
+  const std::vector<calc::Diagnostic> errors = document_errors(end_of(document));
+  v.written("errors", [&] { return errors; },
+            {.words = "Of no single project, as that options chose nothing in any of them.",
+             .presence = only_if(!errors.empty())});
 }
 
 }  // namespace report

@@ -23,8 +23,4 @@ void print_nothing_chosen(const check::Selection& selection) {
   print_error(calc::DiagnosticId::selection_empty, check::selection_words(selection));
 }
 
-bool is_anything_chosen(const report::ProjectPart& project) {
-  return !project.is_judged || !project.spaces.empty();
-}
-
 }  // namespace cli

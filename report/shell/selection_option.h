@@ -2,7 +2,6 @@
 // Options that choose a part of what projects require.
 
 #include "report/check/selection.h"
-#include "report/document/document.h"
 #include "report/shell/command.h"
 
 #include <vector>
@@ -14,7 +13,5 @@ std::vector<Option> selection_options(check::Selection& selection);
 
 // Where one fits nothing in all projects.
 void print_nothing_chosen(const check::Selection& selection);
-// Whether it fits something of this project; what is not readable may have it.
-bool is_anything_chosen(const report::ProjectPart& project);
 
 }  // namespace cli

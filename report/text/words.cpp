@@ -487,7 +487,9 @@ std::string summary_words(const Texts& t, const Totals& totals) {
     text += separator + t.say<Text::with_deviations>(counts.deviating);
     separator = ", ";
   }
-  if (totals.outcome == rules::Outcome::nothing_asked) {
+  if (totals.is_selection_empty()) {
+    text += std::string(separator) + t[Text::nothing_chosen];
+  } else if (totals.outcome == rules::Outcome::nothing_asked) {
     text += std::string(separator) + outcome_words(t, totals.outcome);
   }
   if (const int parts = totals.rows_in_part; parts > 0) {

@@ -66,6 +66,9 @@ for language, met in (("en", "All requirements are met"), ("de", "Alle Anforderu
 run("a.xml", "--plane", "dsk", code=2, says="there are the planes desk, far")
 run("a.xml", "--plane", "desk", "--require", "Uo", code=2, says="there are the requirements mean")
 run("a.xml", "--space", "attic", code=2, says="--space attic chooses nothing in any of the projects")
+for kind, words in (("junit", 'errors="1"'), ("text", "error[selection-empty]"), ("sarif", '"executionSuccessful": false')):
+    text = run("a.xml", "b.xml", "--plane", "dsk", "--format", kind, code=2).stdout
+    expect(words in text, f"{kind} does not say that nothing was chosen: {text}")
 run("a.xml", "b.xml", "--plane", "bench", code=0, says="a.xml: warning[nothing-selected]: --plane bench chooses nothing here")
 run("a.xml", "--plane", "", code=2, says="a name is needed")
 

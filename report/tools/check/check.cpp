@@ -412,7 +412,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     });
     progress.done(project.path, report::outcome_words(report::outcome_of(project)));
     missing.add(project);
-    has_chosen = has_chosen || is_anything_chosen(project);
+    has_chosen = has_chosen || !report::is_nothing_chosen(project);
     cost_log += checked[p]->cost_log;
     looks.read += checked[p]->looks.read;
     looks.computed += checked[p]->looks.computed;
@@ -431,10 +431,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
   if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
-  if (!has_chosen) {
-    print_nothing_chosen(options.settings.selection);
-    return kNotJudged;
-  }
+  if (!has_chosen) print_nothing_chosen(options.settings.selection);
   return is_written ? exit_code_of(results.outcome()) : kNotJudged;
 }
 

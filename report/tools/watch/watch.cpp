@@ -218,10 +218,8 @@ class Watch {
     }
     if (server_) server_->show(report::render_html(of_now));
     exit_code_ = exit_code_of(report::outcome_of(document));
-    if (!options_.settings.selection.is_all() &&
-        std::none_of(document.projects.begin(), document.projects.end(), is_anything_chosen)) {
+    if (report::totals_of(document).is_selection_empty()) {
       print_nothing_chosen(options_.settings.selection);
-      exit_code_ = kNotJudged;
     }
     say_how_long(changed);
     if (is_judged(document)) last_ = std::move(document);

@@ -2,10 +2,13 @@
 
 #include "report/formats/ci_annotations.h"
 #include "report/formats/console.h"
+#include "report/formats/csv.h"
 #include "report/formats/junit.h"
 #include "report/formats/markdown.h"
+#include "report/formats/sarif.h"
 #include "report/html/html.h"
 #include "report/result_file/json.h"
+#include "report/result_file/read_json.h"
 #include "report/text/words.h"
 #include "tests/support/sample_document.h"
 
@@ -154,6 +157,61 @@ TEST(NothingAsked, IsWhatEveryFormatSays) {
               HasSubstr("### luxgate: ○ nichts war gefordert: "));
   EXPECT_THAT(render_html(with_verdicts({}), german),
               HasSubstr("<p class=\"outcome\">Nichts war gefordert</p>"));
+}
+
+// One project of which options choose nothing.
+ProjectPart unchosen() {
+  ProjectPart project = small_document().projects[0];
+  project.spaces.clear();
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::nothing_selected, {project.path, 0, 0}, "--plane dsk",
+                     "the planes desk");
+  project.diagnostics = diagnostics.all();
+  return project;
+}
+
+// A job that reads one format alone must not be green beside exit code 2.
+TEST(NothingChosen, IsAnErrorInEveryFormat) {
+  using testing::AllOf, testing::HasSubstr, testing::Not;
+  Document document = with_verdicts({});
+  document.projects = {unchosen(), unchosen()};
+  document.provenance.selection = "--plane dsk";
+  const std::string words = "--plane dsk chooses nothing in any of the projects";
+  EXPECT_EQ(outcome_of(document), rules::Outcome::not_judged);
+  EXPECT_THAT(render_text(document), AllOf(HasSubstr("0 requirements: nothing was chosen"),
+                                           HasSubstr("error[selection-empty]: " + words + "\n")));
+  EXPECT_THAT(render_github(document),
+              HasSubstr("::error title=luxgate%3A selection-empty::" + words));
+  EXPECT_THAT(render_gitlab(document),
+              AllOf(HasSubstr("luxgate/selection-empty"), HasSubstr(words), HasSubstr("blocker")));
+  EXPECT_THAT(render_markdown(document),
+              AllOf(HasSubstr("### luxgate: – not judged"), HasSubstr(words)));
+  EXPECT_THAT(render_junit(document), AllOf(HasSubstr("errors=\"1\""), HasSubstr("<error type="),
+                                            HasSubstr("message=\"" + words + "\"")));
+  EXPECT_THAT(render_sarif(document, SarifContent::problems),
+              AllOf(HasSubstr("\"executionSuccessful\": false"), HasSubstr(words)));
+  EXPECT_THAT(render_results_csv(document), HasSubstr("selection-empty"));
+  EXPECT_THAT(render_html(document),
+              AllOf(HasSubstr("<title>– "), HasSubstr("<div class=\"banner not-judged\""),
+                    HasSubstr(words)));
+  const std::string json = render_json(document);
+  EXPECT_THAT(json, AllOf(HasSubstr("\"errors\": ["), HasSubstr(words)));
+  std::string problem;
+  const auto read = read_json(json, problem);
+  ASSERT_TRUE(read) << problem;
+  EXPECT_EQ(outcome_of(*read), rules::Outcome::not_judged);
+  EXPECT_EQ(render_json(*read), json);
+}
+
+// Of one project of several: the options have chosen something.
+TEST(NothingChosen, OfOneProjectIsNoError) {
+  using testing::HasSubstr, testing::Not;
+  Document document = with_verdicts({rules::Verdict::pass});
+  document.projects.push_back(unchosen());
+  document.provenance.selection = "--plane dsk";
+  EXPECT_EQ(outcome_of(document), rules::Outcome::pass);
+  EXPECT_THAT(render_junit(document), HasSubstr("errors=\"0\""));
+  EXPECT_THAT(render_json(document), Not(HasSubstr("\"errors\"")));
 }
 
 // With something asked nothing of it is to be read.
