@@ -235,6 +235,8 @@ std::string why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_cou
   if (!(requirement.field_reflectance > 0.0)) {
     return calc::say<calc::Sentence::no_field_reflectance>();
   }
+  // No veil of nothing that is there is no rating that anybody has judged.
+  if (luminaire_count == 0) return calc::say<calc::Sentence::no_luminaire>();
   const double points = calc::planned_points(plane);
   const auto luminaires = static_cast<double>(luminaire_count);
   return points * luminaires <= calc::kMostFieldPairs

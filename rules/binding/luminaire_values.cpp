@@ -118,6 +118,16 @@ void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
   }
 }
 
+// The scene switches all off that would shine at full output: nothing goes up or towards anybody,
+// and every limit from above is met. Not of batteries: what they give before their end is not known
+// from that. How far the nearest luminaire is, darkness does not tell.
+bool is_met_by_darkness(const LuminaireFacts& facts, const Requirement& requirement) {
+  return facts.scene != nullptr && calc::has_light(facts.project, facts.space, nullptr) &&
+         requirement.metric != Metric::luminaire_distance &&
+         requirement.state != LightState::end_of_duration &&
+         !is_lower_limit(requirement.comparison);
+}
+
 }  // namespace
 
 void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement) {
@@ -126,17 +136,21 @@ void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement) 
     requirement.problem = say<Sentence::luminaires_go_on>();
     return;
   }
-  // Dark everywhere is no light that anybody has judged.
-  if (!calc::has_light(facts.project, facts.space, facts.scene)) {
-    requirement.problem = say<Sentence::no_luminaire_is_on>();
+  if (requirement.metric == Metric::upward_share && !facts.space.is_open_space()) {
+    requirement.problem = say<Sentence::upward_indoors>();
     return;
+  }
+  if (!calc::has_light(facts.project, facts.space, facts.scene)) {
+    if (!is_met_by_darkness(facts, requirement)) {
+      requirement.problem = say<Sentence::no_luminaire_is_on>();
+      return;
+    }
+    // Of the share of no light it is so decided: nothing goes up.
+    requirement.of_space = {};
+    return add_note(say<Sentence::scene_is_dark>(facts.scene->id), requirement);
   }
   switch (requirement.metric) {
     case Metric::upward_share:
-      if (!facts.space.is_open_space()) {
-        requirement.problem = say<Sentence::upward_indoors>();
-        return;
-      }
       requirement.of_space = facts.upward_percent();
       return add_note(say<Sentence::upward_method>(), requirement);
     case Metric::intensity:

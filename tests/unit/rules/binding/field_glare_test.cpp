@@ -64,6 +64,18 @@ TEST(FieldGlareRequirement, HasTheVeilAndSaysHow) {
   EXPECT_STREQ(unit_of(full), "");
 }
 
+// It passed: nobody is dazzled by what is not there.
+TEST(FieldGlareRequirement, IsNotOfAFieldWithoutLuminaires) {
+  const std::string xml =
+      "<luxgate version='1' maintenance-factor='0.8'><plane id='p' origin='0 0 0' u='40 0 0' v='0 "
+      "20 0'><require quantity='GR' at-most='50' reflectance='0.2'/></plane></luxgate>";
+  calc::Diagnostics diagnostics;
+  const calc::MemoryFileReader files({{"p.xml", xml}});
+  auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+  ASSERT_TRUE(judged.has_value());
+  EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("there is no luminaire in the space"));
+}
+
 TEST(FieldGlareRequirement, NeedsAReflectance) {
   const Field own = bind_field("<require quantity='GR' at-most='50'/>");
   EXPECT_THAT(own.messages, ElementsAre(HasSubstr("needs the attribute 'reflectance'")));

@@ -226,11 +226,39 @@ TEST(LuminaireValue, TheNearestLuminaireIsInPlanAndOn) {
   EXPECT_THAT(bound.at(1).note, HasSubstr("from (0.00, 1.00, 1.50) m to 'far'"));
 }
 
-TEST(LuminaireValue, WithoutLightNothingIsJudged) {
-  for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "luminaire-distance"}) {
+// At curfew all is off: nothing goes up, and nothing shines to anybody.
+TEST(LuminaireValue, WhatASceneSwitchesOffMeetsEveryLimitFromAbove) {
+  for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "peak-intensity"}) {
     const Bound dark =
         bind_plane(kBall, "<require quantity='" + quantity + "' at-most='5' scene='none'/>");
-    EXPECT_THAT(dark.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+    EXPECT_EQ(dark.at(0).problem, "") << quantity;
+    EXPECT_EQ(dark.at(0).of_space.value, 0.0) << quantity;
+    EXPECT_EQ(dark.at(0).of_space.high, 0.0) << quantity;
+    EXPECT_EQ(dark.at(0).note, "scene 'none' switches every luminaire off: nothing is lit");
+    const Bound least =
+        bind_plane(kBall, "<require quantity='" + quantity + "' at-least='5' scene='none'/>");
+    EXPECT_THAT(least.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+    // One that no scene names stays on.
+    const Bound other =
+        bind_plane(kBall + "<luminaire id='x' type='ball' position='4 4 5'/>",
+                   "<require quantity='" + quantity + "' at-most='5' scene='none'/>");
+    EXPECT_THAT(other.at(0).note, Not(HasSubstr("switches every"))) << quantity;
+  }
+  const Bound distance =
+      bind_plane(kBall, "<require quantity='luminaire-distance' at-most='5' scene='none'/>");
+  EXPECT_THAT(distance.at(0).problem, HasSubstr("no luminaire is on"));
+}
+
+// Before their end they may give anything.
+TEST(LuminaireValue, WhatBatteriesGiveIsNotKnownFromAnEndInTheDark) {
+  const Bound dark = bind_plane("<luminaire id='l' type='ball' position='4 4 2.4' group='g'/>",
+                                "<require pack='en1838' role='glare' scene='none'/>",
+                                "height='1' count='1 1'", kRoom, "</room>");
+  EXPECT_THAT(dark.at(0).problem, HasSubstr("no luminaire is on"));
+}
+
+TEST(LuminaireValue, WithoutLightNothingIsJudged) {
+  for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "luminaire-distance"}) {
     const Bound empty = bind_plane("", "<require quantity='" + quantity + "' at-most='5'/>");
     EXPECT_THAT(empty.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
   }
