@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -31,7 +32,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
     text += fmt::format(" ({})", calc::name_of(requirement.state));
   }
   if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
-  if (is_judged) text += ", margin " + margin_words({}, finding);
+  if (is_judged && std::isfinite(finding.margin)) text += ", margin " + margin_words({}, finding);
   if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
   if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;

@@ -3,6 +3,7 @@
 #include "report/text/words.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -35,9 +36,11 @@ std::string only_workplace(const PlanePart& plane) {
 
 // Advice after everything that counts.
 bool is_nearer(const rules::Finding& a, const rules::Finding& b) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   const bool is_advice = a.requirement.severity == rules::Severity::advice;
   const bool is_other_advice = b.requirement.severity == rules::Severity::advice;
-  return is_advice != is_other_advice ? is_other_advice : a.margin < b.margin;
+  return is_advice != is_other_advice ? is_other_advice
+                                      : rules::margin_or(a, kFar) < rules::margin_or(b, kFar);
 }
 
 std::pair<const PlanePart*, const rules::Finding*> nearest_of(const FoldedPasses& folded) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -233,7 +234,8 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
     told = t.say<Text::value_for_quantity>(
         "<b>" + cells.measured + "</b>",
         escape_html(quantity_words(t, finding.requirement, plane.kernel)), cells.required);
-    told += " " + t.say<Text::margin_of>(cells.margin) + " " + cells.notes;
+    if (std::isfinite(finding.margin)) told += " " + t.say<Text::margin_of>(cells.margin);
+    told += " " + cells.notes;
   }
   const std::string remark = remarks(t, finding);
   return fmt::format(
@@ -376,6 +378,7 @@ HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) 
 
 void HtmlAttention::add_findings(const ProjectPart& project, std::size_t index,
                                  rules::Verdict verdict, Items& items) {
+  constexpr double kFurthest = -std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
     for (std::size_t k = 0; k < space.planes.size(); ++k) {
@@ -386,7 +389,7 @@ void HtmlAttention::add_findings(const ProjectPart& project, std::size_t index,
         const bool is_judged = verdict != rules::Verdict::not_judged;
         items.findings.push_back(
             kept(attention_item(t_, {index, s, k}, space, plane, finding, folder_),
-                 is_judged ? finding.margin : 0.0));
+                 is_judged ? rules::margin_or(finding, kFurthest) : 0.0));
       }
     }
   }

@@ -111,7 +111,7 @@ void check_decision(const Place& place, const rules::Finding& finding) {
   if (!calc::is_finite(measured) && !rules::has_open_ends(finding.requirement, measured)) return;
   const auto [comparison, limit] =
       std::pair(finding.requirement.comparison, finding.requirement.limit);
-  double margin = rules::margin(measured, comparison, limit);
+  double margin = rules::margin_of(finding.requirement, measured, finding.verdict);
   // Files of other programs may have rounded it.
   constexpr double kSame = 1e-9;
   const auto is_like = [&](double other) {

@@ -82,7 +82,8 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.refuse_if(is_judged && std::isnan(requirement.limit), "limit", "a number is needed");
   v.field("measured", finding.measured, {.null_if = !is_judged});
   v.field("margin", or_null(finding.margin),
-          {.words = "(measured - limit) / limit, the sign turned for at_most: positive is good.",
+          {.words = "(measured - limit) / limit, the sign turned for at_most: positive is good. "
+                    "Null also where there is none, as for a limit of 0.",
            .null_if = !is_judged});
   v.field("without_replicate", finding.without_replicate,
           {.words = "The value without each replicate in turn: what differences between results "

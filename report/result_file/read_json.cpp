@@ -162,6 +162,10 @@ void complete(const SpacePart& space, PlanePart& plane) {
   for (rules::Finding& finding : plane.findings) {
     finding.requirement.plane_id = plane.id;
     finding.requirement.derived = plane.derived;
+    // Of results of earlier versions it is 0 where there is none.
+    const bool has_none =
+        finding.requirement.limit == 0.0 || finding.verdict == rules::Verdict::fail;
+    if (finding.margin == 0.0 && has_none) finding.margin = no_estimate().value;
   }
   if (!plane.is_computed) return;
   calc::SensorGrid& grid = plane.grid;

@@ -2,7 +2,9 @@
 
 #include "calc/base/elementary.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rules {
 namespace {
@@ -14,11 +16,20 @@ double loosened(double limit, Comparison comparison, double tolerance) {
   return limit * (is_lower_limit(comparison) ? 1.0 - tolerance : 1.0 + tolerance);
 }
 
+// Reports show two significant digits of small values: 0.6 lx is not printed as 1 lx.
+double as_printed(double value, int digits, Rounding rounding) {
+  constexpr int kSignificant = 2, kMostDigits = 9;
+  if (value == 0.0 || !std::isfinite(value)) return value;
+  const int first = static_cast<int>(std::floor(calc::log10(std::abs(value))));
+  const int of_small = std::min(kSignificant - 1 - first, kMostDigits);
+  return round_to(value, std::max(digits, of_small), rounding);
+}
+
 // Rounding keeps the order of numbers, so that the ends of an interval may be rounded one by one.
 Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double tolerance) {
   const auto is_met = [&](double value, double limit) {
     const double compared =
-        policy.compares_rounded ? round_to(value, comparand.digits, policy.rounding) : value;
+        policy.compares_rounded ? as_printed(value, comparand.digits, policy.rounding) : value;
     return meets(compared, comparand.comparison, loosened(limit, comparand.comparison, tolerance));
   };
   // An end that is open stays so, with a guard of 0, too.
@@ -74,14 +85,14 @@ Decision decide(const Comparand& comparand, const DecisionPolicy& policy) {
                           compare(comparand, policy, 0.0) != Verdict::pass;
   const double value = comparand.measured.value;
   const double limit = loosened(comparand.limit.value, comparand.comparison, policy.tolerance);
-  const double printed = round_to(value, comparand.digits, policy.rounding);
+  const double printed = as_printed(value, comparand.digits, policy.rounding);
   decision.is_close =
       meets(printed, comparand.comparison, limit) != meets(value, comparand.comparison, limit);
   return decision;
 }
 
 double margin(double value, Comparison comparison, double limit) {
-  if (limit == 0.0) return 0.0;
+  if (limit == 0.0) return std::numeric_limits<double>::quiet_NaN();
   const double above = (value - limit) / limit;
   return is_lower_limit(comparison) ? above : -above;
 }

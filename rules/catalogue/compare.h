@@ -19,7 +19,8 @@ const char* verdict_name(Verdict verdict);
 // noise and meets an inclusive limit, and an exclusive one is met only by more than that.
 bool meets(double value, Comparison comparison, double limit);
 
-// What is compared; its ends may be infinite. digits: of the value as it is usually printed.
+// What is compared; its ends may be infinite. digits: after the point, of the value as it is
+// usually printed; of a small one there are more, so that two are significant.
 struct Comparand {
   calc::Estimate measured;
   Comparison comparison = Comparison::at_least;
@@ -38,8 +39,8 @@ struct Decision {
 // pass: the whole interval meets the whole limit; fail: none of it does; else undecided.
 Decision decide(const Comparand& comparand, const DecisionPolicy& policy);
 
-// (value - limit) / limit, sign turned for upper limits, so that > 0 is good. 0 for a limit of 0,
-// which has no relative margin.
+// (value - limit) / limit, sign turned for upper limits, so that > 0 is good. Not a number for a
+// limit of 0, which has no relative margin.
 double margin(double value, Comparison comparison, double limit);
 // Of the value; where an end is open, of the other one, which is what is shown.
 double margin(const calc::Estimate& measured, Comparison comparison, double limit);

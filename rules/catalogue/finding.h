@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -19,9 +20,11 @@ struct Finding {
   Verdict verdict = Verdict::not_judged;
   // Unit of the requirement; meaningless when not_judged. Ends may be open, see has_open_ends().
   calc::Estimate measured;
-  double margin = 0.0;  // (measured - limit) / limit, sign turned for at_most: > 0 is good
-  bool is_close =
-      false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
+  // (measured - limit) / limit, sign turned for at_most: > 0 is good. Not a number where there is
+  // none, see margin_of(); meaningless when not_judged.
+  double margin = 0.0;
+  // Usual rounding (whole lx, two digits of a ratio or of what is small) would change the verdict.
+  bool is_close = false;
   bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
   bool is_doubtful = false;     // its interval cannot be trusted, see `reason`
   bool by_tolerance = false;    // passes only with the tolerance of the policy
@@ -34,5 +37,10 @@ struct Finding {
   // `measured` without each replicate in turn, see rules/measure/leave_one_out.h; empty: not known.
   std::vector<double> without_replicate = {};
 };
+
+// For lists in the order of margins: what has none has `none`.
+inline double margin_or(const Finding& finding, double none) {
+  return std::isnan(finding.margin) ? none : finding.margin;
+}
 
 }  // namespace rules

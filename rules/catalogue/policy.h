@@ -14,7 +14,8 @@ enum class Rounding { half_up, half_even, down };
 struct DecisionPolicy {
   bool compares_rounded = false;  // the value is rounded as it is printed before it is compared
   Rounding rounding = Rounding::half_up;
-  // Digits after the point that are usually printed.
+  // Digits after the point that are usually printed, at least: small values have two significant
+  // ones.
   int illuminance_digits = 0;
   int ratio_digits = 2;
   int other_digits = 1;

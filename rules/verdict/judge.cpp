@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace rules {
@@ -125,7 +126,7 @@ std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
   finding.measured = estimate;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;
-  finding.margin = margin(estimate, requirement.comparison, requirement.limit);
+  finding.margin = margin_of(requirement, estimate, finding.verdict);
   finding.points_used = measurement.points_used;
   if (known->point) finding.place_m = grid.position_m[*known->point];
   finding.reason = is_doubtful ? doubt_text(measurement, grid) : measurement.reason;
@@ -168,6 +169,12 @@ Decision decide(const Requirement& requirement, const calc::Estimate& measured) 
                 requirement.policy);
 }
 
+double margin_of(const Requirement& requirement, const calc::Estimate& measured, Verdict verdict) {
+  const double of_value = margin(measured, requirement.comparison, requirement.limit);
+  const bool reads_as_good = verdict == Verdict::fail && of_value >= 0.0;
+  return reads_as_good ? std::numeric_limits<double>::quiet_NaN() : of_value;
+}
+
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid) {
   if (auto failed = failed_despite_doubt(requirement, measurement, grid)) return *failed;
@@ -188,7 +195,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.verdict = decision.verdict;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;
-  finding.margin = margin(estimate, requirement.comparison, limit);
+  finding.margin = margin_of(requirement, estimate, finding.verdict);
   finding.points_used = measurement.points_used;
   finding.without_replicate = measurement.without_replicate;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];

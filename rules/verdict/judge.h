@@ -30,6 +30,10 @@ bool has_open_ends(const Requirement& requirement, const calc::Estimate& measure
 // unit_of(requirement), finite or as has_open_ends() has it.
 Decision decide(const Requirement& requirement, const calc::Estimate& measured);
 
+// margin() of what was judged so; not a number where there is none. What fails has none that reads
+// as good: where a limit that is left out is met exactly, or a policy rounds.
+double margin_of(const Requirement& requirement, const calc::Estimate& measured, Verdict verdict);
+
 // What a measurement says about its requirement.
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid);

@@ -117,7 +117,7 @@ Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMem
   finding.verdict = decision.verdict;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;
-  finding.margin = margin(*sum, requirement.comparison, requirement.limit);
+  finding.margin = margin_of(requirement, finding.measured, finding.verdict);
   return finding;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,13 +36,14 @@ std::string group_table(const SceneAdvice& advice) {
 }
 
 std::string nearest_limits(const SceneAdvice& advice) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<const AdvisedRequirement*> near;
   for (const AdvisedRequirement& one : advice.requirements) {
     if (one.not_searched.empty() && one.after.verdict == rules::Verdict::pass) near.push_back(&one);
   }
   std::stable_sort(near.begin(), near.end(),
                    [](const AdvisedRequirement* a, const AdvisedRequirement* b) {
-                     return a->after.margin < b->after.margin;
+                     return rules::margin_or(a->after, kFar) < rules::margin_or(b->after, kFar);
                    });
   if (near.size() > kMostNamedLimits) near.resize(kMostNamedLimits);
   std::string text;

@@ -4,6 +4,7 @@
 #include "report/text/number_format.h"
 #include "report/text/shell_words.h"
 #include "rules/catalogue/compare.h"
+#include "rules/verdict/judge.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +30,10 @@ double without_noise(double sum) {
 std::optional<calc::Estimate> margin_of(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const double limit = requirement.limit;
-  if (!std::isfinite(limit) || limit == 0.0) return std::nullopt;
+  if (!std::isfinite(limit)) return std::nullopt;
+  if (std::isnan(rules::margin_of(requirement, finding.measured, finding.verdict))) {
+    return std::nullopt;
+  }
   const auto margin = [&](double value) {
     return without_noise(rules::margin(value, requirement.comparison, limit));
   };

@@ -203,6 +203,28 @@ TEST(NothingChosen, IsAnErrorInEveryFormat) {
   EXPECT_EQ(render_json(*read), json);
 }
 
+// "+0.0 %" beside a failure reads as good.
+TEST(Margin, IsNotShownWhereThereIsNone) {
+  using testing::AllOf, testing::HasSubstr, testing::Not;
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.requirement.comparison = rules::Comparison::at_most;
+  finding.requirement.limit = 0.0;
+  finding.measured = {0.25, 0.25, 0.25};
+  finding.verdict = rules::Verdict::fail;
+  finding.is_close = false;
+  finding.margin = rules::margin_of(finding.requirement, finding.measured, finding.verdict);
+  document.projects[0].spaces[0].planes[0].findings.resize(1);
+  for (const std::string& text :
+       {render_text(document), render_markdown(document), render_html(document),
+        render_junit(document), render_sarif(document, SarifContent::problems),
+        render_github(document), render_gitlab(document), render_results_csv(document)}) {
+    EXPECT_THAT(text, Not(HasSubstr("+0.0")));
+  }
+  EXPECT_THAT(render_text(document), HasSubstr("–"));
+  EXPECT_THAT(render_json(document), HasSubstr("\"margin\": null"));
+}
+
 // Of one project of several: the options have chosen something.
 TEST(NothingChosen, OfOneProjectIsNoError) {
   using testing::HasSubstr, testing::Not;

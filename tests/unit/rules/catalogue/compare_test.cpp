@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace rules::compare_test {
@@ -118,6 +119,29 @@ TEST(Decide, FlagsAVerdictThatRoundingWouldTurn) {
   EXPECT_FALSE(is_close(0.594, kAtLeast, 0.60, 2));
 }
 
+// Whole lux are not usual at 1 lx: 0.6 lx is printed as 0.60, and 2.4 lx as 2.4.
+TEST(Decide, SmallValuesArePrintedWithTwoSignificantDigits) {
+  const auto decided = [](double value, Comparison comparison, double limit,
+                          const DecisionPolicy& policy = {}) {
+    return decision_of({value, value, value}, comparison, {limit, limit, limit}, policy, 0);
+  };
+  EXPECT_FALSE(decided(0.60, kAtLeast, 1).is_close);
+  EXPECT_FALSE(decided(0.99, kAtLeast, 1).is_close);
+  EXPECT_TRUE(decided(0.996, kAtLeast, 1).is_close);
+  EXPECT_FALSE(decided(2.4, kAtMost, 2).is_close);
+  EXPECT_TRUE(decided(2.04, kAtMost, 2).is_close);
+  EXPECT_FALSE(decided(9.6, kAtLeast, 10).is_close);
+  EXPECT_TRUE(decided(9.96, kAtLeast, 10).is_close);
+  EXPECT_TRUE(decided(10.4, kAtMost, 10).is_close);
+  EXPECT_FALSE(decided(0.0, kAtLeast, 1).is_close);
+  // Nor does a policy of whole lux make 1 lx of them.
+  DecisionPolicy rounded;
+  rounded.compares_rounded = true;
+  EXPECT_EQ(decided(0.6, kAtLeast, 1, rounded).verdict, Verdict::fail);
+  EXPECT_EQ(decided(0.996, kAtLeast, 1, rounded).verdict, Verdict::pass);
+  EXPECT_EQ(decided(499.6, kAtLeast, 500, rounded).verdict, Verdict::pass);
+}
+
 TEST(Margin, IsPositiveOnTheGoodSide) {
   EXPECT_DOUBLE_EQ(margin(550, kAtLeast, 500), 0.1);
   EXPECT_DOUBLE_EQ(margin(450, kAtLeast, 500), -0.1);
@@ -125,9 +149,9 @@ TEST(Margin, IsPositiveOnTheGoodSide) {
   EXPECT_DOUBLE_EQ(margin(550, kAtMost, 500), -0.1);
 }
 
-TEST(Margin, OfALimitOfZeroIsZero) {
-  EXPECT_EQ(margin(7, kAtLeast, 0), 0.0);
-  EXPECT_EQ(margin(7, kAtMost, 0), 0.0);
+TEST(Margin, OfALimitOfZeroThereIsNone) {
+  EXPECT_TRUE(std::isnan(margin(7, kAtLeast, 0)));
+  EXPECT_TRUE(std::isnan(margin(7, kAtMost, 0)));
 }
 
 TEST(RoundTo, HalfUpIsAsWritten) {

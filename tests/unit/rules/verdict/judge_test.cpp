@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace rules::judge_test {
@@ -67,6 +68,28 @@ TEST(Judge, PassesWithValueMarginAndPlace) {
   EXPECT_EQ(*finding.place_m, glm::dvec3(1.5, 0.25, 0.75));
   EXPECT_EQ(finding.reason, "");
   EXPECT_EQ(finding.requirement.metric, Metric::minimum);
+}
+
+// 0.25 % upwards where none is allowed is no margin of "+0.0 %".
+TEST(Judge, WhatFailsHasNoMarginThatReadsAsGood) {
+  Requirement none = at_least(Metric::maximum, 0.0);
+  none.comparison = Comparison::at_most;
+  const Finding of_nothing = judge(none, exact_field({500, 300, 400}));
+  EXPECT_EQ(of_nothing.verdict, Verdict::fail);
+  EXPECT_TRUE(std::isnan(of_nothing.margin));
+  // 240 lx is not more than 240 lx.
+  Requirement more = at_least(Metric::minimum, 240.0);
+  more.comparison = Comparison::more_than;
+  const Finding exactly = judge(more, exact_field({500, 300, 400}));
+  EXPECT_EQ(exactly.verdict, Verdict::fail);
+  EXPECT_TRUE(std::isnan(exactly.margin));
+  // 239.6 lx, rounded down.
+  Requirement rounded = at_least(Metric::minimum, 239.5);
+  rounded.policy.compares_rounded = true;
+  rounded.policy.rounding = Rounding::down;
+  const Finding by_rounding = judge(rounded, exact_field({500, 299.5, 400}));
+  EXPECT_EQ(by_rounding.verdict, Verdict::fail);
+  EXPECT_TRUE(std::isnan(by_rounding.margin));
 }
 
 // A refused plane has no values: its zeros must never be judged.
