@@ -16,6 +16,7 @@ struct RowUse {
   std::vector<std::string> rooms;  // ids, each once
   int times = 0;                   // it is asked, by workplaces or by planes of a room together
   int whole = 0;                   // of these: nothing of the row was never asked
+  int excepted = 0;                // of these: something of the row is waived or left out
   int requirements = 0, met = 0;   // that count, each once
   // The gravest of them, and of the pack's aggregates that they are members of.
   rules::Outcome outcome = rules::Outcome::nothing_asked;
@@ -24,7 +25,7 @@ struct RowUse {
   std::string room = {}, plane = {}, requirement = {};
 
   // Asked as a whole wherever it is asked, and everything met.
-  bool is_met() const { return outcome == rules::Outcome::pass && whole == times; }
+  bool is_met() const { return outcome == rules::Outcome::pass && whole == times && excepted == 0; }
 };
 
 // In the order in which rows are first asked. Rows with levels of their own are rows by themselves.

@@ -43,10 +43,11 @@ Nearest nearest_of(const Texts& t, const ProjectPart& project, const RowUse& use
 
 std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
   // No tick where the row is nowhere known to be met.
-  const bool is_in_part = use.outcome == rules::Outcome::pass && !use.is_met();
-  const std::string verdict = is_in_part ? std::string("– ") + t[Text::asked_in_part]
-                                         : fmt::format("{} {}", outcome_symbol(use.outcome),
-                                                       escape_html(outcome_words(t, use.outcome)));
+  const bool is_less = use.outcome == rules::Outcome::pass && !use.is_met();
+  const Text less = use.whole < use.times ? Text::asked_in_part : Text::met_with_exceptions;
+  const std::string verdict = is_less ? std::string("– ") + t[less]
+                                      : fmt::format("{} {}", outcome_symbol(use.outcome),
+                                                    escape_html(outcome_words(t, use.outcome)));
   const Nearest nearest = nearest_of(t, project, use);
   return fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(clause_words(t, use.clause))) +
          number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +

@@ -441,11 +441,14 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
     if (role.words.empty()) refuse_place(place, "words", "it is not said of what part");
     return;
   }
+  bool has_waived = false;
   for (std::size_t i = 0; i < role.of.size(); ++i) {
-    outcome = graver(outcome, outcome_of(*findings.of(place, i, role.of[i]).finding));
+    const rules::Outcome of_one = outcome_of(*findings.of(place, i, role.of[i]).finding);
+    outcome = graver(outcome, of_one);
+    has_waived = has_waived || of_one == rules::Outcome::waived;
   }
   if (!role.of.empty()) {
-    expect(place, "state", role.state, rules::state_of(outcome), "from what is asked");
+    expect(place, "state", role.state, rules::state_of(outcome, has_waived), "from what is asked");
   } else if (rules::is_of_findings(role.state)) {
     expect(place, "state", role.state, rules::RoleState::never_asked, "nothing is asked");
   }

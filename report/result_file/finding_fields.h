@@ -202,7 +202,11 @@ void describe(auto& v, Is<rules::RowCoverage> auto& row) {
   v.field("clause", row.clause);
   v.written("is_whole", [&] { return row.is_whole(); },
             {.words = "Nothing of the row was never asked."});
-  v.written("is_met", [&] { return row.is_met(); });
+  v.written("is_met", [&] { return row.is_met(); },
+            {.words = "All of the row is met, with nothing waived and nothing left out."});
+  v.written("is_accepted", [&] { return row.is_accepted(); },
+            {.words = "All of the row is met but for what is waived or left out.",
+             .presence = kSinceLater});
   v.field("roles", row.roles);
 }
 

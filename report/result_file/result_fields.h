@@ -468,12 +468,16 @@ void describe(auto& v, Is<RowUse> auto& use) {
   v.field("rooms", use.rooms, {.words = "Their ids."});
   v.field("times", use.times, {.words = "By how many workplaces, or planes of a room together."});
   v.field("whole", use.whole, {.words = "Of these: nothing of the row was never asked."});
+  v.field(
+      "excepted", use.excepted,
+      {.words = "Of these: something of the row is waived or left out.", .presence = kSinceLater});
   v.field("requirements", use.requirements, {.words = "That count, each once."});
   v.field("met", use.met);
   v.field("outcome", use.outcome,
           {.words = "The gravest of what is asked, and of the aggregates that it is in."});
   v.written("is_met", [&] { return use.is_met(); },
-            {.words = "Everything is met, and the row asked as a whole wherever it is asked."});
+            {.words = "Everything is met, and the row asked as a whole wherever it is asked, with "
+                      "nothing waived and nothing left out."});
   v.field("margin", use.margin, {.words = "The smallest; null: nothing has one."});
   v.field("room", use.room, {.words = "Whose margin it is, with plane and requirement."});
   v.field("plane", use.plane);

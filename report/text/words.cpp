@@ -327,7 +327,23 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   std::string words = !row.is_whole() && asked.empty() ? t.say<Text::row_not_asked>(title)
                       : !row.is_whole()                ? t.say<Text::row_in_part>(title, asked)
                       : row.is_met()                   ? t.say<Text::row_is_met>(title)
+                      : row.is_accepted()              ? t.say<Text::row_is_accepted>(title)
+                      : row.has_exceptions()           ? t.say<Text::row_is_not_met>(title)
                                                        : t.say<Text::row_is_asked>(title);
+  if (row.is_whole()) {
+    std::string waived_roles, zones;
+    const auto add = [&t](const std::string& role, std::string& list) {
+      list += (list.empty() ? "" : ", ") + printable(role_words(t, role));
+    };
+    for (const rules::RoleCoverage& role : row.roles) {
+      if (role.state == waived) add(role.role, waived_roles);
+      for (const rules::LeftOutZone& zone : role.left_out) add(zone.zone, zones);
+    }
+    words += end(
+        said(waived_roles, [&](const auto& roles) { return t.say<Text::roles_waived>(roles); }));
+    words +=
+        end(said(zones, [&](const auto& roles) { return t.say<Text::roles_left_out>(roles); }));
+  }
   words += end(said(roles_in(t, row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
   // Of a workplace the room's notes say the rest.

@@ -241,14 +241,15 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   RoleCoverage coverage;
   coverage.role = role;
   Outcome outcome = Outcome::nothing_asked;
-  bool is_asked = false;
+  bool is_asked = false, has_waived = false;
   for (const auto& [check, finding] : asked.findings) {
     if (check->role != role || check->severity == Severity::advice) continue;
     outcome = graver(outcome, outcome_of(*finding));
+    has_waived = has_waived || outcome_of(*finding) == Outcome::waived;
     coverage.of.push_back({finding->requirement.plane_id, finding->requirement.id});
     is_asked = true;
   }
-  if (is_asked) coverage.state = state_of(outcome);
+  if (is_asked) coverage.state = state_of(outcome, has_waived);
   const RuleCheck* other = alternative_to(*needed, *asked.pack);
   if (other != nullptr && !is_asked && asked.workplace == nullptr) {
     // Missed is the one that the other stands for.
@@ -301,10 +302,10 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
 
 }  // namespace
 
-RoleState state_of(Outcome outcome) {
+RoleState state_of(Outcome outcome, bool has_waived) {
   switch (outcome) {
     case Outcome::pass:
-      return RoleState::met;
+      return has_waived ? RoleState::waived : RoleState::met;
     case Outcome::fail:
       return RoleState::failed;
     case Outcome::undecided:
@@ -326,7 +327,15 @@ bool RowCoverage::is_whole() const {
   });
 }
 
-bool RowCoverage::is_met() const {
+bool RowCoverage::has_exceptions() const {
+  return std::any_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
+    return role.state == RoleState::waived ||
+           std::any_of(role.left_out.begin(), role.left_out.end(),
+                       [](const LeftOutZone& zone) { return !zone.has_ended; });
+  });
+}
+
+bool RowCoverage::is_accepted() const {
   return std::all_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
     return role.state == RoleState::met || role.state == RoleState::waived ||
            role.state == RoleState::left_out || role.state == RoleState::not_made ||

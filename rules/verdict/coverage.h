@@ -18,7 +18,7 @@ enum class RoleState {
   failed,
   undecided,
   not_judged,
-  waived,
+  waived,          // something of it, and the rest is met
   left_out,        // by the project, by name
   left_out_ended,  // so it was, and the last day is over
   not_made,        // by a workplace, which has no place for it in this room
@@ -27,8 +27,9 @@ enum class RoleState {
   asked_in_part,  // of some of the walls only; or it is not known which walls there are
 };
 
-// Of a role that is asked for: what everything that is asked came to.
-RoleState state_of(Outcome outcome);
+// Of a role that is asked for: what everything that is asked came to. has_waived: something of it
+// is waived.
+RoleState state_of(Outcome outcome, bool has_waived);
 // Something is asked for, and this is what it came to.
 constexpr bool is_of_findings(RoleState state) { return state <= RoleState::waived; }
 // A role, or a part of it, that the project leaves out.
@@ -61,7 +62,12 @@ struct RowCoverage {
 
   // Nothing of it was never asked, or is no longer, or is asked of a part only.
   bool is_whole() const;
-  bool is_met() const;  // whole, and all that was asked is met
+  // Something of it is waived, or left out by the project.
+  bool has_exceptions() const;
+  // Whole, and all that is neither waived nor left out is met.
+  bool is_accepted() const;
+  // So it is, without exceptions: only then may anybody say that the row is met.
+  bool is_met() const { return is_accepted() && !has_exceptions(); }
 };
 
 // Of all rows that something in the space refers to: workplaces in file order, then rows of

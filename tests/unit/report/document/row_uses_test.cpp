@@ -129,6 +129,21 @@ TEST(RowUses, AreWhatTheirAggregatesAre) {
   EXPECT_FALSE(row_uses(in_part)[0].is_met());
 }
 
+TEST(RowUses, AreNotMetWhereSomethingIsWaivedOrLeftOut) {
+  SpacePart waived = room("a", kDesk, {{"a.1", "Em"}});
+  waived.coverage[0].roles[0].state = rules::RoleState::waived;
+  SpacePart left_out = room("b", kDesk, {{"b.1", "Em"}});
+  left_out.coverage[0].roles.push_back(
+      {"wall", rules::RoleState::left_out, "", {}, {{"wall", {}, false}}});
+  for (const SpacePart& space : {waived, left_out}) {
+    const RowUse use = row_uses(project_of({space}))[0];
+    EXPECT_EQ(use.outcome, rules::Outcome::pass);
+    EXPECT_EQ(use.whole, use.times);
+    EXPECT_EQ(use.excepted, 1);
+    EXPECT_FALSE(use.is_met());
+  }
+}
+
 TEST(RowUses, AreNoneWithoutRows) { EXPECT_THAT(row_uses(project_of({SpacePart{}})), IsEmpty()); }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
+#include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 #include "tests/support/legible.h"
 #include "tests/support/sample_document.h"
@@ -78,6 +79,31 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
       EXPECT_THAT(text, HasSubstr(words)) << format.name;
     }
   }
+}
+
+// The exit code is 0, and still nobody may read that the row is met.
+TEST(StandardWords, ARowIsNotMetByWaivingIt) {
+  Document document = small_document();
+  const rules::Waiver by{"later", "B. Roe", "2027-03-31"};
+  document.projects[0].spaces[0].coverage = {
+      {"desk",
+       "EN 12464-1:2021 14.1",
+       {{"task", rules::RoleState::waived, ""},
+        {"surround", rules::RoleState::left_out, "", {}, {{"surround", by, false}}},
+        {"wall", rules::RoleState::met, "", {}, {{"wall.2", by, false}}}}}};
+  for (const Format& format : formats()) {
+    EXPECT_THAT(legible(format, document), Not(HasSubstr("whole row is met"))) << format.name;
+  }
+  const rules::RowCoverage row = document.projects[0].spaces[0].coverage[0];
+  EXPECT_EQ(
+      coverage_words({}, row),
+      "desk, EN 12464-1:2021 14.1: met but for what is waived or left out; waived: task; left "
+      "out: surround, wall.2");
+  rules::RowCoverage failed = row;
+  failed.roles[0].state = rules::RoleState::failed;
+  EXPECT_EQ(coverage_words({}, failed),
+            "desk, EN 12464-1:2021 14.1: not all that is asked of the row is met; left out: "
+            "surround, wall.2");
 }
 
 TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {

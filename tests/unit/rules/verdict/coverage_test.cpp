@@ -170,15 +170,36 @@ Covered with_end(const std::string& role, const std::string& today) {
 }
 
 TEST(RowCoverage, WhatWasLeftOutUpToADayIsAskedForAfterIt) {
-  EXPECT_TRUE(with_end("ceiling", "2026-12-31").rows.at(0).is_met());
+  const Covered before = with_end("ceiling", "2026-12-31");
+  EXPECT_TRUE(before.rows.at(0).is_accepted());
+  EXPECT_TRUE(before.rows.at(0).has_exceptions());
+  EXPECT_FALSE(before.rows.at(0).is_met());
   const Covered ended = with_end("ceiling", "2027-01-01");
   EXPECT_FALSE(ended.rows.at(0).is_whole());
-  EXPECT_FALSE(ended.rows.at(0).is_met());
+  EXPECT_FALSE(ended.rows.at(0).is_accepted());
   EXPECT_EQ(ended.planes.back(), "w.ceiling 2");
   const RoleCoverage& ceiling = ended.rows[0].roles.at(4);
   EXPECT_EQ(ceiling.state, RoleState::left_out_ended);
   EXPECT_EQ(ceiling.words, "leaving it out ended on 2026-12-31, by A. Meier: glass");
   EXPECT_TRUE(ceiling.left_out.at(0).has_ended);
+}
+
+// A task with a quarter of its light that somebody waives is not met, and nor is its row.
+TEST(RowCoverage, WhatIsWaivedIsAcceptedAndNotMet) {
+  using enum Outcome;
+  EXPECT_EQ(state_of(pass, false), RoleState::met);
+  EXPECT_EQ(state_of(pass, true), RoleState::waived);
+  EXPECT_EQ(state_of(waived, true), RoleState::waived);
+  EXPECT_EQ(state_of(fail, true), RoleState::failed);
+  RowCoverage row{"w", "EN 12464-1:2021 34.2", {{"task", RoleState::met, ""}}};
+  EXPECT_TRUE(row.is_met());
+  row.roles.push_back({"wall", RoleState::waived, ""});
+  EXPECT_TRUE(row.is_whole());
+  EXPECT_TRUE(row.is_accepted());
+  EXPECT_FALSE(row.is_met());
+  row.roles.back() = {"wall", RoleState::met, "", {}, {{"wall.1", {}, false}}};
+  EXPECT_TRUE(row.is_accepted());
+  EXPECT_FALSE(row.is_met());
 }
 
 // The other walls pass, and the role must not.
