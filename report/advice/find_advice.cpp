@@ -2,6 +2,7 @@
 
 #include "calc/base/sentences.h"
 #include "report/advice/level_solver.h"
+#include "report/text/known_words.h"
 #include "report/text/words.h"
 #include "rules/measure/level_conditions.h"
 #include "rules/verdict/judge.h"
@@ -365,9 +366,9 @@ class SceneSearch {
       if (!rules::counts(rules::outcome_of(finding)) || finding.verdict == rules::Verdict::pass) {
         continue;
       }
-      advice_.aggregates_not_met.push_back(
-          fmt::format("{} ({})", finding.clause.empty() ? finding.id : finding.clause,
-                      calc::name_of(finding.verdict)));
+      advice_.aggregates_not_met.push_back(fmt::format(
+          "{} ({})", finding.clause.empty() ? finding.id : report::clause_words({}, finding),
+          calc::name_of(finding.verdict)));
     }
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       Asked& asked = asked_[i];

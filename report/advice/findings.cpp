@@ -1,5 +1,6 @@
 #include "report/advice/findings.h"
 
+#include "report/text/known_words.h"
 #include "report/text/words.h"
 #include "rules/catalogue/metric.h"
 #include "rules/verdict/outcome.h"
@@ -65,8 +66,9 @@ std::vector<std::string> not_met_findings(const report::ProjectPart& part) {
     if (!rules::counts(rules::outcome_of(finding)) || finding.verdict == rules::Verdict::pass) {
       continue;
     }
-    words.push_back(fmt::format("{} ({})", finding.clause.empty() ? finding.id : finding.clause,
-                                calc::name_of(finding.verdict)));
+    words.push_back(fmt::format(
+        "{} ({})", finding.clause.empty() ? finding.id : report::clause_words({}, finding),
+        calc::name_of(finding.verdict)));
   }
   return words;
 }
@@ -90,7 +92,8 @@ std::vector<std::string> broken_findings(const report::ProjectPart& before,
     }
     const bool is_kept = a < after.aggregates.size() && after.aggregates[a].id == finding.id &&
                          after.aggregates[a].verdict == rules::Verdict::pass;
-    if (!is_kept) broken.push_back(finding.clause.empty() ? finding.id : finding.clause);
+    if (!is_kept)
+      broken.push_back(finding.clause.empty() ? finding.id : report::clause_words({}, finding));
   }
   return broken;
 }

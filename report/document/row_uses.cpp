@@ -31,8 +31,8 @@ void add_finding(const SpacePart& space, const std::string& plane, const rules::
 
 std::vector<RowUse> row_uses(const ProjectPart& project) {
   std::vector<RowUse> uses;
-  std::map<std::string, std::size_t> index;     // by clause
-  std::map<std::size_t, std::set<Name>> taken;  // by use: walls that workplaces share
+  std::map<std::pair<std::string, bool>, std::size_t> index;  // by clause, and who supplies it
+  std::map<std::size_t, std::set<Name>> taken;                // by use: walls that workplaces share
   for (const SpacePart& space : project.spaces) {
     std::map<Name, const rules::Finding*> findings;
     for (const PlanePart& plane : space.planes) {
@@ -41,8 +41,12 @@ std::vector<RowUse> row_uses(const ProjectPart& project) {
       }
     }
     for (const rules::RowCoverage& row : space.coverage) {
-      const auto [found, is_new] = index.emplace(row.clause, uses.size());
-      if (is_new) uses.emplace_back().clause = row.clause;
+      const auto [found, is_new] =
+          index.emplace(std::pair(row.clause, row.is_user_supplied), uses.size());
+      if (is_new) {
+        uses.emplace_back().clause = row.clause;
+        uses.back().is_user_supplied = row.is_user_supplied;
+      }
       RowUse& use = uses[found->second];
       if (use.rooms.empty() || use.rooms.back() != space.id) use.rooms.push_back(space.id);
       ++use.times;

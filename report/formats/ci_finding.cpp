@@ -34,7 +34,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
   if (is_judged && std::isfinite(finding.margin)) text += ", margin " + margin_words({}, finding);
   if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
-  if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
+  if (!requirement.clause.empty()) text += " [" + clause_words({}, requirement) + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
   if (const std::string note = note_words(finding); !note.empty()) text += " (" + note + ")";
   if (finding.is_close) text += " (" + close_words(finding) + ")";
@@ -89,7 +89,7 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
 std::string aggregate_message(const rules::AggregateFinding& finding) {
   std::string text = fmt::format("{}: {}, required {}", aggregate_title({}, finding),
                                  aggregate_measured({}, finding), aggregate_required({}, finding));
-  if (!finding.clause.empty()) text += " [" + finding.clause + "]";
+  if (!finding.clause.empty()) text += " [" + clause_words({}, finding) + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
   if (const std::string note = aggregate_note({}, finding); !note.empty())
     text += " (" + note + ")";
@@ -167,9 +167,10 @@ std::vector<std::string> ci_left_out(const ProjectPart& project) {
       for (const rules::RoleCoverage& role : row.roles) {
         for (const rules::LeftOutZone& zone : role.left_out) {
           if (zone.has_ended) continue;  // told by its plane, which is not judged
-          list.push_back(printable(
-              fmt::format("{}: {}, {}: left out: {} ({})", title_of(space.name, space.id),
-                          row.workplace, row.clause, zone.zone, rules::waiver_words(zone.by))));
+          list.push_back(printable(fmt::format(
+              "{}: {}, {}: left out: {} ({})", title_of(space.name, space.id), row.workplace,
+              clause_words({}, row.clause, rules::source_of_pack(row.is_user_supplied)), zone.zone,
+              rules::waiver_words(zone.by))));
         }
       }
     }

@@ -105,6 +105,9 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   }
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  // Clauses have no column here; who must not be taken for a standard is named all the same.
+  if (const std::string words = foreign_clause_words(t, requirement); !words.empty())
+    note(printable(words));
   if (!finding.reason.empty())
     note(printable(sentence(t, finding.reason, known_words(t, finding))));
   if (const std::string words = note_words(t, finding); !words.empty()) note(printable(words));
@@ -203,6 +206,7 @@ std::vector<std::string> folded_notes(const Texts& t, const FoldedPasses& folded
     for (rules::Finding finding : plane->findings) {
       finding.requirement.mask.id.clear();
       finding.requirement.severity = rules::Severity::shall;
+      add(printable(foreign_clause_words(t, finding.requirement)));
       add(printable(note_words(t, finding)));
     }
     for (const std::string& remark : plane->remarks) add(printable(sentence(t, remark)));
@@ -282,6 +286,8 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
     line.cells[kMargin] = format_margin(t, finding.sum->margin);
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  const bool is_of_pack = !finding.sum && !finding.is_user_supplied;
+  if (!is_of_pack && !finding.clause.empty()) note(printable(clause_words(t, finding)));
   if (!finding.reason.empty()) note(printable(sentence(t, finding.reason, known)));
   if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
 }

@@ -27,7 +27,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
   if (const rules::AggregateFinding* aggregate = entry.aggregate) {
     std::string words = aggregate_title(t, *aggregate);
-    if (!aggregate->clause.empty()) words += ", " + clause_words(t, aggregate->clause);
+    if (!aggregate->clause.empty()) words += ", " + clause_words(t, *aggregate);
     if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
     if (!aggregate->reason.empty())
       words += "; " + sentence(t, aggregate->reason, known_words(t, *entry.project));
@@ -43,8 +43,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel) +
                                          scene_words(t, requirement));
-  if (!requirement.clause.empty())
-    quantity += ", " + escape_markdown(clause_words(t, requirement.clause));
+  if (!requirement.clause.empty()) quantity += ", " + escape_markdown(clause_words(t, requirement));
   if (const std::string note = note_words(t, *finding); !note.empty()) {
     quantity += " (" + escape_markdown(note) + ")";
   }

@@ -48,6 +48,7 @@ constexpr std::array kResultColumns{
     TableColumn{"severity", "Severity", 12},
     TableColumn{"waiver", "Waived by", 30},
     TableColumn{"note", "Notes (also trust in the requirement)", 45},
+    TableColumn{"source", "Who says the limit", 14},
     TableColumn{"required", "Required", 14, kOfColumn, false},
     TableColumn{"counts", "Counts", 12, kOfColumn, false},
     TableColumn{"close", "Close to the limit", 30, kOfColumn, false}};
@@ -129,6 +130,7 @@ void add_finding(ResultRow row, const rules::Finding& finding, const VisitRow& v
   row.set("scene", requirement.scene);
   row.set("state", calc::name_of(requirement.state));
   row.set("clause", requirement.clause);
+  row.set("source", calc::name_of(rules::source_of(requirement)));
   row.set("comparison", calc::name_of(requirement.comparison));
   if (!std::isnan(requirement.limit)) row.set("limit", requirement.limit);
   if (finding.verdict != rules::Verdict::not_judged) add_numbers(finding, row);
@@ -171,6 +173,7 @@ void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& fi
   ResultRow row =
       row_of(project, finding.space_id, finding.plane_id, finding.id, calc::name_of(finding.kind));
   row.set("clause", finding.clause);
+  row.set("source", calc::name_of(rules::source_of_pack(finding.is_user_supplied)));
   row.set("verdict", rules::verdict_name(finding.verdict));
   row.set("reason", words);
   row.set("required", required);
@@ -196,6 +199,7 @@ void add_row_in_part(const ProjectPart& project, const SpacePart& space,
   row.set("space", space.id);
   row.set("requirement", coverage.workplace);
   row.set("clause", coverage.clause);
+  row.set("source", calc::name_of(rules::source_of_pack(coverage.is_user_supplied)));
   row.set("verdict", "in part");
   row.set("reason", coverage_words({}, coverage));
   row.visit_with(visit);
@@ -210,6 +214,7 @@ void add_left_out(const ProjectPart& project, const SpacePart& space,
   row.set("space", space.id);
   row.set("plane", coverage.workplace + "." + zone.zone);
   row.set("clause", coverage.clause);
+  row.set("source", calc::name_of(rules::source_of_pack(coverage.is_user_supplied)));
   row.set("verdict", "left out");
   row.set("waiver", waiver_text(zone.by));
   row.visit_with(visit);

@@ -63,9 +63,10 @@ class SheetOrder {
   std::vector<TableCell> row_;
 };
 
-constexpr std::array<std::string_view, 17> kResultsFirst{
-    "verdict", "project", "space",  "plane",  "requirement", "quantity", "required", "value", "low",
-    "high",    "unit",    "margin", "counts", "reason",      "clause",   "waiver",   "note"};
+constexpr std::array<std::string_view, 18> kResultsFirst{
+    "verdict",  "project", "space",  "plane",  "requirement", "quantity",
+    "required", "value",   "low",    "high",   "unit",        "margin",
+    "counts",   "reason",  "clause", "source", "waiver",      "note"};
 
 TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
 

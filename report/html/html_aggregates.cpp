@@ -17,7 +17,7 @@ namespace {
 
 // Clause and remarks under the title; finished HTML.
 std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
-  std::string notes = escape_html(clause_words(t, finding.clause));
+  std::string notes = escape_html(clause_words(t, finding));
   const auto add = [&notes](const std::string& text) {
     if (!text.empty()) notes += (notes.empty() ? "" : " · ") + text;
   };

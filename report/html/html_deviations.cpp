@@ -35,7 +35,7 @@ std::string asked_words(const Texts& t, const PlanePart& plane, const rules::Fin
   }
   words += std::string(t[Text::colon]) + verdict_words(t, finding.verdict);
   if (!requirement.clause.empty())
-    words += "<span class=\"note\">" + escape_html(clause_words(t, requirement.clause)) + "</span>";
+    words += "<span class=\"note\">" + escape_html(clause_words(t, requirement)) + "</span>";
   return words;
 }
 
@@ -73,7 +73,9 @@ std::string role_rows(const Texts& t, const std::string& where, const rules::Row
                       const rules::RoleCoverage& role) {
   std::string rows;
   const std::string clause =
-      "<span class=\"note\">" + escape_html(clause_words(t, row.clause)) + "</span>";
+      "<span class=\"note\">" +
+      escape_html(clause_words(t, row.clause, rules::source_of_pack(row.is_user_supplied))) +
+      "</span>";
   for (const rules::LeftOutZone& zone : role.left_out) {
     rows += row_html(t[zone.has_ended ? Text::left_out_ended : Text::left_out_of_row], where,
                      escape_html(zone.zone) + clause, escape_html(zone.by.reason),

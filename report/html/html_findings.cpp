@@ -312,7 +312,7 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
   const auto note = [&notes](const std::string& text) {
     notes += (notes.empty() ? "" : " · ") + text;
   };
-  if (!requirement.clause.empty()) note(escape_html(clause_words(t, requirement.clause)));
+  if (!requirement.clause.empty()) note(escape_html(clause_words(t, requirement)));
   if (requirement.state != rules::LightState::maintained)
     note(light_state_words(t, requirement.state));
   if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));

@@ -49,7 +49,9 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
                                       : fmt::format("{} {}", outcome_symbol(use.outcome),
                                                     escape_html(outcome_words(t, use.outcome)));
   const Nearest nearest = nearest_of(t, project, use);
-  return fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(clause_words(t, use.clause))) +
+  return fmt::format("<tr><th scope=\"row\">{}</th>",
+                     escape_html(clause_words(t, use.clause,
+                                              rules::source_of_pack(use.is_user_supplied)))) +
          number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +
          number_cell(t.say<Text::so_many_of>(use.met, use.requirements)) +
          number_cell(t.say<Text::so_many_of>(use.whole, use.times)) + number_cell(nearest.margin) +

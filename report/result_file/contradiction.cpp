@@ -419,7 +419,7 @@ void check_aggregate(const Place& place, const ProjectPart& project, const Findi
 }
 
 void check_role(const Place& place, const Findings& findings, const rules::RoleCoverage& role,
-                std::string_view day) {
+                bool is_user_supplied, std::string_view day) {
   bool has_ended = false;
   for (std::size_t i = 0; i < role.left_out.size(); ++i) {
     const rules::LeftOutZone& zone = role.left_out[i];
@@ -443,7 +443,10 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
   }
   bool has_waived = false;
   for (std::size_t i = 0; i < role.of.size(); ++i) {
-    const rules::Outcome of_one = outcome_of(*findings.of(place, i, role.of[i]).finding);
+    const rules::Finding& finding = *findings.of(place, i, role.of[i]).finding;
+    expect(place.at("of", i), "user_supplied", is_user_supplied,
+           finding.requirement.origin.is_user_supplied, "of the row, from what is asked");
+    const rules::Outcome of_one = outcome_of(finding);
     outcome = graver(outcome, of_one);
     has_waived = has_waived || of_one == rules::Outcome::waived;
   }
@@ -461,7 +464,7 @@ void check_coverage(const Place& place, const Findings& findings, const SpacePar
     const Place own = place.at("coverage", r, "row " + row.clause);
     for (std::size_t k = 0; k < row.roles.size(); ++k) {
       check_role(own.at("roles", k, fmt::format("role '{}'", row.roles[k].role)), findings,
-                 row.roles[k], day);
+                 row.roles[k], row.is_user_supplied, day);
     }
   }
 }

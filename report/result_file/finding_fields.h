@@ -76,6 +76,11 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("state", requirement.state);
   v.field("scene", requirement.scene, {.words = "'': every luminaire at full output."});
   v.field("clause", requirement.clause);
+  v.written(
+      "source", [&] { return rules::source_of(requirement); },
+      {.words = "Who says the limit: the project itself, a rule pack that comes with luxgate, "
+                "or one that the user has given. A clause is free text.",
+       .presence = kSinceLater});
   v.field("where", requirement.where);
   v.field("verdict", finding.verdict);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
@@ -128,6 +133,10 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
     o.field("is_weakened", requirement.origin.is_weakened,
             {.words = "Its limit is easier than what the row requires.",
              .presence = only_if(requirement.origin.is_weakened),
+             .is_mark = true});
+    o.field("user_supplied", requirement.origin.is_user_supplied,
+            {.words = "The pack does not come with luxgate.",
+             .presence = only_if(requirement.origin.is_user_supplied),
              .is_mark = true});
     o.field("workplaces", requirement.origin.workplaces,
             {.words = "Ids of those that ask for it; none: a <require>.",
@@ -200,6 +209,10 @@ void describe(auto& v, Is<rules::RowCoverage> auto& row) {
   v.field("workplace", row.workplace, {.words = "'': the require elements of the space's planes."});
   v.field("was", row.was, {.presence = only_if(!row.was.empty())});
   v.field("clause", row.clause);
+  v.field("user_supplied", row.is_user_supplied,
+          {.words = "The pack does not come with luxgate.",
+           .presence = only_if(row.is_user_supplied),
+           .is_mark = true});
   v.written("is_whole", [&] { return row.is_whole(); },
             {.words = "Nothing of the row was never asked."});
   v.written("is_met", [&] { return row.is_met(); },
@@ -243,6 +256,10 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
   v.field("space", finding.space_id);
   v.field("plane", finding.plane_id);
   v.field("clause", finding.clause);
+  v.field("user_supplied", finding.is_user_supplied,
+          {.words = "The pack does not come with luxgate.",
+           .presence = only_if(finding.is_user_supplied),
+           .is_mark = true});
   v.field("note", finding.note, {.holds = Holds::prose});
   v.field("where", finding.where);
   v.field("rule", finding.rule);

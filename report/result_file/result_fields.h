@@ -465,6 +465,10 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
 void describe(auto& v, Is<RowUse> auto& use) {
   v.is("row_use");
   v.field("clause", use.clause);
+  v.field("user_supplied", use.is_user_supplied,
+          {.words = "The pack does not come with luxgate.",
+           .presence = only_if(use.is_user_supplied),
+           .is_mark = true});
   v.field("rooms", use.rooms, {.words = "Their ids."});
   v.field("times", use.times, {.words = "By how many workplaces, or planes of a room together."});
   v.field("whole", use.whole, {.words = "Of these: nothing of the row was never asked."});

@@ -55,8 +55,31 @@ std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project) 
   return known;
 }
 
-std::string clause_words(const Texts& t, const std::string& clause) {
-  return clause.ends_with(']') ? phrases(t, clause) : clause;
+std::string clause_words(const Texts& t, const std::string& clause, rules::LimitSource source) {
+  if (clause.empty()) return {};
+  // What a project writes is no phrase of ours, whatever it ends with.
+  if (source == rules::LimitSource::project) {
+    return t.say<Text::clause_and_source>(clause, t[Text::source_project]);
+  }
+  const std::string words = clause.ends_with(']') ? phrases(t, clause) : clause;
+  return source == rules::LimitSource::pack
+             ? words
+             : t.say<Text::clause_and_source>(words, t[Text::source_user_pack]);
+}
+
+std::string clause_words(const Texts& t, const rules::Requirement& requirement) {
+  return clause_words(t, requirement.clause, rules::source_of(requirement));
+}
+
+std::string clause_words(const Texts& t, const rules::AggregateFinding& finding) {
+  return finding.sum
+             ? clause_words(t, finding.sum->requirement)
+             : clause_words(t, finding.clause, rules::source_of_pack(finding.is_user_supplied));
+}
+
+std::string foreign_clause_words(const Texts& t, const rules::Requirement& requirement) {
+  return rules::source_of(requirement) == rules::LimitSource::pack ? ""
+                                                                   : clause_words(t, requirement);
 }
 
 std::string changed_words(const Texts& t, const std::string& changed) {

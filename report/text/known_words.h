@@ -17,8 +17,14 @@ std::vector<KnownWords> known_words(const Texts& t, const rules::RoleCoverage& r
 std::vector<KnownWords> known_words(const Texts& t, const SpacePart& space);
 std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project);
 
-// A clause of a rule pack, with how well its number is known; of others as it is.
-std::string clause_words(const Texts& t, const std::string& clause);
+// A clause of a rule pack, with how well its number is known; of others as it is. Behind it who
+// says the number, where that is not a rule pack that comes with luxgate: "EN 12464-1:2021 34.2
+// (project's own)". "" of "".
+std::string clause_words(const Texts& t, const std::string& clause, rules::LimitSource source);
+std::string clause_words(const Texts& t, const rules::Requirement& requirement);
+std::string clause_words(const Texts& t, const rules::AggregateFinding& finding);
+// For formats that show no clauses: "" of packs that come with luxgate.
+std::string foreign_clause_words(const Texts& t, const rules::Requirement& requirement);
 
 // PlanePart::changed; what stands in brackets at its end is the project's.
 std::string changed_words(const Texts& t, const std::string& changed);

@@ -313,8 +313,9 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
   const std::size_t scene = std::min(row.clause.rfind(rules::kClauseScene), row.clause.size());
-  std::string title = (row.workplace.empty() ? "" : printable(row.workplace) + ", ") +
-                      clause_words(t, row.clause.substr(0, scene));
+  std::string title =
+      (row.workplace.empty() ? "" : printable(row.workplace) + ", ") +
+      clause_words(t, row.clause.substr(0, scene), rules::source_of_pack(row.is_user_supplied));
   if (scene < row.clause.size()) {
     title += ", " + t.say<Text::scene>(row.clause.substr(scene + rules::kClauseScene.size()));
   }

@@ -202,7 +202,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                         reference.scope.facts,
                         {},
                         is_weakened(check, limit, reference.scope),
-                        check.role == reference.pack.role};
+                        check.role == reference.pack.role,
+                        !reference.pack.is_built_in};
   if (limit.level != RowLevel::required && !reference.level_because.empty()) {
     requirement.note += requirement.note.empty() ? "" : "; ";
     requirement.note +=

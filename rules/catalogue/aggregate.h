@@ -48,6 +48,7 @@ struct AggregateFinding {
   std::string building_id, building_was, building_name;  // "" of all others
   std::string space_id, plane_id;  // what it is about; both "" = the project, no plane = the room
   std::string clause;              // "LEED v4.1 ..."
+  bool is_user_supplied = false;   // see RuleOrigin; of a building its sum says it
   std::string note;                // what every report must say with it; or ""
   AggregateRule rule = AggregateRule::all;
   AggregateOver over = AggregateOver::checks;

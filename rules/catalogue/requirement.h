@@ -47,6 +47,15 @@ struct RuleOrigin {
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
   bool is_weakened = false;               // its limit is easier than what the row requires
   bool is_of_own_role = true;  // of the role that the pack is about, such as the task; not in files
+  bool is_user_supplied = false;  // the pack does not come with luxgate: its numbers are the user's
+};
+
+// Who says the number of a limit. A clause is free text, and a pack of one's own may have the title
+// of a standard: a reader must be able to tell them from the standard's own.
+enum class LimitSource {
+  project,   // the project itself
+  pack,      // a rule pack that comes with luxgate
+  user_pack  // one that the user has given
 };
 
 // Which of a project's requirements: plane ids are unique in it.
@@ -90,6 +99,14 @@ struct Requirement {
   RuleOrigin origin;
   calc::SourceLocation where;
 };
+
+inline LimitSource source_of_pack(bool is_user_supplied) {
+  return is_user_supplied ? LimitSource::user_pack : LimitSource::pack;
+}
+inline LimitSource source_of(const Requirement& requirement) {
+  const RuleOrigin& origin = requirement.origin;
+  return origin.pack.empty() ? LimitSource::project : source_of_pack(origin.is_user_supplied);
+}
 
 // Of which light a metric is, if nobody may choose: glare and stray light are worst when everything
 // is new, and places of luminaires do not age.
@@ -147,6 +164,14 @@ struct EnumNames<rules::LightState> {
       {rules::LightState::maintained, "maintained"},
       {rules::LightState::initial, "initial"},
       {rules::LightState::end_of_duration, "end-of-duration"}};
+};
+
+template <>
+struct EnumNames<rules::LimitSource> {
+  static constexpr EnumName<rules::LimitSource> list[] = {
+      {rules::LimitSource::project, "project"},
+      {rules::LimitSource::pack, "pack"},
+      {rules::LimitSource::user_pack, "user-pack"}};
 };
 
 template <>

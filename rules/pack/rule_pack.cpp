@@ -239,6 +239,7 @@ std::vector<RulePack> builtin_rule_packs() {
     std::optional<RulePack> pack = parse_rule_pack(text, "built in", diagnostics);
     // Our own file: a test reads every one of them.
     if (!pack) throw std::logic_error(calc::format_diagnostic(diagnostics.all().front()));
+    pack->is_built_in = true;
     packs.push_back(std::move(*pack));
   }
   return packs;

@@ -297,8 +297,9 @@ struct RulePack {
   std::string jurisdiction;  // "EU"
   std::string licence;       // "public", "internal", "user-supplied"
   std::string licence_note;
-  std::string role;  // of a plane that names none
-  std::string file;  // as named by the user; "built in"
+  std::string role;          // of a plane that names none
+  std::string file;          // as named by the user; "built in"
+  bool is_built_in = false;  // it comes with luxgate, else the user supplies it
   std::vector<RuleSource> sources;
   std::vector<RuleName> parameters, facts;
   DecisionPolicy policy;

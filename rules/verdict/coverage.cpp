@@ -370,6 +370,7 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
     row.clause = fmt::format("{}:{} {}{}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
                              level.empty() ? "" : fmt::format(" ({})", level),
                              asked.scene.empty() ? "" : std::string(kClauseScene) + asked.scene);
+    row.is_user_supplied = !asked.pack->is_built_in;
     for (const std::string& role : asked.pack->roles()) {
       if (std::optional<RoleCoverage> covered = cover(space, asked, role, today)) {
         row.roles.push_back(std::move(*covered));

@@ -59,6 +59,7 @@ struct RowCoverage {
   std::string clause;               // "EN 12464-1:2021 34.2", "EN 1838:2024 1, scene night"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
   std::string was = {};             // the workplace's id in earlier revisions; "" = the same
+  bool is_user_supplied = false;    // see RuleOrigin
 
   // Nothing of it was never asked, or is no longer, or is asked of a part only.
   bool is_whole() const;

@@ -336,6 +336,7 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
       pack,
       is_of_room ? aggregate.clause : (aggregate.clause.empty() ? aggregate.id : aggregate.clause),
       group, trust);
+  finding.is_user_supplied = !pack.is_built_in;
   finding.note = note_of(pack, aggregate.note, trust);
   settle(finding, aggregate, parts, group);
   const auto add_reason = [&finding](std::string_view text) {
@@ -441,6 +442,7 @@ void judge_class(const std::vector<JudgedPlane>& planes, const RulePack& pack,
     finding.where = group.front().finding->requirement.where;
     const Trust trust = worst_trust(pack, Trust::confirmed, item.checks, group);
     finding.clause = clause_of(pack, "", group, trust);
+    finding.is_user_supplied = !pack.is_built_in;
     finding.note = note_of(pack, "", trust);
     finding.asked = group.front().origin().row;
     for (const std::string& ref : item.rows) {

@@ -97,7 +97,7 @@ HEADS = {
                      "limit": "Limit (in the unit)", "value": "Calculated (in the unit)", "low": "Low (in the unit)", "high": "High (in the unit)",
                      "margin": "Margin (% of the limit)", "verdict": "Verdict", "reason": "Reason", "place_x_m": "Place x (m)", "place_y_m": "Place y (m)",
                      "place_z_m": "Place z (m)", "pack": "Rule pack", "row": "Row", "check": "Check", "severity": "Severity", "waiver": "Waived by",
-                     "note": "Notes (also trust in the requirement)"},
+                     "note": "Notes (also trust in the requirement)", "source": "Who says the limit"},
     "Points": {"project": "Project", "space": "Space", "plane": "Plane", "column": "Column", "row": "Row", "x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)",
                "nx": "Axis x", "ny": "Axis y", "nz": "Axis z", "illuminance_lx": "Illuminance (lx)", "low_lx": "Low (lx)", "high_lx": "High (lx)",
                "direct_lx": "Of it direct (lx)", "indirect_lx": "Of it reflected (lx)", "quantity": "Quantity", "rating": "Rating or ratio",

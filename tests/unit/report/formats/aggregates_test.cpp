@@ -160,7 +160,8 @@ TEST(Aggregates, AreRowsOfTextAndCsv) {
   EXPECT_THAT(text, HasSubstr("counts only in its aggregates"));
   const std::string csv = render_results_csv(document);
   EXPECT_THAT(csv, HasSubstr(",r1,,glare,aggregate,"));
-  EXPECT_THAT(csv, HasSubstr(",fail,any of 2 checks: 1 of 2 met; fail: ugr (eyes),,,,,,,,,\r\n"));
+  EXPECT_THAT(csv,
+              HasSubstr(",fail,any of 2 checks: 1 of 2 met; fail: ugr (eyes),,,,,,,,,,pack\r\n"));
   EXPECT_THAT(csv, HasSubstr(",r1,work,P,class,"));
   // As many fields as the head has.
   const auto commas = [&](std::size_t from) {

@@ -21,6 +21,7 @@ TEST(Console, SmallDocument) {
             R"(office.xml: Small office
   verdict  room / plane         quantity  required      calculated  margin  at (m)
   ✓ pass   Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
+           └ EN 12464-1:2021 34.2 (project's own)
   ✗ FAIL   Office / Work plane  minimum   ≥ 450 lx  424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)
 
 2 requirements: 1 pass, 1 fail
@@ -85,6 +86,7 @@ Document workplace_document() {
   planes[0].findings.resize(1);  // that passes
   planes[0].made_by = "workplace desk, task: the whole room";
   planes[0].findings[0].requirement.origin.workplaces = {"desk"};
+  planes[0].findings[0].requirement.origin.pack = "en12464-1:2021";
   const auto add = [&](const std::string& role) {
     planes.push_back(planes[0]);
     planes.back().name = "Desk: " + role;

@@ -19,12 +19,12 @@ TEST(Csv, ResultsOfSmallDocument) {
       "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,"
       "limit,value,low,"
       "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m,pack,row,check,severity,waiver,"
-      "note\r\n"
+      "note,source\r\n"
       "office.xml,r1,work,average,average,,lx,,maintained,EN 12464-1:2021 "
       "34.2,at_least,500,512.5,508.5,"
-      "516.5,0.025,pass,,,,,,,,shall,,\r\n"
+      "516.5,0.025,pass,,,,,,,,shall,,,project\r\n"
       "office.xml,r1,work,minimum,minimum,,lx,,maintained,,at_least,450,424.5,420.25,428.75,"
-      "-0.056666666666666664,fail,,2.75,1,0.8,,,,shall,,\r\n");
+      "-0.056666666666666664,fail,,2.75,1,0.8,,,,shall,,,project\r\n");
 }
 
 TEST(Csv, PointsOfSmallDocument) {
@@ -65,7 +65,7 @@ TEST(Csv, EveryRowHasTheSameNumberOfFields) {
        end = csv.find("\r\n", begin)) {
     const std::string line = csv.substr(begin, end - begin);
     if (line.find('"') == std::string::npos) {
-      EXPECT_EQ(std::count(line.begin(), line.end(), ','), 26) << line;
+      EXPECT_EQ(std::count(line.begin(), line.end(), ','), 27) << line;
     }
     begin = end + 2;
   }
@@ -77,9 +77,10 @@ TEST(Csv, UnjudgedThingsAreRowsWithoutNumbers) {
   EXPECT_THAT(
       csv,
       HasSubstr(
-          "\r\nyard.xml,,,,,,,,,,,,,,,,not judged,could not be read or calculated,,,,,,,,,\r\n"));
+          "\r\nyard.xml,,,,,,,,,,,,,,,,not judged,could not be read or calculated,,,,,,,,,,\r\n"));
   EXPECT_THAT(
-      csv, HasSubstr("at_least,200,,,,,not judged,the plane was not computed,,,,,,,shall,,\r\n"));
+      csv, HasSubstr(
+               "at_least,200,,,,,not judged,the plane was not computed,,,,,,,shall,,,project\r\n"));
 }
 
 TEST(Csv, UnknownLimitIsEmpty) {

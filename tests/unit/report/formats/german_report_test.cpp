@@ -297,6 +297,7 @@ TEST(GermanReport, TheTerminalsTableIsGerman) {
       "  Urteil           Raum / Fläche        Größe       gefordert       berechnet  Reserve  "
       "Ort (m)\n"
       "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512,5 ± 4,0 lx   +2,5 %\n"
+      "                   └ EN 12464-1:2021 34.2 (vom Projekt selbst)\n"
       "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424,5 ± 4,2 lx   -5,7 %  "
       "(2,75; 1,00; 0,80)\n\n"
       "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");

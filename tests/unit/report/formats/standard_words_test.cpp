@@ -4,6 +4,7 @@
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
+#include "report/text/known_words.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 #include "tests/support/legible.h"
@@ -79,6 +80,56 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
       EXPECT_THAT(text, HasSubstr(words)) << format.name;
     }
   }
+}
+
+// "EN 12464-1:2021 34.2" may be free text of the project, or the title of a table of one's own.
+TEST(StandardWords, WhoSaysTheLimitIsInEveryFormatButPoints) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings.at(1);
+  finding.requirement.clause = "EN 12464-1:2021 34.2";
+  const auto says = [&](const char* words, const char* name) {
+    for (const Format& format : formats()) {
+      if (format.is_table) continue;
+      EXPECT_THAT(legible(format, document), testing::AnyOf(HasSubstr(words), HasSubstr(name)))
+          << format.name;
+    }
+  };
+  says("EN 12464-1:2021 34.2 (project's own)", "project");
+  finding.requirement.origin = {"own:1", "task.Em", "34.2", {}, {}};
+  finding.requirement.origin.is_user_supplied = true;
+  says("EN 12464-1:2021 34.2 (user-supplied)", "user-pack");
+  finding.requirement.origin.is_user_supplied = false;
+  EXPECT_EQ(clause_words({}, finding.requirement), "EN 12464-1:2021 34.2");
+  EXPECT_THAT(find_format("text")->render(document, {}), Not(HasSubstr("user-supplied")));
+  // Rows and aggregates of such a pack, too.
+  rules::RowCoverage row{"desk", "EN 12464-1:2021 34.2", {{"task", rules::RoleState::met, ""}}};
+  row.is_user_supplied = true;
+  EXPECT_EQ(coverage_words({}, row),
+            "desk, EN 12464-1:2021 34.2 (user-supplied): the whole row is met");
+  rules::AggregateFinding aggregate;
+  aggregate.clause = "Own:1 3.1";
+  aggregate.is_user_supplied = true;
+  EXPECT_EQ(clause_words({}, aggregate), "Own:1 3.1 (user-supplied)");
+}
+
+// Who takes the mark away is found out.
+TEST(StandardWords, WhoSaysTheLimitIsReadAgain) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  rules::Finding& finding = space.planes[0].findings.at(1);
+  finding.requirement.origin = {"own:1", "task.Em", "34.2", {}, {}};
+  finding.requirement.origin.is_user_supplied = true;
+  rules::RowCoverage row{"", "EN 12464-1:2021 34.2", {}};
+  row.roles = {{"task", rules::RoleState::failed, "", {{"work", "minimum"}}}};
+  row.is_user_supplied = true;
+  space.coverage = {row};
+  std::string problem;
+  const std::optional<Document> read = read_json(render_json(document), problem);
+  ASSERT_TRUE(read) << problem;
+  EXPECT_EQ(render_json(*read), render_json(document));
+  space.coverage[0].is_user_supplied = false;
+  EXPECT_FALSE(read_json(render_json(document), problem));
+  EXPECT_THAT(problem, HasSubstr("user_supplied"));
 }
 
 // The exit code is 0, and still nobody may read that the row is met.

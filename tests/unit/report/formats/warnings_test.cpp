@@ -84,7 +84,7 @@ TEST(Warnings, AreNotSaidTwiceOnATerminal) {
 TEST(Warnings, AreRowsOfTheTable) {
   EXPECT_THAT(rendered(warned(), "csv"),
               HasSubstr("\r\noffice.xml,,,light-leaves-room,,,,,,,,,,,,,warning,office.xml:7:3: "
-                        "warning[light-leaves-room]: 16 % of the light is lost,,,,,,,,,\r\n"));
+                        "warning[light-leaves-room]: 16 % of the light is lost,,,,,,,,,,\r\n"));
   EXPECT_THAT(rendered(strict(), "csv"),
               HasSubstr("office.xml,,,light-leaves-room,,,,,,,,,,,,,strict warning,"));
   EXPECT_THAT(rendered(strict(), "csv"),
