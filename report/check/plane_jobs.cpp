@@ -5,6 +5,7 @@
 #include "report/check/between_points_warning.h"
 #include "rules/binding/bind.h"
 #include "rules/fitness/fitness.h"
+#include "rules/fitness/lost_points.h"
 #include "rules/verdict/coverage.h"
 
 #include <fmt/format.h>
@@ -66,6 +67,28 @@ void warn_of_speck(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
   diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
 }
 
+// A rule pack says how many points may be lost; of limits of the project's own nobody does, and a
+// verdict on what is left may be about a small part. of_grid: what is lost may be told already.
+void warn_of_lost_points(const PlaneJob& job, const calc::Diagnostics& of_grid,
+                         calc::Diagnostics& diagnostics) {
+  constexpr double kMostLost = 0.25;
+  const bool is_told = std::any_of(
+      of_grid.all().begin(), of_grid.all().end(), [](const calc::Diagnostic& diagnostic) {
+        return diagnostic.id == calc::DiagnosticId::route_points_left_out ||
+               diagnostic.id == calc::DiagnosticId::points_left_out ||
+               diagnostic.id == calc::DiagnosticId::points_in_surface;
+      });
+  const bool is_asked = std::any_of(
+      job.requirements.begin(), job.requirements.end(), [](const rules::Requirement& requirement) {
+        return requirement.origin.pack.empty() && counts(requirement) &&
+               requirement.metric != rules::Metric::value_at_point;
+      });
+  const rules::LostPoints lost = rules::lost_points(*job.grid);
+  if (is_told || !is_asked || lost.share() <= kMostLost) return;
+  diagnostics.report(calc::DiagnosticId::many_points_left_out, job.plane->where, job.plane->id,
+                     lost.words);
+}
+
 // Once for a plane, for the first scene in which it is so.
 void warn_of_grid_trap(const calc::Project& project, const calc::Space& space, const PlaneJob& job,
                        calc::Diagnostics& diagnostics) {
@@ -108,6 +131,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
           job.requirements);
       warn_of_speck(plane, *job.grid, job.requirements, diagnostics);
       warn_of_grid_trap(loaded.project, space, job, diagnostics);
+      warn_of_lost_points(job, of_grid, diagnostics);
     } else {
       job.reason = of_grid.all().back().message;
     }
