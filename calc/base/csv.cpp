@@ -3,6 +3,7 @@
 #include "calc/base/encoding.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/text.h"
+#include "calc/base/units.h"
 #include "calc/base/utf8.h"
 
 #include <algorithm>
@@ -91,6 +92,15 @@ bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnos
   const auto& [place, what] = *table.problem();
   diagnostics.report(DiagnosticId::csv_quotes, {name, place.line, place.column}, what);
   return true;
+}
+
+LengthColumn length_column(std::string_view written) {
+  const std::size_t bar = written.rfind('_');
+  if (bar == std::string_view::npos || bar == 0) return {written, std::nullopt};
+  for (const LengthUnit& unit : kLengthUnits) {
+    if (written.substr(bar + 1) == unit.name) return {written.substr(0, bar), unit.metres};
+  }
+  return {written, std::nullopt};
 }
 
 CsvColumns::CsvColumns(const CsvRecord& header, std::span<const std::string_view> names,

@@ -72,6 +72,14 @@ class CsvReader {
 // Reports the problem of the file `name`; false if it has none.
 bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics);
 
+// A column "x_mm" holds lengths: name "x", 0.001 m. No metres: the name ends with no unit of
+// length.
+struct LengthColumn {
+  std::string_view name;
+  std::optional<double> metres;
+};
+LengthColumn length_column(std::string_view written);
+
 // Where the columns that a reader knows are in its table.
 class CsvColumns {
  public:

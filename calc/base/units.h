@@ -2,7 +2,9 @@
 // The only place with unit conversions. Inside the program: metres, radians, lux, candela, lumens;
 // degrees appear in file readers and writers only (calc/CONVENTIONS.md).
 
+#include <array>
 #include <numbers>
+#include <string_view>
 
 namespace calc {
 
@@ -12,6 +14,16 @@ inline constexpr double kMetresPerFoot = 0.3048;        // international foot, e
 inline constexpr double kMetresPerInch = 0.0254;        // international inch, exact
 inline constexpr double kMetresPerMillimetre = 1.0e-3;  // exact
 inline constexpr double kMetresPerCentimetre = 1.0e-2;  // exact
+
+struct LengthUnit {
+  std::string_view name;
+  double metres;
+};
+// As projects and the columns of tables name them.
+inline constexpr std::array kLengthUnits{
+    LengthUnit{"m", 1.0}, LengthUnit{"cm", kMetresPerCentimetre},
+    LengthUnit{"mm", kMetresPerMillimetre}, LengthUnit{"in", kMetresPerInch},
+    LengthUnit{"ft", kMetresPerFoot}};
 
 inline constexpr double kLuxPerFootcandle = 1.0 / (kMetresPerFoot * kMetresPerFoot);  // lm/ft2
 static_assert(kLuxPerFootcandle > 10.76391041670972 && kLuxPerFootcandle < 10.76391041670973);

@@ -38,6 +38,16 @@ constexpr std::size_t kRequired = kAxisX;
 constexpr std::size_t kBadLineLimit = 10;
 constexpr double kShortestAim = 1.0e-9;
 
+// The name in metres of a column of lengths that is in another unit.
+std::string_view name_in_metres(std::string_view written) {
+  const LengthColumn length = length_column(written);
+  for (const std::string_view name : kNames) {
+    const LengthColumn known = length_column(name);
+    if (length.metres && known.metres && known.name == length.name) return name;
+  }
+  return written;
+}
+
 // What is wrong with the line; thrown within this file only.
 struct BadLine {
   std::string what;
@@ -47,7 +57,7 @@ class ListReader {
  public:
   // Throws BadLine.
   void read_header(const CsvRecord& header) {
-    columns_ = CsvColumns(header, kNames);
+    columns_ = CsvColumns(header, kNames, name_in_metres);
     if (!columns_.unknown().empty()) {
       const std::string found = shorten_utf8(columns_.unknown()[0], 40);
       throw BadLine{"found '" + found + "'" + suggestion(found, {kNames.begin(), kNames.end()})};
@@ -66,6 +76,7 @@ class ListReader {
         }
       }
     }
+    read_unit(header);
   }
 
   LuminaireEntry read_line(const CsvRecord& record) {
@@ -85,9 +96,10 @@ class ListReader {
                       shorten_utf8(entry.name, 40))};
     }
     if (entry.type.empty()) throw BadLine{"the type is empty"};
-    entry.position_m = {number_in(kX), number_in(kY), number_in(kZ)};
+    entry.position_m = metres_ * glm::dvec3(number_in(kX), number_in(kY), number_in(kZ));
     entry.axis = optional_vector(kAxisX);
     entry.aim_m = optional_vector(kAimX);
+    if (entry.aim_m) *entry.aim_m *= metres_;
     if (entry.axis && entry.aim_m) throw BadLine{"it has both an axis and an aim"};
     if (entry.axis && glm::length(*entry.axis) < kShortestAim) {
       throw BadLine{"the axis is zero"};
@@ -104,6 +116,20 @@ class ListReader {
   }
 
  private:
+  // All lengths of a file are in one unit.
+  void read_unit(const CsvRecord& header) {
+    std::string_view first;
+    for (const CsvCell& cell : header.cells) {
+      const std::optional<double> metres = length_column(cell.text).metres;
+      if (!metres) continue;
+      if (!first.empty() && *metres != metres_) {
+        throw BadLine{fmt::format("'{}' and '{}' are in different units", first, cell.text)};
+      }
+      first = cell.text;
+      metres_ = *metres;
+    }
+  }
+
   const std::string& cell(Column column) const { return columns_.cell(*record_, column); }
 
   double number_in(Column column) const {
@@ -121,6 +147,7 @@ class ListReader {
   }
 
   CsvColumns columns_;
+  double metres_ = 1.0;                // of the unit of the file
   const CsvRecord* record_ = nullptr;  // that is being read
   std::map<std::string, int> line_of_name_;
 };

@@ -251,10 +251,16 @@ class PlaneReader {
     if (file.empty()) return std::nullopt;
     std::optional<PointList> list = context_.files.point_list(file, reader_.where("file"));
     if (!list) return std::nullopt;
-    for (glm::dvec3& position : list->position_m) {
-      position = position * context_.metres_per_unit + around_.origin_m;
-    }
+    warn_of_unit(*list);
+    for (glm::dvec3& position : list->position_m) position += around_.origin_m;
     return *list;
+  }
+
+  // Whoever writes a project in millimetres may have written such a list in millimetres, too.
+  void warn_of_unit(const PointList& list) {
+    if (list.names_its_unit || context_.metres_per_unit == 1.0) return;
+    reader_.report(DiagnosticId::point_list_unit, reader_.where("file"), list.file,
+                   context_.unit_name);
   }
 
   // World coordinates; empty on errors.

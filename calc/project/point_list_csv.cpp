@@ -15,19 +15,27 @@ namespace calc {
 namespace {
 
 constexpr std::array<std::string_view, 6> kPointColumns{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::size_t kLengthColumns = 3;  // x, y and z
 constexpr std::size_t kBadPointLineLimit = 10;
 constexpr double kLargestCoordinate = 1.0e9;
 constexpr double kSmallestNormal = 1.0e-9;
 
-bool is_header(const CsvRecord& record) {
-  return std::equal(record.cells.begin(), record.cells.end(), kPointColumns.begin(),
-                    kPointColumns.end(),
-                    [](const CsvCell& cell, std::string_view name) { return cell.text == name; });
+// Whether it is a header, and the unit that it names for all of x, y and z; none: they name no
+// unit.
+bool read_header(const CsvRecord& record, std::optional<double>& metres) {
+  if (record.cells.size() != kPointColumns.size()) return false;
+  metres = length_column(record.cells.front().text).metres;
+  for (std::size_t i = 0; i < kPointColumns.size(); ++i) {
+    const LengthColumn column = length_column(record.cells[i].text);
+    const std::optional<double> wanted = i < kLengthColumns ? metres : std::nullopt;
+    if (column.name != kPointColumns[i] || column.metres != wanted) return false;
+  }
+  return true;
 }
 
 // False if something was reported.
-bool parse_line(const CsvRecord& record, const SourceLocation& where, PointList& list,
-                Diagnostics& diagnostics) {
+bool parse_line(const CsvRecord& record, double metres, const SourceLocation& where,
+                PointList& list, Diagnostics& diagnostics) {
   std::array<double, kPointColumns.size()> value{};
   if (record.cells.size() != value.size()) {
     diagnostics.report(DiagnosticId::point_list_line, where, record.cells.size());
@@ -47,7 +55,7 @@ bool parse_line(const CsvRecord& record, const SourceLocation& where, PointList&
     diagnostics.report(DiagnosticId::point_list_zero_normal, where);
     return false;
   }
-  list.position_m.emplace_back(value[0], value[1], value[2]);
+  list.position_m.push_back(metres * glm::dvec3(value[0], value[1], value[2]));
   list.normal.push_back(glm::normalize(normal));
   list.line.push_back(where.line);
   return true;
@@ -61,17 +69,20 @@ std::optional<PointList> parse_point_list(std::string_view bytes, const std::str
   list.file = name;
   SourceLocation where{name, 0, 0};
   bool has_header = false;
+  std::optional<double> metres;
   std::size_t bad_lines = 0;
   CsvReader table(bytes);
   while (const std::optional<CsvRecord> record = table.next()) {
     where.line = record->line;
     if (!has_header) {
-      if (!is_header(*record)) {
+      if (!read_header(*record, metres)) {
         diagnostics.report(DiagnosticId::point_list_header, where, shorten_utf8(record->text, 60));
         return std::nullopt;
       }
       has_header = true;
-    } else if (!record->is_blank() && !parse_line(*record, where, list, diagnostics) &&
+      list.names_its_unit = metres.has_value();
+    } else if (!record->is_blank() &&
+               !parse_line(*record, metres.value_or(1.0), where, list, diagnostics) &&
                ++bad_lines == kBadPointLineLimit) {
       diagnostics.report(DiagnosticId::point_list_gives_up, where, kBadPointLineLimit - 1);
       return std::nullopt;

@@ -10,10 +10,10 @@
 
 namespace calc {
 
-// First line "x,y,z,nx,ny,nz", then six numbers per line (csv.h); empty lines are skipped.
-// Positions keep the unit of the file (PointList::position_m is to be scaled by the caller),
-// normals are made unit vectors. name: path used in messages and in PointList::file. Empty if and
-// only if an error was reported.
+// First line "x_m,y_m,z_m,nx,ny,nz", or with another unit of units.h in all three, or "x,y,z,...",
+// which are metres too; then six numbers per line (csv.h); empty lines are skipped. Normals are
+// made unit vectors. name: path used in messages and in PointList::file. Empty if and only if an
+// error was reported.
 std::optional<PointList> parse_point_list(std::string_view bytes, const std::string& name,
                                           Diagnostics& diagnostics);
 

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 namespace calc {
 namespace {
 
@@ -71,11 +69,7 @@ void report_unknown_reference(ElementReader& reader, std::string_view attribute,
                 can_suggest ? suggestion(id, known) : std::string());
 }
 
-double metres_per_unit(std::size_t unit_index) {
-  constexpr std::array kLengths{1.0, kMetresPerCentimetre, kMetresPerMillimetre, kMetresPerInch,
-                                kMetresPerFoot};
-  return kLengths.at(unit_index);
-}
+double metres_per_unit(std::size_t unit_index) { return kLengthUnits.at(unit_index).metres; }
 
 glm::dvec3 read_vector(ElementReader& reader, std::string_view name) {
   return to_vector(reader.numbers(name, 3, kXyz));

@@ -59,6 +59,7 @@ struct ProjectContext {
   Diagnostics& diagnostics;
   const Budget& budget;
   double metres_per_unit = 1.0;
+  std::string_view unit_name = "m";
   std::optional<double> maintenance_factor = {};  // of types that state none
   IdTable materials{"material"};
   IdTable luminaire_types{"luminaire type"};

@@ -2,6 +2,7 @@
 
 #include "calc/base/names.h"
 #include "calc/base/text_lengths.h"
+#include "calc/base/units.h"
 #include "calc/meshes/triangle_mesh.h"
 #include "calc/road/r_table.h"
 #include "calc/scene/project.h"
@@ -17,6 +18,12 @@ using enum Presence;
 constexpr std::string_view kIdPattern = R"([A-Za-z0-9_.:\-]+)";
 constexpr NumberRange kFromNone{0.0, std::numeric_limits<double>::infinity(), false, ""};
 constexpr NumberRange kFromOne{1.0, std::numeric_limits<double>::infinity(), false, ""};
+
+Names unit_names() {
+  Names names;
+  for (const LengthUnit& unit : kLengthUnits) names.push_back(unit.name);
+  return names;
+}
 
 Names plane_quantity_names() {
   Names names;
@@ -38,8 +45,7 @@ const ValueType kTextType{.name = "text",
                           .pattern = R"(.*\S.*)",
                           .most = kLongestText};
 const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
-const ValueType kUnitsType{
-    .name = "units", .base = &kAnyText, .words = {"m", "cm", "mm", "in", "ft"}};
+const ValueType kUnitsType{.name = "units", .base = &kAnyText, .words = unit_names()};
 const ValueType kHousingDimensionsType{
     .name = "housingDimensions", .base = &kAnyText, .words = {"file"}};
 const ValueType kOpeningType{.name = "opening", .base = &kAnyText, .words = {"file", "point"}};
@@ -599,7 +605,8 @@ const ElementRow kLuminaireListElement{
     .meaning =
         R"(Luminaires of a CSV file, named id.name. Its first line names the columns: name, type, x_m, y_m, z_m; if wanted
 axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, and rotation_deg, group, with the meanings that the attributes
-of luminaires have. Always in metres.)",
+of luminaires have. In metres, whatever the unit of the project; x_mm, aim_x_mm and so on are in mm, and x_cm, x_in and
+x_ft are other units.)",
     .attributes = {kIdAttribute, kFileAttribute}};
 
 const ElementGroup kObjects{"object",
@@ -644,7 +651,8 @@ the grid's first direction is along its first side.
 on: in a room, floor, ceiling, wall1, wall2 ..., facing into the room; wall1 begins at the footprint's first
 corner (rooms with "size": wall1 is y = 0, wall2 x = max, wall3 y = max, wall4 x = 0).
 on-top-of: the upper face of a box, named as in messages: id, id[i,j,k], assembly.id ...
-file: CSV file with the header x,y,z,nx,ny,nz: points and the directions they face.
+file: CSV file with the header x_m,y_m,z_m,nx,ny,nz: points and the directions they face. x_mm, x_cm, x_in and x_ft
+are other units; x, y and z without one are in metres, whatever the unit of the project.
 Grid: count along u and v, or spacing (rounded up), or the rule of EN 12464-1 if neither is given.
 quantity: what the points measure, planar illuminance if it is not given. Cylindrical and hemispherical points
 have the direction that the plane (or the point of a list) faces for an axis: an upright cylinder on a plane that
@@ -950,8 +958,9 @@ const ElementRow kProjectElement{
         {{"version", &kVersionType, required},
          kNameAttribute,
          {"units", &kUnitsType, optional,
-          "Of all lengths in this file, but the points of requirements (at), which are in "
-          "metres; meshes may have their own.",
+          "Of all lengths in this file, but those of requirements (at, and from and to of "
+          "heights), "
+          "which are in metres. Meshes may have their own, and columns of CSV files name theirs.",
           "m"},
          {"maintenance-factor", &kPositiveFractionType, optional,
           "Of all luminaire types that state none of their own."},

@@ -1,6 +1,7 @@
 #include "calc/project/project_xml.h"
 
 #include "calc/base/file_kind.h"
+#include "calc/base/units.h"
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
@@ -42,7 +43,9 @@ void read_root(ProjectContext& context, const XmlElement& root) {
   context.project.name = reader.text_or("name", "");
   context.maintenance_factor = reader.optional_number("maintenance-factor", kPositiveFraction);
   context.project.north_deg = reader.optional_number("north", kTurn);
-  context.metres_per_unit = metres_per_unit(reader.choice_or("units", kUnitsType.words, 0));
+  const std::size_t unit = reader.choice_or("units", kUnitsType.words, 0);
+  context.metres_per_unit = kLengthUnits.at(unit).metres;
+  context.unit_name = kLengthUnits.at(unit).name;
 }
 
 void read_contents(ProjectContext& context, const XmlElement& root) {

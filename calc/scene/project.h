@@ -174,7 +174,8 @@ struct PlanarArea {
 struct PointList {
   std::string file;
   std::vector<glm::dvec3> position_m, normal;
-  std::vector<int> line;  // of the file, as many
+  std::vector<int> line;        // of the file, as many
+  bool names_its_unit = false;  // else its columns are 'x,y,z', which are metres
 };
 
 // An escape route: points at `height_m` above the surface that people walk on, facing up.

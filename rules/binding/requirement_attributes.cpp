@@ -73,7 +73,7 @@ std::vector<RequirementAttribute> make_attributes() {
        "peak-intensity: luminaires from this height above the floor on, in metres."},
       {"to", own, number, &calc::kNonNegativeType,
        "Of a share: the upper end of the range, which is in it. Of a glare-intensity or "
-       "peak-intensity: luminaires below this height."},
+       "peak-intensity: luminaires below this height, in metres."},
       {"reflectance", either, number, &calc::kPositiveFractionType,
        "Of GR: of the field, above 0, up to 1; grass has 0.15 to 0.25."},
       {"light", own, words, &kCountedLightType,

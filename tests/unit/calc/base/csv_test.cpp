@@ -91,6 +91,15 @@ TEST(Csv, MistakesWithQuotesAreFoundWhereTheyBegin) {
   EXPECT_EQ(problem_of("a, \"b\" c\n"), "t.csv:1:4:" + stray);
 }
 
+TEST(Csv, ColumnsOfLengthsNameTheirUnit) {
+  EXPECT_EQ(length_column("aim_x_mm").name, "aim_x");
+  EXPECT_EQ(length_column("aim_x_mm").metres, 0.001);
+  for (const std::string_view name : {"x", "axis_x", "_m", "m", "rotation_deg", ""}) {
+    EXPECT_EQ(length_column(name).name, name);
+    EXPECT_FALSE(length_column(name).metres) << name;
+  }
+}
+
 TEST(CsvColumns, FindNamesInAnyOrder) {
   constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
   CsvReader table("y,what,x_m\n1,2,3\n");

@@ -46,6 +46,19 @@ TEST(LuminaireList, ColumnsMayStandInAnyOrder) {
   EXPECT_EQ(b.line, 4);
 }
 
+TEST(LuminaireList, ColumnsNameTheUnit) {
+  const Parsed parsed =
+      parse("name,type,x_mm,y_mm,z_mm,aim_x_mm,aim_y_mm,aim_z_mm\na,spot,1500,2000,3000,0,0,500\n");
+  ASSERT_TRUE(parsed.list) << parsed.messages;
+  EXPECT_EQ(parsed.list->entry[0].position_m, glm::dvec3(1.5, 2, 3));
+  EXPECT_EQ(parsed.list->entry[0].aim_m, glm::dvec3(0, 0, 0.5));
+  EXPECT_NE(parse("name,type,x_m,y_m,z_mm\na,spot,1,2,3000\n")
+                .messages.find("; 'y_m' and 'z_mm' are in different units"),
+            std::string::npos);
+  EXPECT_NE(parse("name,type,x_m,y_m,z_m,x_mm\n").messages.find("'x_mm' is there twice"),
+            std::string::npos);
+}
+
 TEST(LuminaireList, CellsMayBeQuoted) {
   const Parsed parsed = parse(
       "\"name\",type,x_m,y_m,z_m,group\na,\"Panel, north\",1,\"2\",3,\"row \"\"A\"\"\r\nend\"\n"
@@ -74,7 +87,7 @@ TEST(LuminaireList, HeadersAreChecked) {
   const std::string start =
       "l.csv:1: error[luminaire-list-header]: the first line must name columns: name, type, x_m, "
       "y_m, z_m, and if needed axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, rotation_deg, "
-      "group; ";
+      "group; _mm, _cm, _in or _ft instead of _m for other units; ";
   EXPECT_EQ(parse("").messages, start + "found ''");
   EXPECT_EQ(parse("name;type;x;y;z\n").messages, start + "found 'name;type;x;y;z'");
   EXPECT_EQ(parse("name,type,x_m,y_m,z_m,rotation_dg\n").messages,

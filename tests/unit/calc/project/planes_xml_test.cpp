@@ -1,6 +1,7 @@
 #include "calc/scene/polygon.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -156,16 +157,36 @@ TEST(PlanesXml, BoxTopsFollowTheirBox) {
   EXPECT_NEAR(area.outline_m.at(2).y, 1.0, 1.0e-12);
 }
 
-TEST(PlanesXml, PointListsAreScaledAndMovedIntoTheRoom) {
-  const Loaded loaded = load(
-      "<luxgate version='1' units='cm'><material id='m' reflectance='0.5'/>"
-      "<room id='r' origin='1000 0 0' size='400 300 250' ceiling='m' walls='m' floor='m'>"
-      "<plane id='p' file='points.csv'/></room></luxgate>");
-  ASSERT_TRUE(loaded.project) << loaded.messages;
-  const auto& list = std::get<PointList>(loaded.project->spaces.at(0).planes.at(0).area);
-  EXPECT_EQ(list.file, "points.csv");
-  expect_near(list.position_m.at(0), {10.01, 0.01, 0.008});
-  EXPECT_EQ(list.normal.at(0), glm::dvec3(0, 0, 1));
+// The unit of a list is its own, as that of a list of luminaires: metres, or what its columns name.
+TEST(PlanesXml, PointListsKeepTheirUnitAndAreMovedIntoTheRoom) {
+  const auto load_list = [](const std::string& head, const std::string& units) {
+    MemoryFileReader files = project_files(
+        "<luxgate version='1' units='" + units +
+        "'><material id='m' reflectance='0.5'/>"
+        "<room id='r' origin='1000 0 0' size='400 300 250' ceiling='m' walls='m' floor='m'>"
+        "<plane id='p' file='list.csv'/></room></luxgate>");
+    files.add("dir/list.csv", head + ",nx,ny,nz\n1,2,0.8,0,0,2\n");
+    return load(files);
+  };
+  const auto first_point = [](const Loaded& loaded) {
+    return std::get<PointList>(loaded.project->spaces.at(0).planes.at(0).area).position_m.at(0);
+  };
+  const Loaded bare = load_list("x,y,z", "cm");
+  ASSERT_TRUE(bare.project) << bare.messages;
+  expect_near(first_point(bare), {11, 2, 0.8});
+  EXPECT_THAT(
+      bare.messages,
+      testing::HasSubstr("warning[point-list-unit]: 'list.csv': its columns x, y and z name "
+                         "no unit and are read in metres, and the project is in cm"));
+  for (const std::string head : {"x_m,y_m,z_m", "x_mm,y_mm,z_mm"}) {
+    const Loaded named = load_list(head, "cm");
+    ASSERT_TRUE(named.project) << named.messages;
+    const double metres = head == "x_m,y_m,z_m" ? 1.0 : 0.001;
+    expect_near(first_point(named), glm::dvec3(10, 0, 0) + metres * glm::dvec3(1, 2, 0.8));
+    EXPECT_THAT(named.messages, testing::Not(testing::HasSubstr("point-list-unit"))) << head;
+  }
+  EXPECT_THAT(load_list("x,y,z", "m").messages,
+              testing::Not(testing::HasSubstr("point-list-unit")));
 }
 
 TEST(PlanesXml, PointsMeasurePlanarIlluminanceUnlessAQuantityIsGiven) {

@@ -30,6 +30,33 @@ TEST(PointListCsv, ReadsQuotedCells) {
   EXPECT_EQ(list->position_m[0], glm::dvec3(1, 2, 3));
 }
 
+TEST(PointListCsv, ColumnsNameTheUnit) {
+  const struct {
+    const char* head;
+    double metres;
+    bool names_its_unit;
+  } cases[] = {{"x,y,z", 1.0, false},
+               {"x_m,y_m,z_m", 1.0, true},
+               {"x_cm,y_cm,z_cm", 0.01, true},
+               {"x_mm,y_mm,z_mm", 0.001, true},
+               {"x_in,y_in,z_in", 0.0254, true},
+               {"x_ft,y_ft,z_ft", 0.3048, true}};
+  for (const auto& one : cases) {
+    Diagnostics diagnostics;
+    const auto list =
+        parse_point_list(std::string(one.head) + ",nx,ny,nz\n1,2,3,0,0,1\n", "f.csv", diagnostics);
+    ASSERT_TRUE(list) << one.head;
+    EXPECT_DOUBLE_EQ(list->position_m[0].y, 2 * one.metres);
+    EXPECT_EQ(list->names_its_unit, one.names_its_unit);
+  }
+  for (const char* head : {"x_m,y_mm,z_m,nx,ny,nz", "x_m,y,z,nx,ny,nz", "x,y,z_m,nx,ny,nz",
+                           "x_km,y_km,z_km,nx,ny,nz", "x_m,y_m,z_m,nx_m,ny_m,nz_m"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_point_list(std::string(head) + "\n1,2,3,0,0,1\n", "f.csv", diagnostics));
+    EXPECT_EQ(diagnostics.all().at(0).id, DiagnosticId::point_list_header) << head;
+  }
+}
+
 TEST(PointListCsv, ATextWithACommaIsOneCell) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_point_list("x,y,z,nx,ny,nz\n\"1,2\",3,0,0,1\n", "f.csv", diagnostics));
