@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -88,6 +89,20 @@ void add_full_output(const LuminaireFacts& facts, AngleZone zone,
   }
 }
 
+// Of a range of heights that holds none of these luminaires.
+std::string no_luminaire_words(const ValueRange& range,
+                               const std::vector<calc::ZoneIntensity>& luminaires,
+                               const std::vector<MountingHeight>& heights) {
+  MountingHeight all{std::numeric_limits<double>::infinity(), 0.0};
+  for (const calc::ZoneIntensity& one : luminaires) {
+    all.least_m = std::min(all.least_m, heights[one.luminaire].least_m);
+    all.most_m = std::max(all.most_m, heights[one.luminaire].most_m);
+  }
+  if (!std::isfinite(range.to)) return say<Sentence::no_luminaire_from>(range.from, all.most_m);
+  if (range.from == 0.0) return say<Sentence::no_luminaire_below>(range.to, all.least_m);
+  return say<Sentence::no_luminaire_between>(range.from, range.to, all.least_m, all.most_m);
+}
+
 void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
   std::size_t count = 0, worst = 0;
   calc::Estimate greatest;
@@ -109,7 +124,15 @@ void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
                 std::max(greatest.high, one.cd.high)};
   }
   requirement.of_space = greatest;
-  if (count == 0) return add_note(say<Sentence::nobody_hangs_there>(), requirement);
+  if (count == 0) {
+    // Of a row other ranges hold the luminaires. A range of the project's own may have been written
+    // in another unit, and then nothing has been judged.
+    if (!requirement.origin.pack.empty()) {
+      return add_note(say<Sentence::nobody_hangs_there>(), requirement);
+    }
+    requirement.problem = no_luminaire_words(requirement.range, intensities, heights);
+    return;
+  }
   add_note(say<Sentence::glare_zone_of>(name_of(facts, worst), heights[worst].least_m, count),
            requirement);
   if (is_height_open) add_note(say<Sentence::floors_differ>(), requirement);

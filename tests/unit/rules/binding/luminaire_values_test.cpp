@@ -129,8 +129,8 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
   EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
   EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
   EXPECT_THAT(bound.at(3).note, HasSubstr("luminaires there: 3"));
-  EXPECT_EQ(bound.at(4).of_space.high, 0.0);
-  EXPECT_THAT(bound.at(4).note, HasSubstr("none of the luminaires that are on hangs there"));
+  EXPECT_EQ(bound.at(4).problem,
+            "no luminaire that is on hangs at 4 m or higher: the highest is 3 m above the floor");
 }
 
 // A downlight that dazzles nobody on a level way does so on a stair below it. Turned on its side it
@@ -146,13 +146,36 @@ TEST(LuminaireValue, PeakIntensityIsOfAllDirections) {
   EXPECT_NEAR(bound.at(0).of_space.high, 0.0, 1e-9);
   EXPECT_NEAR(bound.at(1).of_space.low, 800.0, 1e-9);
   EXPECT_NEAR(bound.at(1).of_space.high, 800.0, 1e-9);
-  EXPECT_EQ(bound.at(2).of_space.high, 0.0);
+  EXPECT_EQ(bound.at(2).problem,
+            "no luminaire that is on hangs at 3 m or higher: the highest is 2.5 m above the floor");
   const Bound turned =
       bind_plane("<luminaire id='l' type='spot' position='4 4 2.5' aim='9 4 2.5'/>", require,
                  "height='1' count='1 1'", kRoom, "</room>");
   EXPECT_THAT(turned.messages, IsEmpty());
   EXPECT_NEAR(turned.at(0).of_space.value, 800.0, 1e-9);
   EXPECT_NEAR(turned.at(1).of_space.value, 800.0, 1e-9);
+}
+
+// 2500 mm of a project in mm are 2500 m of a requirement. Of a row, other ranges hold what hangs.
+TEST(LuminaireValue, HeightsThatHoldNoLuminaireAreNotJudged) {
+  const std::string lamp = "<luminaire id='l' type='ball' position='4 4 2.5'/>";
+  const auto bind_in_room = [&](const std::string& require) {
+    return bind_plane(lamp, require, "height='1' count='1 1'", kRoom, "</room>");
+  };
+  const Bound own = bind_in_room(
+      "<require id='a' quantity='glare-intensity' to='2' at-most='5'/>"
+      "<require id='b' quantity='peak-intensity' from='2500' to='3000' at-most='5'/>");
+  EXPECT_EQ(own.at(0).problem,
+            "no luminaire that is on hangs below 2 m: the lowest is 2.5 m above the floor");
+  EXPECT_EQ(own.at(1).problem,
+            "no luminaire that is on hangs from 2500 to 3000 m: they are 2.5 to 2.5 m above the "
+            "floor");
+  const Bound row = bind_plane("<luminaire id='l' type='ball' position='4 4 2.5' group='g'/>",
+                               "<require pack='en1838:2024' role='glare' scene='half'/>",
+                               "height='0' count='1 1'", kRoom, "</room>");
+  ASSERT_EQ(row.requirements.size(), 6u) << testing::PrintToString(row.messages);
+  EXPECT_THAT(row.at(0).note, HasSubstr("none of the luminaires that are on hangs there"));
+  for (const Requirement& one : row.requirements) EXPECT_EQ(one.problem, "") << one.id;
 }
 
 // The floor of a room is where the room is.
@@ -180,7 +203,7 @@ TEST(LuminaireValue, OverAPodiumTheHeightIsOpen) {
     EXPECT_EQ(bound.at(i).of_space.low, 0.0) << i;
     EXPECT_THAT(bound.at(i).note, HasSubstr("of several heights"));
   }
-  EXPECT_EQ(bound.at(2).of_space.high, 0.0);
+  EXPECT_THAT(bound.at(2).problem, HasSubstr("no luminaire that is on hangs at 3.5 m or higher"));
   EXPECT_NEAR(bound.at(3).of_space.low, 100.0, 1e-9);
   // On the podium itself: a plane there says that people walk on it, wherever the luminaire is.
   const Bound beside = bind_plane(
