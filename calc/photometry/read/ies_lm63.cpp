@@ -259,6 +259,7 @@ class Lm63Reader {
       diagnostics_.report(DiagnosticId::photometry_flux_over_lamps, numbers_.at(header_.tilt_line),
                           web.flux_lm(), rated);
     }
+    warn_of_low_flux(web.flux_lm(), rated, numbers_.at(header_.tilt_line), diagnostics_);
   }
 
   const Lm63Header& header_;

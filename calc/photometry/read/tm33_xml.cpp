@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kRoots{"IESTM33", "IESTM33-18", "IESTM33-22",
                                                  "LuminaireOpticalData"};
-constexpr double kFluxTolerance = 0.05;     // relative, stated flux
-constexpr double kUnusualEfficiency = 0.2;  // below: perhaps in cd per 1000 lm
+constexpr double kFluxTolerance = 0.05;  // relative, stated flux
 
 struct Emitter {
   const XmlElement* element;
@@ -201,10 +200,7 @@ class Tm33Reader {
     if (rated > 0.0 && web.flux_lm() > kEfficiencyLimit * rated) {
       diagnostics_.report(DiagnosticId::photometry_flux_over_lamps, file, web.flux_lm(), rated);
     }
-    if (rated_in_any_case_lm_ > 0.0 && web.flux_lm() < kUnusualEfficiency * rated_in_any_case_lm_) {
-      diagnostics_.report(DiagnosticId::photometry_low_flux, file, web.flux_lm(),
-                          100.0 * web.flux_lm() / rated_in_any_case_lm_, rated_in_any_case_lm_);
-    }
+    warn_of_low_flux(web.flux_lm(), rated_in_any_case_lm_, file, diagnostics_);
   }
 
   const XmlElement& root_;

@@ -173,4 +173,17 @@ bool check_angle(double deg, const double* previous, double lowest_deg, double h
   return true;
 }
 
+void warn_of_low_flux(double flux_lm, double rated_lm, const SourceLocation& where,
+                      Diagnostics& diagnostics) {
+  // Few luminaires keep that much of their light, and none has just 1000 lm by design: a luminaire
+  // with losses of up to 5 % has this flux where its table is that of 1000 lm.
+  constexpr double kUnusualEfficiency = 0.2;
+  constexpr double kLowest_lm = 950.0, kHighest_lm = 1010.0;
+  const bool is_more_rated = rated_lm > kEfficiencyLimit * flux_lm;
+  const bool is_of_1000_lm = flux_lm >= kLowest_lm && flux_lm <= kHighest_lm && is_more_rated;
+  if (flux_lm >= kUnusualEfficiency * rated_lm && !is_of_1000_lm) return;
+  diagnostics.report(DiagnosticId::photometry_low_flux, where, flux_lm, 100.0 * flux_lm / rated_lm,
+                     rated_lm);
+}
+
 }  // namespace calc

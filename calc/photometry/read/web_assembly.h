@@ -39,4 +39,9 @@ std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOp
 bool check_angle(double deg, const double* previous, double lowest_deg, double highest_deg,
                  const char* what, const SourceLocation& where, Diagnostics& diagnostics);
 
+// Of a format whose tables hold candelas: warns if they look like candelas per 1000 lm, which are
+// too dark by as much as the lamps have more than 1000 lm. rated_lm: of all lamps; 0: not stated.
+void warn_of_low_flux(double flux_lm, double rated_lm, const SourceLocation& where,
+                      Diagnostics& diagnostics);
+
 }  // namespace calc

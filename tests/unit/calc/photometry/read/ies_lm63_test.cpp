@@ -50,12 +50,12 @@ TEST(Lm63, SourceIsKept) {
 
 TEST(Lm63, TableTimesMultiplierTimesBallastFactorAndNeverLampLumens) {
   IesSample sample;
-  sample.lamps = "2 1000";
+  sample.lamps = "2 100";
   sample.multiplier = "0.5";
   sample.factors = "0.9 1 20";
   const PhotometricWeb web = read(sample);
   EXPECT_NEAR(at(web, 0, 0), 45.0, 1e-12);
-  EXPECT_EQ(web.source().rated_lamp_flux_lm, 2000.0);
+  EXPECT_EQ(web.source().rated_lamp_flux_lm, 200.0);
 }
 
 TEST(Lm63, Field12ScalesIn1986And1991Only) {
@@ -379,6 +379,28 @@ TEST(Lm63, OddButReadableFilesAreWarnedOf) {
               }),
               HasSubstr("warning[photometry-pole-spread]: at gamma 0 all C-planes should agree, "
                         "but they range from 90 to 100 cd"));
+}
+
+// A table of candelas per 1000 lm, whose multiplier was forgotten: too dark by as much as the lamps
+// have more than 1000 lm. It sums to about 1000 lm, or to little of what is rated.
+TEST(Lm63, CandelasPerKilolumenAreSuspected) {
+  const auto messages = [](const std::string& lamps, double peak_cd) {
+    IesSample sample;
+    sample.lamps = lamps;
+    sample.cd = [peak_cd](double, double gamma) {
+      return gamma < 90.0 ? peak_cd * cos_deg(gamma) : 0.0;
+    };
+    return parse(ies_text(sample)).messages;
+  };
+  const std::string id = "warning[photometry-low-flux]";
+  const double peak_of_980_lm = 980.0 / 3.14;  // about: pi lm for 1 cd
+  EXPECT_THAT(messages("1 50000", peak_of_980_lm), HasSubstr(id));
+  EXPECT_THAT(messages("1 4000", peak_of_980_lm), HasSubstr(id + ": the intensities add up to 97"));
+  EXPECT_THAT(messages("1 1500", peak_of_980_lm), HasSubstr(id));
+  EXPECT_THAT(messages("1 900", 50.0), HasSubstr(id)) << "17 % of what is rated";
+  EXPECT_EQ(messages("1 980", peak_of_980_lm), "");
+  EXPECT_EQ(messages("1 -1", peak_of_980_lm), "") << "nothing is rated";
+  EXPECT_EQ(messages("1 1800", 280.0), "") << "half of what is rated, as of many old luminaires";
 }
 
 TEST(Lm63, MutilatedFilesNeverCrash) {
