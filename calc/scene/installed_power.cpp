@@ -9,7 +9,9 @@ namespace calc {
 
 std::string InstalledPower::problem() const {
   if (without_power > 0) {
-    return say<Sentence::no_power>(without_power, luminaires);
+    return of_other_flux == 0
+               ? say<Sentence::no_power>(without_power, luminaires)
+               : say<Sentence::power_of_other_flux>(without_power, luminaires, of_other_flux);
   }
   // A building file's rooms and the open space have no outline here.
   if (!(area_m2 > 0.0)) return say<Sentence::no_floor_area>();
@@ -31,7 +33,9 @@ InstalledPower installed_power(const Project& project, const Space& space) {
     ++power.luminaires;
     ++power.luminaires_of[{luminaire.group, type.id}];
     power.power_w += power_w;
-    if (!(power_w > 0.0)) ++power.without_power;
+    if (power_w > 0.0) continue;
+    ++power.without_power;
+    if (type.file_power_w > 0.0) ++power.of_other_flux;
   }
   if (space.shell) power.area_m2 = std::abs(signed_area(space.shell->footprint_m));
   return power;

@@ -18,6 +18,9 @@ struct InstalledPower {
   double area_m2 = 0.0;   // of the room's floor; 0 = not known
   int luminaires = 0;     // all
   int without_power = 0;  // of them: nobody states their power
+  // Of these: their photometry states a power, but for another flux than the project's. Results do
+  // not have it.
+  int of_other_flux = 0;
   // How many there are, by dimming group ("" = none) and type id. Results do not have it.
   std::map<std::pair<std::string, std::string>, std::size_t> luminaires_of = {};
 

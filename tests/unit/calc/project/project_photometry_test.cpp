@@ -1,6 +1,7 @@
 // What projects make of photometry beyond its table: TILT data and the interpolation.
 
 #include "calc/base/units.h"
+#include "calc/scene/installed_power.h"
 #include "calc/scene/prepared_scene.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
@@ -124,6 +125,20 @@ LuminaireType lamp_type(const std::string& attributes, const std::string& packag
   const tests::Loaded loaded = load(files);
   EXPECT_TRUE(loaded.project) << loaded.messages;
   return loaded.project ? loaded.project->luminaire_types.back() : LuminaireType{};
+}
+
+// The file of a shorter luminaire, by another flux: its 12 W are not those of this one.
+TEST(ProjectPhotometry, AnotherFluxPutsThePowerOfTheFileAside) {
+  Project project;
+  project.luminaire_types.push_back(lamp_type(" flux-lm=\"150\"", ""));
+  Space space;
+  space.luminaires.resize(2);
+  const InstalledPower power = installed_power(project, space);
+  EXPECT_EQ(power.without_power, 2);
+  EXPECT_EQ(power.of_other_flux, 2);
+  EXPECT_EQ(power.problem(),
+            "2 of 2 luminaires state no power: the photometry of 2 states it for another flux than "
+            "the project gives them, and the project states none (power-w)");
 }
 
 // The chosen package has the say, and nothing hangs on the others.
