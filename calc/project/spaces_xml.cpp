@@ -111,7 +111,7 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
   }
   if (surroundings.objects_are_good && surroundings.room_is_good) {
     fit_housings(context.project, space);
-    settle_coincident_surfaces(space, shell_bodies, context.diagnostics);
+    settle_coincident_surfaces(space, shell_bodies, context.project.materials, context.diagnostics);
   }
   surroundings.origin_m = origin_m;
   surroundings.box_tops = std::move(objects.box_tops);
