@@ -63,6 +63,18 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+// "1.000": in tables of many countries a point stands between thousands.
+bool may_be_thousands(std::string_view text) {
+  const std::size_t first = text.find('.');
+  const std::string_view whole = text.substr(0, first);
+  const auto are_digits = [](std::string_view part) {
+    return std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  if (first == text.npos || whole.empty() || whole.size() > 3 || whole.front() == '0') return false;
+  const std::string_view behind = text.substr(first + 1);
+  return are_digits(whole) && behind.size() == 3 && are_digits(behind);
+}
+
 // XML text, and for each of its lines the line of the table that it was made of; 0 = none.
 struct WrittenPack {
   std::string text;
@@ -276,6 +288,12 @@ class Importer {
     const std::string& text = columns_.cell(record, column);
     if (!text.empty() && !calc::parse_number(text)) {
       report(record, fmt::format("column '{}': '{}' is not a number", written_[column], text));
+    } else if (may_be_thousands(text)) {
+      const std::size_t point = text.find('.');
+      report(record, fmt::format("column '{}': '{}' may be {:.6g} or {}{}; write it without three "
+                                 "digits behind a point",
+                                 written_[column], text, *calc::parse_number(text),
+                                 text.substr(0, point), text.substr(point + 1)));
     }
     return text;
   }

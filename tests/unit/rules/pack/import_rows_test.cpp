@@ -210,6 +210,18 @@ TEST(ImportRowsMessage, RefusesNumbersThatMeanNothing) {
                                               "nobody knows where 'on the moon' is; allowed: ")));
 }
 
+// 1.000 of a German table is a thousand, and a row of 1 lx would pass nearly everywhere.
+TEST(ImportRowsMessage, RefusesPointsThatMayStandBetweenThousands) {
+  EXPECT_THAT(messages_of("1,a,desk,1.000,,0.7,80,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: column 'Em': '1.000' may be 1 or 1000; "
+                          "write it without three digits behind a point"));
+  EXPECT_THAT(messages_of("1,a,desk,500,1.500,0.7,80,19,,,,"),
+              ElementsAre(testing::HasSubstr("column 'Em mod': '1.500' may be 1.5 or 1500")));
+  EXPECT_THAT(messages_of("1,a,desk,500,,1.000,80,19,,,,"),
+              ElementsAre(testing::HasSubstr("column 'Uo': '1.000' may be 1 or 1000")));
+  EXPECT_THAT(messages_of("1,a,desk,500.0,,0.700,80,19.00,,,,"), ElementsAre());
+}
+
 TEST(ImportRowsMessage, WarnsOfUnusualNumbers) {
   EXPECT_THAT(messages_of("1,a,,510,,0.6,80,19,,,,"),
               ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em': 510 lx "
