@@ -222,6 +222,11 @@ class Lm63Reader {
                           type_ == Lm63Type::b ? "B" : "A", problem);
       return false;
     }
+    if (horizontal_count_ == 1) {
+      diagnostics_.report(DiagnosticId::photometry_assumed, table_.where,
+                          "the light beside the single horizontal angle of photometric type B",
+                          "the same light all round straight down");
+    }
     source_.axis_rule = type_ == Lm63Type::b
                             ? "type B, planes about the C 90 line: nadir is H 0 V 0, C 270 is H 90"
                             : "type A: C 0 is H 0, C 270 is H 90, gamma is V + 90";

@@ -175,8 +175,8 @@ bool check_angle(double deg, const double* previous, double lowest_deg, double h
 
 void warn_of_low_flux(double flux_lm, double rated_lm, const SourceLocation& where,
                       Diagnostics& diagnostics) {
-  // Few luminaires keep that much of their light, and none has just 1000 lm by design: a luminaire
-  // with losses of up to 5 % has this flux where its table is that of 1000 lm.
+  // Few luminaires lose more of their light. One that keeps 95 % or more of it has about 1000 lm
+  // where its table is that of 1000 lm.
   constexpr double kUnusualEfficiency = 0.2;
   constexpr double kLowest_lm = 950.0, kHighest_lm = 1010.0;
   const bool is_more_rated = rated_lm > kEfficiencyLimit * flux_lm;

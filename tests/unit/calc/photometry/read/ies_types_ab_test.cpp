@@ -162,6 +162,10 @@ TEST(Lm63TypesAB, OneHorizontalAngleOfTypeBIsABeamRoundNadir) {
   sample.type = "2";
   const PhotometricWeb web = parse(sample).web.value();
   EXPECT_TRUE(web.is_axial());
+  EXPECT_THAT(parse(sample).messages,
+              HasSubstr("warning[photometry-assumed]: the light beside the single horizontal angle "
+                        "of photometric type B is not stated; the same light all round straight "
+                        "down is assumed"));
   EXPECT_NEAR(web.intensity_cd(type_c(77, 60)), 50.0, 1e-9);
   sample.gamma_deg = angle_steps(-90, 90, 5);
   EXPECT_NEAR(parse(sample).web.value().intensity_cd(type_c(200, 60)), 50.0, 1e-9);
