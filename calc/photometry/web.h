@@ -65,6 +65,9 @@ struct PhotometrySource {
   std::string axis_rule{};              // words: what C 0 and the opening's sides lie along
   std::optional<LampTilt> lamp_tilt{};  // the intensities hold its factor of tilt 0
   double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
+  // Of the maximum: what the table has where it ends and its format has it go on, so that nobody
+  // knows the light beyond; 0 = it has no such end, or is dark there.
+  double open_end_share = 0.0;
   // As the file states them, in its own words; "" = not stated.
   std::string article_number{}, lamp{}, colour_temperature{}, colour_rendering{};
   // Of the luminaire as a thing, along C0, along C90 and its height, all > 0; empty: not stated.

@@ -8,6 +8,7 @@
 #include "calc/road/road_values.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
+#include "calc/scene/scene_level.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/luminaire_values.h"
 #include "rules/binding/requirement_ids.h"
@@ -72,6 +73,20 @@ class ElementsOnce {
   std::set<std::tuple<std::string, int, int, std::string>> wrong_;
 };
 
+// Of a luminaire that is on: where its table ends in the light nobody knows what it sends beyond.
+// "" = of none.
+std::string light_beyond_tables(const calc::Project& project, const calc::Space& space,
+                                const calc::LightScene* scene) {
+  for (const calc::Luminaire& luminaire : space.road ? space.road->rows : space.luminaires) {
+    const calc::LuminaireType& type = project.luminaire_types[luminaire.type];
+    const double share = project.webs[type.web].source().open_end_share;
+    if (share > 0.0 && calc::level_in_scene(scene, luminaire.group) > 0.0) {
+      return calc::say<calc::Sentence::light_beyond_table>(type.id, 100.0 * share);
+    }
+  }
+  return {};
+}
+
 // What is known of a space before any light.
 class SpaceValues {
  public:
@@ -112,6 +127,12 @@ class SpaceValues {
          },
          [&]() -> const PlanePoints& { return points_of(plane); }},
         requirement);
+  }
+  // Requirement::missing_light.
+  const std::string& missing_light(const std::string& scene) {
+    return known(missing_light_, scene, [&](const calc::LightScene* levels) {
+      return light_beyond_tables(project_, space_, levels);
+    });
   }
   std::size_t luminaires() const { return space_.luminaires.size(); }
   // Null: the space is no road.
@@ -167,7 +188,8 @@ class SpaceValues {
   PlanePoints points_;
   const calc::CalcPlane* heights_of_ = nullptr;  // the same
   std::vector<MountingHeight> heights_;
-  std::map<std::string, calc::Estimate> veiling_;  // by scene
+  std::map<std::string, calc::Estimate> veiling_;     // by scene
+  std::map<std::string, std::string> missing_light_;  // by scene
 
  public:
   const calc::InstalledPower power;
@@ -299,6 +321,9 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
       }
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
       if (is_about_space(requirement.metric)) set_space_value(of_space, plane, requirement);
+      if (is_of_light(requirement.metric)) {
+        requirement.missing_light = of_space.missing_light(requirement.scene);
+      }
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);
       of_plane.push_back(std::move(requirement));

@@ -34,6 +34,10 @@ bool is_of_space_in_scene(Metric metric) {
   return metric_row(metric).source == MetricSource::space_in_scene;
 }
 
+bool is_of_light(Metric metric) {
+  return metric_row(metric).source != MetricSource::space && metric != Metric::luminaire_distance;
+}
+
 bool is_of_road(Metric metric) {
   return metric >= Metric::road_luminance && metric <= Metric::edge_ratio;
 }

@@ -133,6 +133,8 @@ bool has_unit_of_values(Metric metric);
 bool is_of_space(Metric metric);
 // Of these: it hangs on the levels of a scene.
 bool is_of_space_in_scene(Metric metric);
+// It hangs on what luminaires send, and not on their power or their places alone.
+bool is_of_light(Metric metric);
 // Of the carriageway of a road.
 bool is_of_road(Metric metric);
 // Of luminaires as such: what they send where, and where they are.

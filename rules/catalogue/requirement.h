@@ -91,7 +91,10 @@ struct Requirement {
   std::string mask_words{};       // of it, for reports; "" = all count, or not known
   bool direct_only = false;       // reflected light is left out
   bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
-  std::string problem;            // why it cannot be judged, whatever the light; "" = it can
+  // Why the light that it is of may be more than what is calculated; "" = it is all there. Nothing
+  // passes then that more light could fail.
+  std::string missing_light{};
+  std::string problem;  // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
   std::vector<StatedDeviation> stated_deviations;  // each aspect once

@@ -86,6 +86,7 @@ double more_work(const Finding& finding, const Measurement& measurement) {
 // "" where paths do not help, or nobody knows how many.
 std::string more_work_text(const Finding& finding, const Measurement& measurement) {
   const bool is_unknown = measurement.unseen_points > 0 || !measurement.remark.empty() ||
+                          measurement.is_cut_off || measurement.has_missing_light ||
                           (measurement.single_sample_points > 0 && measurement.largest_share <= 0);
   const bool is_sampled = !is_of_space(finding.requirement.metric);
   if (finding.verdict != Verdict::undecided || is_unknown || !is_sampled) return {};
@@ -135,9 +136,13 @@ std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
 
 // More light only makes it surer.
 bool holds_with_more_light(const Requirement& requirement, Verdict verdict) {
-  const bool is_of_light = !is_ratio(requirement.metric) && is_in_lux(requirement);
-  return is_of_light &&
-         verdict == (is_lower_limit(requirement.comparison) ? Verdict::pass : Verdict::fail);
+  const Metric metric = requirement.metric;
+  const bool grows = !is_ratio(metric) && (is_in_lux(requirement) ||
+                                           (is_of_space(metric) && metric_row(metric).is_linear));
+  const bool falls = metric == Metric::power_per_100_lx;
+  if (!grows && !falls) return false;
+  return verdict ==
+         (is_lower_limit(requirement.comparison) == grows ? Verdict::pass : Verdict::fail);
 }
 
 void make_doubtful(Finding& finding) {
@@ -208,6 +213,10 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     if (measurement.is_cut_off && !holds_with_more_light(requirement, finding.verdict)) {
       make_doubtful(finding);
       finding.reason = calc::say<calc::Sentence::cut_off>();
+    } else if (measurement.has_missing_light && finding.verdict == Verdict::pass &&
+               !holds_with_more_light(requirement, finding.verdict)) {
+      make_doubtful(finding);
+      finding.reason = requirement.missing_light;
     }
     return finding;
   }

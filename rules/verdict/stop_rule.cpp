@@ -31,7 +31,7 @@ bool is_accurate(const Measurement& measurement, double tolerance) {
 
 bool is_decided(const Requirement& requirement, Measurement measurement,
                 const calc::SensorGrid& grid) {
-  measurement.is_cut_off = false;  // no sample brings it back
+  measurement.is_cut_off = measurement.has_missing_light = false;  // no sample brings it back
   const Finding finding = judge_measurement(requirement, measurement, grid);
   // The first sample that arrives makes a uniformity defined.
   if (finding.verdict == Verdict::not_judged && measurement.unseen_points > 0) return false;

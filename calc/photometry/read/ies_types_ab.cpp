@@ -103,6 +103,28 @@ FileTable around_nadir(const TypeAbTable& file, std::string& problem) {
   return table;
 }
 
+// The greatest intensity at ends of the lists that are not at 90 degrees. A list that begins at 0
+// goes on as its mirror image, so that this is no end.
+double at_open_ends_cd(const TypeAbTable& file) {
+  const std::vector<double>&v = file.vertical_deg, &h = file.horizontal_deg;
+  const auto begins_open = [](const std::vector<double>& deg) {
+    return deg.front() > -90.0 && deg.front() != 0.0;
+  };
+  const auto ends_open = [](const std::vector<double>& deg) {
+    return deg.size() > 1 && deg.back() < 90.0;
+  };
+  double greatest_cd = 0.0;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      const bool is_open = (i == 0 && h.size() > 1 && begins_open(h)) ||
+                           (i + 1 == h.size() && ends_open(h)) || (k == 0 && begins_open(v)) ||
+                           (k + 1 == v.size() && ends_open(v));
+      if (is_open) greatest_cd = std::max(greatest_cd, file.intensity_cd[i * v.size() + k]);
+    }
+  }
+  return greatest_cd;
+}
+
 bool reaches_zero(const std::vector<double>& deg) {
   return deg.front() <= 0.0 && deg.back() >= 0.0;
 }
@@ -116,7 +138,11 @@ FileTable table_of_type_ab(const TypeAbTable& file, std::string& problem) {
     return {};
   }
   if (file.horizontal_deg.size() == 1) {
-    if (is_b) return around_nadir(file, problem);
+    if (is_b) {
+      FileTable table = around_nadir(file, problem);
+      table.at_open_ends_cd = at_open_ends_cd(file);
+      return table;
+    }
     problem = "type A with a single horizontal angle";
     return {};
   }
@@ -142,6 +168,7 @@ FileTable table_of_type_ab(const TypeAbTable& file, std::string& problem) {
   }
   FileTable table = close_circle(longitude_deg, rows, std::move(gamma_deg));
   table.axis = is_b ? TableAxis::lateral : TableAxis::vertical;
+  table.at_open_ends_cd = at_open_ends_cd(file);
   return table;
 }
 

@@ -66,18 +66,50 @@ bool check_statements(const LuminousOpening& opening, const PhotometrySource& so
                kLargestOpening_m);
 }
 
+// The greatest intensity where the table ends, and where it ends but by its format goes on: lists
+// begin at 0 or 90 and end at 90 or 180, and beyond these there is no light.
+struct EndIntensities {
+  double all_cd = 0.0, open_cd = 0.0;
+};
+
+EndIntensities intensities_at_ends(const FileTable& table) {
+  const double first = table.gamma_deg.front(), last = table.gamma_deg.back();
+  const auto ends_a_half = [](double deg) {
+    constexpr double kPrinted_deg = 1.0e-3;
+    return std::abs(deg - 90.0) <= kPrinted_deg;
+  };
+  const std::size_t columns = table.gamma_deg.size();
+  EndIntensities ends;
+  for (std::size_t i = 0; i < table.intensity_cd.size(); i += columns) {
+    const double at_first = table.intensity_cd[i], at_last = table.intensity_cd[i + columns - 1];
+    if (first > 0.0) ends.all_cd = std::max(ends.all_cd, at_first);
+    if (last < 180.0) ends.all_cd = std::max(ends.all_cd, at_last);
+    if (first > 0.0 && !ends_a_half(first)) ends.open_cd = std::max(ends.open_cd, at_first);
+    if (last < 180.0 && !ends_a_half(last)) ends.open_cd = std::max(ends.open_cd, at_last);
+  }
+  return ends;
+}
+
 void warn_of_gamma_range(const FileTable& table, double maximum_cd, Diagnostics& diagnostics) {
   const double first = table.gamma_deg.front();
   const double last = table.gamma_deg.back();
   const bool usual = (first == 0.0 || first == 90.0) && (last == 90.0 || last == 180.0);
-  const std::size_t columns = table.gamma_deg.size();
-  double at_edges = 0.0;
-  for (std::size_t i = 0; i < table.intensity_cd.size(); i += columns) {
-    if (first > 0.0) at_edges = std::max(at_edges, table.intensity_cd[i]);
-    if (last < 180.0) at_edges = std::max(at_edges, table.intensity_cd[i + columns - 1]);
+  const double at_ends_cd = intensities_at_ends(table).all_cd;
+  if (usual && at_ends_cd <= kCutShare * maximum_cd) return;
+  diagnostics.report(DiagnosticId::photometry_gamma_range, table.where, first, last, at_ends_cd);
+}
+
+// The share of the maximum that the table has at an end beyond which nothing is known; 0 = there is
+// no such end, or it is dark there.
+double find_open_end(const FileTable& table, double maximum_cd, Diagnostics& diagnostics) {
+  double open_cd = table.at_open_ends_cd;
+  if (table.axis == TableAxis::vertical) {
+    open_cd = std::max(open_cd, intensities_at_ends(table).open_cd);
   }
-  if (usual && at_edges <= kCutShare * maximum_cd) return;
-  diagnostics.report(DiagnosticId::photometry_gamma_range, table.where, first, last, at_edges);
+  if (open_cd <= kNoiseShare * maximum_cd) return 0.0;
+  const double share = open_cd / maximum_cd;
+  diagnostics.report(DiagnosticId::photometry_open_end, table.where, open_cd, 100.0 * share);
+  return share;
 }
 
 void warn_of_poles(const FileTable& table, Diagnostics& diagnostics) {
@@ -139,6 +171,7 @@ std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOp
     warn_of_poles(table, diagnostics);
   }
   warn_of_circle(table, circle, maximum, diagnostics);
+  source.open_end_share = find_open_end(table, maximum, diagnostics);
 
   std::vector<double> c_rad;
   std::vector<double> expanded_cd;

@@ -22,7 +22,10 @@ struct FileTable {
   TableAxis axis = TableAxis::vertical;  // lateral: c_deg and gamma_deg are the table's
   bool lists_c360 = false;  // the format repeats plane 0 at 360 when there is no symmetry
   std::vector<double> gamma_deg;
-  std::vector<double> intensity_cd;    // [plane][gamma]
+  std::vector<double> intensity_cd;  // [plane][gamma]
+  // The greatest at angles where the list ends and its format has it go on, so that the file leaves
+  // open what is beyond. Of other tables than types A and B make_checked_web() finds it.
+  double at_open_ends_cd = 0.0;
   SourceLocation where;                // where the table starts
   SourceLocation most_negative_where;  // of the smallest value
 };

@@ -321,6 +321,33 @@ TEST(LuminaireValueMessage, AttributesThatMeanNothing) {
               ElementsAre(HasSubstr("'light' has no meaning")));
 }
 
+// A file that ends in the light leaves open what its luminaires send beyond, while they are on.
+TEST(LuminaireValue, LightBeyondATableIsMissing) {
+  const auto missing = [](const std::string& gammas, const std::string& candelas, int count) {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='1'><luminaire-type id='t' photometry='t.ies'/>"
+        "<scene id='off'><dim group='g' level='0'/></scene>"
+        "<luminaire id='l' type='t' position='0 0 3' group='g'/>"
+        "<plane id='p' origin='0 0 0' u='1 0 0' v='0 1 0'>"
+        "<require id='a' quantity='maximum' at-most='5'/>"
+        "<require id='b' quantity='maximum' at-most='5' scene='off'/>"
+        "<require id='c' quantity='ULR' at-most='5'/>"
+        "<require id='d' quantity='luminaire-distance' at-most='5'/></plane></luxgate>";
+    calc::Diagnostics diagnostics;
+    const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies(gammas, candelas, count)}});
+    const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    std::vector<std::string> words;
+    for (const Requirement& one : judged->requirements) words.push_back(one.missing_light);
+    return words;
+  };
+  const std::string kCut =
+      "the photometry of luminaire type 't' ends in the light, at 50 % of its maximum: the light "
+      "beyond is not known, and it may be more";
+  EXPECT_THAT(missing("0 60", "100 50", 2), ElementsAre(kCut, "", kCut, ""));
+  EXPECT_THAT(missing("0 60", "100 0", 2), ElementsAre("", "", "", "")) << "it ends in the dark";
+  EXPECT_THAT(missing("0 90", "100 50", 2), ElementsAre("", "", "", "")) << "by LM-63 dark above";
+}
+
 // Of zones the limit is the row's, and of emergency a luminaire is 2 m away at most.
 TEST(LuminaireValue, RowsAskForThem) {
   const Bound zone = bind_plane(kBall,

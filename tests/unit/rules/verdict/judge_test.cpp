@@ -141,6 +141,30 @@ TEST(Judge, WhatIsCutOffIsInNoInterval) {
   EXPECT_EQ(verdict(direct, kLeast), Verdict::fail);
 }
 
+// A photometry that ends in the light: more of it would leave these passes, and turn all others.
+// What fails by the light that is known fails.
+TEST(Judge, NothingPassesThatMissingLightCouldFail) {
+  const auto judge_missing = [](Requirement requirement, Comparison comparison) {
+    requirement.comparison = comparison;
+    requirement.missing_light = "the file ends at 60 degrees";
+    const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
+    EXPECT_EQ(finding.is_doubtful, finding.verdict == Verdict::undecided);
+    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.missing_light : "");
+    return finding.verdict;
+  };
+  constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
+  EXPECT_EQ(judge_missing(at_least(Metric::average, 400), kLeast), Verdict::pass);
+  EXPECT_EQ(judge_missing(at_least(Metric::average, 600), kLeast), Verdict::fail);
+  EXPECT_EQ(judge_missing(at_least(Metric::maximum, 600), kMost), Verdict::undecided);
+  EXPECT_EQ(judge_missing(at_least(Metric::maximum, 400), kMost), Verdict::fail);
+  EXPECT_EQ(judge_missing(at_least(Metric::uniformity_min_avg, 0.5), kLeast), Verdict::undecided);
+  for (const Metric metric : {Metric::intensity, Metric::upward_share}) {
+    Requirement of_space = at_least(metric, 10);
+    of_space.of_space = {5, 5, 5};
+    EXPECT_EQ(judge_missing(of_space, kMost), Verdict::undecided);
+  }
+}
+
 TEST(Judge, FailsWithANegativeMargin) {
   const Finding finding = judge(at_least(Metric::average, 400), exact_field({500, 300, 400}));
   EXPECT_EQ(finding.verdict, Verdict::fail);

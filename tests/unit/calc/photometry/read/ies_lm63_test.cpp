@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -401,6 +402,29 @@ TEST(Lm63, CandelasPerKilolumenAreSuspected) {
   EXPECT_EQ(messages("1 980", peak_of_980_lm), "");
   EXPECT_EQ(messages("1 -1", peak_of_980_lm), "") << "nothing is rated";
   EXPECT_EQ(messages("1 1800", 280.0), "") << "half of what is rated, as of many old luminaires";
+}
+
+// By LM-63 a table begins at 0 or 90 and ends at 90 or 180, and beyond that there is no light. One
+// that ends elsewhere has left something out, unless it is dark there.
+TEST(Lm63, ATableThatEndsInTheLightLeavesTheRestOpen) {
+  const auto open_share = [](double first, double last, double at_end) {
+    IesSample sample;
+    sample.gamma_deg = angle_steps(first, last, 10);
+    sample.cd = [=](double, double gamma) {
+      return gamma == first || gamma == last ? std::max(at_end, gamma == 0.0 ? 100.0 : 0.0) : 100.0;
+    };
+    const Parsed parsed = parse(ies_text(sample));
+    const double share = parsed.web.value().source().open_end_share;
+    EXPECT_EQ(share > 0.0, parsed.messages.find("[photometry-open-end]") != std::string::npos);
+    return share;
+  };
+  EXPECT_DOUBLE_EQ(open_share(0, 60, 30.0), 0.3);
+  EXPECT_DOUBLE_EQ(open_share(0, 140, 2.0), 0.02);
+  EXPECT_DOUBLE_EQ(open_share(30, 180, 40.0), 0.4);
+  EXPECT_EQ(open_share(0, 60, 0.05), 0.0);  // noise
+  EXPECT_EQ(open_share(0, 90, 30.0), 0.0);
+  EXPECT_EQ(open_share(90, 180, 30.0), 0.0);
+  EXPECT_EQ(open_share(0, 180, 30.0), 0.0);
 }
 
 TEST(Lm63, MutilatedFilesNeverCrash) {

@@ -174,6 +174,27 @@ TEST(Lm63TypesAB, OneHorizontalAngleOfTypeBIsABeamRoundNadir) {
                                                 "single horizontal angle"));
 }
 
+// Lists of types A and B end at 90 degrees, or in the dark; one that starts at 0 goes on mirrored.
+TEST(Lm63TypesAB, ListsThatEndInTheLightLeaveTheRestOpen) {
+  const auto open_share = [](char type, double first, double last, bool is_dark_at_ends) {
+    IesSample sample;
+    sample.type = type == 'a' ? "3" : "2";
+    sample.gamma_deg = sample.c_deg = angle_steps(first, last, 10);
+    sample.cd = [=](double h, double v) {
+      const bool is_end = std::max(std::abs(h), std::abs(v)) == last;
+      return is_end ? (is_dark_at_ends ? 0.0 : 25.0) : 100.0;
+    };
+    return parse(sample).web.value().source().open_end_share;
+  };
+  for (const char type : {'a', 'b'}) {
+    EXPECT_DOUBLE_EQ(open_share(type, -40, 40, false), 0.25) << type;
+    EXPECT_DOUBLE_EQ(open_share(type, 0, 40, false), 0.25) << type;
+    EXPECT_EQ(open_share(type, -40, 40, true), 0.0) << type;
+    EXPECT_EQ(open_share(type, -90, 90, false), 0.0) << type;
+    EXPECT_EQ(open_share(type, 0, 90, false), 0.0) << type;
+  }
+}
+
 TEST(Lm63TypesAB, WhatMakesNoSenseIsRefused) {
   IesSample sample = sample_of('a', -90, 5, lobe);
   sample.c_deg = {0};
