@@ -320,6 +320,19 @@ class PolicyJudge {
                      name, row.role, share, *row.floor_share));
   }
 
+  // Of what glare outdoors is rated on, which is stated with the requirement.
+  void compare_fields(const auto& compare) {
+    for (const SpacePart& space : project_.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        for (const rules::Finding& finding : plane.findings) {
+          const rules::Requirement& asked = finding.requirement;
+          if (!(asked.field_reflectance > 0.0)) continue;
+          compare(asked.field_reflectance, fmt::format("the field of '{}'", asked.plane_id));
+        }
+      }
+    }
+  }
+
   void judge_bound(const PolicyBound& bound) {
     const auto compare = [&](double value, const std::string& of) {
       this->compare(value, bound.at_least, bound.at_most,
@@ -329,6 +342,7 @@ class PolicyJudge {
       for (const MaterialRow& material : project_.materials) {
         compare(material.reflectance, fmt::format("material '{}'", material.id));
       }
+      compare_fields(compare);
       return;
     }
     for (const LuminaireRow& luminaire : project_.luminaires) {

@@ -179,6 +179,9 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
           {.words = "What the project states of a road or a field, in words.",
            .presence = only_if(!is_energy && !requirement.stated_words.empty()),
            .holds = Holds::prose});
+  v.field("field_reflectance", requirement.field_reflectance,
+          {.words = "Stated, of the field that GR is rated on.",
+           .presence = only_if(requirement.field_reflectance > 0.0)});
   v.field("percent", requirement.percent,
           {.presence = only_if(requirement.metric == rules::Metric::percentile)});
   v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});

@@ -33,6 +33,18 @@ using calc::Names;
 constexpr const char* kElement = "require";
 constexpr std::string_view kReflectance = "reflectance";
 
+// Of grass, sand, clay, concrete and what else sport is played on.
+constexpr double kLeastUsualField = 0.1, kMostUsualField = 0.4;
+
+double read_field_reflectance(ElementReader& reader) {
+  const double reflectance = reader.number(kReflectance, calc::kPositiveFraction);
+  if (reflectance > 0.0 && (reflectance < kLeastUsualField || reflectance > kMostUsualField)) {
+    reader.report(DiagnosticId::field_reflectance_unusual, reader.where(kReflectance), kElement,
+                  reflectance);
+  }
+  return reflectance;
+}
+
 // A limit is written here, or a row of a rule pack has it.
 bool has_any(const ElementReader& reader, AttributeForm form) {
   const auto& all = requirement_attributes();
@@ -164,7 +176,7 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
   }
   read_range(reader, *metric, context.derived, requirement.range);
   if (is_given_for(reader, kReflectance, Metric::glare_rating, *metric)) {
-    requirement.field_reflectance = reader.number(kReflectance, calc::kPositiveFraction);
+    requirement.field_reflectance = read_field_reflectance(reader);
   }
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at = reader.numbers("at", 3, kPointWords);
@@ -268,7 +280,7 @@ std::string outage_problem(const std::string& scene, const RequirementContext& c
 // Of the field that glare is rated on: no pack can know it.
 void take_reflectance(ElementReader& reader, std::vector<Requirement>& requirements) {
   if (!reader.has(kReflectance)) return;
-  const double reflectance = reader.number(kReflectance, calc::kPositiveFraction);
+  const double reflectance = read_field_reflectance(reader);
   bool is_of_use = false;
   for (Requirement& requirement : requirements) {
     if (requirement.metric != Metric::glare_rating) continue;

@@ -103,6 +103,7 @@ ways = [
     ("new for ever", change(PROJECT, ('factor="0.8"', 'factor="1"')), "maintenance-factor of luminaire type 'panel' is 1; at most 0.85"),
     ("no factor at all", change(PROJECT, (' maintenance-factor="0.8"', "")), "maintenance-factor of luminaire type 'panel' is 1"),
     ("walls of snow", change(PROJECT, ('reflectance="0.7"', 'reflectance="0.95"')), "reflectance of material 'light' is 0.95"),
+    ("a field of snow", change(PROJECT, (ROW, ROW + '<require quantity="GR" at-most="90" reflectance="0.95"/>')), "reflectance of the field of 'desk' is 0.95"),
     ("more lumens than the file has", change(too_dark, ('power-w="30"', 'power-w="30" flux-lm="99999"'), ('columns="1"', 'columns="2"')), "flux-ratio of luminaire type 'panel'"),
     ("less power than the file has", change(PROJECT, ('power-w="30"', 'power-w="18"')), "power-ratio of luminaire type 'panel' is 0.6"),
     ("a warning that the owner fears", change(PROJECT, ('size="5 4" columns', 'size="25 4" columns')), "luminaire-outside-room"),
