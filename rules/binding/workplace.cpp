@@ -73,9 +73,9 @@ struct Total {
 
 // How a check is asked that has another in its place.
 enum class Method {
-  as_fits,  // of the space, if there is a value for it
-  of_space,
-  on_planes
+  as_fits,   // of the space, if there is a value for it
+  of_space,  // whether there is one or not
+  on_planes  // also, if there is one
 };
 
 // Why a quantity of the space has no value there; "" = it has.
@@ -336,8 +336,9 @@ class WorkplaceMaker {
   }
 
   // Of two checks that ask the same, one of the space and one of planes, the one that is asked.
-  // What the project changes about the planes it means to be asked; who leaves planes out leaves
-  // out no more than these.
+  // Where the space has a value nothing that the project says takes it away: who asks for planes,
+  // or changes something about them, is asked for both. Who leaves planes out leaves out no more
+  // than these.
   void choose_methods() {
     for (const RuleCheck& check : pack_.checks) {
       if (check.instead_of.empty() || !check.quantity->of_space) continue;
@@ -348,18 +349,23 @@ class WorkplaceMaker {
             return !zone.left_out &&
                    (zone.role == other.role || zone.role.starts_with(other.role + "."));
           });
-      const bool may_be_of_space =
-          method_ == Method::of_space || (method_ == Method::as_fits && !is_told);
+      const bool is_on_planes =
+          method_ == Method::on_planes || (method_ == Method::as_fits && is_told);
       if (method_ == Method::of_space) refuse_zones_of(other.role);
-      const std::string problem = may_be_of_space ? problem_of_space_(*check.quantity) : "";
-      if (may_be_of_space && (problem.empty() || method_ == Method::of_space)) {
+      // Somebody leaves glare out as a whole, with a reason and a last day.
+      const ZoneText* planes = find_zone(other.role);
+      if (method_ == Method::on_planes && planes != nullptr && planes->left_out) {
+        instead_[check.role] = calc::say<calc::Sentence::judged_instead>(other.id);
+        continue;
+      }
+      const std::string problem = problem_of_space_(*check.quantity);
+      if (problem.empty() || method_ == Method::of_space) {
         roles_of_space_.push_back(check.role);
         roles_made_.push_back(check.role);
+        if (is_on_planes) continue;
         instead_[other.role] = calc::say<calc::Sentence::judged_instead>(check.id);
       } else {
-        instead_[check.role] = problem.empty()
-                                   ? calc::say<calc::Sentence::judged_instead>(other.id)
-                                   : calc::say<calc::Sentence::judged_by_observers>(problem);
+        instead_[check.role] = calc::say<calc::Sentence::judged_by_observers>(problem);
       }
     }
   }
@@ -470,6 +476,7 @@ class WorkplaceMaker {
     calc::CalcPlane plane = plane_of(name, rule, part, made.words);
     plane.area = std::move(made.area);
     plane.changed = std::move(made.changed);
+    plane.has_own_area = zone != nullptr && !zone->area_m.empty();
     plane.own_margin_m = zone != nullptr && zone->margin_m ? zone->margin_m : made.narrow_margin_m;
     planes_.push_back(std::move(plane));
     if (std::find(roles_made_.begin(), roles_made_.end(), rule.role) == roles_made_.end()) {

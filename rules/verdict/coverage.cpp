@@ -190,29 +190,16 @@ std::string areas_without(const Asked& asked, const std::vector<RequirementName>
   return words;
 }
 
-// Of eyes that the project places itself and that meet their limit: whoever looks one way only has
-// chosen the way, and what no eye sees was not rated. "" = neither.
-std::string eyes_in_part(const calc::Space& space, const Asked& asked, const std::string& role) {
-  constexpr double kOneWay = 0.866;  // cosine of 30 degrees
-  std::vector<glm::dvec3> ways;
-  bool is_rated = false;
+// Of the eyes of a role.
+std::string eyes_of_role(const calc::Space& space, const Asked& asked, const std::string& role) {
+  std::vector<EyesAsked> eyes;
   for (const auto& [check, finding] : asked.findings) {
     if (check->role != role || check->severity == Severity::advice) continue;
-    is_rated = is_rated || finding->reason.empty();
     for (const calc::CalcPlane& plane : space.planes) {
-      if (plane.id != finding->requirement.plane_id) continue;
-      if (const auto* list = std::get_if<calc::PointList>(&plane.area)) {
-        ways.insert(ways.end(), list->normal.begin(), list->normal.end());
-      } else {
-        ways.push_back(plane.direction);
-      }
+      if (plane.id == finding->requirement.plane_id) eyes.push_back({&plane, finding});
     }
   }
-  if (!is_rated) return calc::say<calc::Sentence::eyes_see_nothing>();
-  const bool is_one = std::all_of(ways.begin(), ways.end(), [&](const glm::dvec3& way) {
-    return glm::dot(way, ways.front()) > kOneWay;
-  });
-  return is_one ? calc::say<calc::Sentence::eyes_one_way>() : "";
+  return eyes_in_part(eyes);
 }
 
 bool asks(const Asked& asked, const RuleCheck& check) {
@@ -278,7 +265,7 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   }
   if (coverage.state == RoleState::met && asked.workplace == nullptr &&
       needed->quantity->derived == calc::DerivedQuantity::ugr) {
-    coverage.words = eyes_in_part(space, asked, role);
+    coverage.words = eyes_of_role(space, asked, role);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
   }
   if (is_asked && needed->quantity->of_space == Metric::glare_rating) {
@@ -301,6 +288,25 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
 }
 
 }  // namespace
+
+std::string eyes_in_part(const std::vector<EyesAsked>& eyes) {
+  constexpr double kOneWay = 0.866;  // cosine of 30 degrees
+  std::vector<glm::dvec3> ways;
+  bool is_rated = false;
+  for (const auto& [plane, finding] : eyes) {
+    is_rated = is_rated || finding->reason.empty();
+    if (const auto* list = std::get_if<calc::PointList>(&plane->area)) {
+      ways.insert(ways.end(), list->normal.begin(), list->normal.end());
+    } else {
+      ways.push_back(plane->direction);
+    }
+  }
+  if (!is_rated) return calc::say<calc::Sentence::eyes_see_nothing>();
+  const bool is_one = std::all_of(ways.begin(), ways.end(), [&](const glm::dvec3& way) {
+    return glm::dot(way, ways.front()) > kOneWay;
+  });
+  return is_one ? calc::say<calc::Sentence::eyes_one_way>() : "";
+}
 
 RoleState state_of(Outcome outcome, bool has_waived) {
   switch (outcome) {

@@ -82,6 +82,15 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
 // over: they are asked for again, and cannot be judged.
 std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::string_view today);
 
+// Eyes of a plane, with what was found of their glare.
+struct EyesAsked {
+  const calc::CalcPlane* plane;
+  const Finding* finding;
+};
+// Of eyes that the project places itself and that meet their limit: whoever looks one way only has
+// chosen the way, and what no eye sees was not rated. "" = neither.
+std::string eyes_in_part(const std::vector<EyesAsked>& eyes);
+
 // "leaving it out ended on 2027-06-30, by A. Meier: glass"
 std::string ended_words(const calc::Waiver& by);
 

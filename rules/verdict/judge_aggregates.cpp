@@ -5,6 +5,7 @@
 #include "calc/scene/polygon.h"
 #include "rules/pack/evaluate.h"
 #include "rules/pack/limit.h"
+#include "rules/verdict/coverage.h"
 #include "rules/verdict/members.h"
 #include "rules/verdict/outcome.h"
 
@@ -154,6 +155,20 @@ std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
   return part;
 }
 
+// What is asked of a room is not met by eyes that look one way, or see nothing that is rated.
+void take_eyes_in_part(const std::vector<Entry>& entries, Part& part) {
+  if (part.member.verdict != Verdict::pass) return;
+  std::vector<EyesAsked> eyes;
+  for (const Entry& entry : entries) {
+    if (!entry.place->plane->made_by.empty()) return;
+    eyes.push_back({entry.place->plane, entry.finding});
+  }
+  part.member.reason = eyes_in_part(eyes);
+  if (part.member.reason.empty()) return;
+  part.member.verdict = Verdict::not_judged;
+  part.lived_with = Verdict::not_judged;
+}
+
 // The checks of one plane or of one row in a room.
 std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::string>& checks,
                                  const Group& group) {
@@ -164,6 +179,9 @@ std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::st
                  [&](const Entry& entry) { return entry.origin().check == id; });
     if (!own.empty()) {
       parts.push_back(part_of(id, own));
+      if (pack.find_check(id)->quantity->derived == calc::DerivedQuantity::ugr) {
+        take_eyes_in_part(own, parts.back());
+      }
     } else if (auto missing = missing_part(pack, *pack.find_check(id), group.front().origin())) {
       parts.push_back(std::move(*missing));
     }

@@ -1,4 +1,5 @@
-// How a row's glare is asked: by the tabular method or at observers, never both, never neither.
+// How a row's glare is asked: by the tabular method where the room is one for it, at observers
+// elsewhere and where somebody asks for them, never by neither.
 #include "rules/binding/judged_project.h"
 #include "rules/pack/rule_pack.h"
 #include "rules/verdict/coverage.h"
@@ -142,8 +143,10 @@ TEST(GlareMethod, IsAtObserversElsewhereAndSaysWhy) {
 TEST(GlareMethod, IsWhatTheWorkplaceSays) {
   const Made observers = make(workplace("glare='observers'"));
   EXPECT_TRUE(observers.has_observers());
-  EXPECT_THAT(observers.by_table(), IsEmpty());
-  EXPECT_EQ(observers.roles.at("room"), "not-made: judged by 'glare' instead");
+  EXPECT_EQ(observers.by_table().size(), 1u);  // what the standard has is not chosen away
+  EXPECT_EQ(observers.roles.at("room"), "met");
+  EXPECT_EQ(observers.roles.at("observer"), "met");
+  EXPECT_THAT(make(workplace("glare='observers'"), kAtOneEnd).by_table(), IsEmpty());
   const Made table = make(workplace("glare='table'"), kAtOneEnd);
   EXPECT_FALSE(table.has_observers());
   ASSERT_EQ(table.by_table().size(), 1u);
@@ -154,8 +157,10 @@ TEST(GlareMethod, IsWhatTheWorkplaceSays) {
 
 // Who changes something about observers means to have some; who leaves them out leaves out no more.
 TEST(GlareMethod, IsAtObserversWhereAZoneIsAboutThem) {
-  EXPECT_TRUE(make(workplace("", "<zone role='observer' height='1.7' because='standing'/>"))
-                  .has_observers());
+  const Made standing =
+      make(workplace("", "<zone role='observer' height='1.7' because='standing'/>"));
+  EXPECT_TRUE(standing.has_observers());
+  EXPECT_EQ(standing.by_table().size(), 1u);
   const Made left_out = make(
       workplace("", "<without role='observer' because='later' by='A. Meier' until='2099-12-31'/>"));
   EXPECT_FALSE(left_out.has_observers());

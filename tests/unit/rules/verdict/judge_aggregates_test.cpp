@@ -81,6 +81,12 @@ class Site {
     finding.requirement.where = {"p.xml", line, 1};
     return finding;
   }
+  // A plane of eyes, which look that way, and what of them is found.
+  Finding& eyes(const std::string& id, const glm::dvec3& way, Verdict verdict) {
+    plane(id);
+    planes_.back().direction = way;
+    return add("eyes", verdict);
+  }
   void waive(Finding& finding) {
     finding.is_waived = true;
     finding.requirement.waiver = Waiver{"moves in May", "J. Doe", "2027-06-30"};
@@ -120,6 +126,32 @@ TEST(JudgeAggregates, AnyIsAsDecidedAsItsParts) {
   EXPECT_EQ(any_of(kFail, kOpen), kOpen);
   EXPECT_EQ(any_of(kFail, kNone), kNone);
   EXPECT_EQ(any_of(kOpen, kNone), kNone);
+}
+
+// A room whose glare is rated at eyes is no better where somebody looks at a wall.
+TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
+  const std::string parts =
+      kWall +
+      "<check id='eyes' role='eye' quantity='UGR' statistic='maximum' severity='in-aggregate' "
+      "state='initial' at-most='19'/><aggregate id='a' rule='any' of='eyes wall'/>";
+  Site site(parts);
+  site.room("r");
+  site.eyes("e", {1, 0, 0}, kPass);
+  site.eyes("f", {0.9, 0.4, 0}, kPass);
+  EXPECT_EQ(site.only().verdict, kNone);
+  EXPECT_THAT(site.only().reason, HasSubstr("one way"));
+  site.eyes("g", {0, 1, 0}, kPass);
+  EXPECT_EQ(site.only().verdict, kPass);
+  Site dark(parts);  // nothing that any of them sees is rated
+  dark.room("r");
+  for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
+    dark.eyes("e" + std::to_string(way.y), way, kPass).reason = "nothing is seen";
+  }
+  EXPECT_EQ(dark.only().verdict, kNone);
+  Site failing(parts);
+  failing.room("r");
+  failing.eyes("e", {1, 0, 0}, kFail);
+  EXPECT_EQ(failing.only().verdict, kNone);  // the wall may do, and nobody has asked
 }
 
 // Of a row that requires nothing else: less than is needed is no failure.
