@@ -142,7 +142,19 @@ std::optional<PlanarArea> polygon_area(const std::vector<glm::dvec3>& corners) {
   area.origin_m = corners[0];
   area.u = glm::normalize(side - glm::dot(side, normal) * normal);
   area.v = glm::cross(normal, area.u);
-  for (const glm::dvec3& corner : corners) area.outline_m.push_back(area_coordinates(area, corner));
+  const auto set_outline = [&] {
+    area.outline_m.clear();
+    for (const glm::dvec3& corner : corners) {
+      area.outline_m.push_back(area_coordinates(area, corner));
+    }
+  };
+  set_outline();
+  constexpr double kTie = 1.0e-9;
+  if (const glm::dvec2 axis = long_axis(area.outline_m); std::abs(axis.y) > kTie) {
+    area.u = glm::normalize(axis.x * area.u + axis.y * area.v);
+    area.v = glm::cross(normal, area.u);
+    set_outline();
+  }
   return area;
 }
 

@@ -27,8 +27,9 @@ double width_up_to(const std::vector<glm::dvec2>& outline, double most_m);
 // down (v reversed). A grid along x and y would miss the sides of a room that stands at an angle.
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up);
 
-// Facing the side from which the corners run counter-clockwise; u along the first side. Empty if
-// the corners are not in one plane or not a simple polygon.
+// Facing the side from which the corners run counter-clockwise; u along the first side, or along
+// the long axis if the first side stands at an angle to it: a corner that is cut off is no side of
+// a grid. Empty if the corners are not in one plane or not a simple polygon.
 std::optional<PlanarArea> polygon_area(const std::vector<glm::dvec3>& corners);
 
 // Coordinates along u and v.

@@ -647,7 +647,8 @@ const ElementRow kPlaneElement{
 height: in a room, the whole footprint at this height above the floor, facing up.
 origin, u, v: a rectangle with the full sides u and v, which are perpendicular; it faces u x v.
 points: a flat polygon, with holes if needed; it faces the side from which its corners run counter-clockwise, and
-the grid's first direction is along its first side.
+the grid's first direction is along its first side, or along its longest where the
+first stands at an angle to that.
 on: in a room, floor, ceiling, wall1, wall2 ..., facing into the room; wall1 begins at the footprint's first
 corner (rooms with "size": wall1 is y = 0, wall2 x = max, wall3 y = max, wall4 x = 0).
 on-top-of: the upper face of a box, named as in messages: id, id[i,j,k], assembly.id ...
@@ -805,31 +806,32 @@ const ElementRow kWorkplaceElement{
         R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
 "id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y, or upright:
 a part of a wall, or a face. See rules/README.md.)",
-    .attributes = {kIdAttribute,
-                   kNameAttribute,
-                   kWasAttribute,
-                   kTagsAttribute,
-                   kZoneOriginAttribute,
-                   kZoneSizeAttribute,
-                   kZoneFootprintAttribute,
-                   kHeightAboveFloorAttribute,
-                   {"wall", &kCountType, optional, "The task is on the wall of this number."},
-                   {"along", &kFromToType, optional,
-                    "Where on it, from its left end as seen from the room; else all of it."},
-                   {"face", &kFootType, optional,
-                    "The task is an upright face: its foot in the room's x and y, from left to "
-                    "right as whoever looks at it sees it."},
-                   {"heights", &kFromToType, optional,
-                    "Of an upright task, above the floor: its lower and its upper edge."},
-                   {"lean", &kLeanType, optional, "Of a face: degrees that it leans back.", "0"},
-                   {"glare", &kGlareMethodType, optional,
-                    "How glare is judged: by the tabular method, or at observers; if not given by "
-                    "the table, where the room is one that it is for."},
-                   {"front-wall", &kCountType, optional,
-                    "The wall of this number is in front of who works there; others may be darker, "
-                    "where the row says so."},
-                   {kTaskPlaceName, &kTaskPlaceType, optional,
-                    "The task may be anywhere in the room, and nobody knows where yet."}},
+    .attributes =
+        {kIdAttribute,
+         kNameAttribute,
+         kWasAttribute,
+         kTagsAttribute,
+         kZoneOriginAttribute,
+         kZoneSizeAttribute,
+         kZoneFootprintAttribute,
+         kHeightAboveFloorAttribute,
+         {"wall", &kCountType, optional, "The task is on the wall of this number."},
+         {"along", &kFromToType, optional,
+          "Where on it, from its left end as seen from the room; else all of it."},
+         {"face", &kFootType, optional,
+          "The task is an upright face: its foot in the room's x and y, from left to "
+          "right as whoever looks at it sees it."},
+         {"heights", &kFromToType, optional,
+          "Of an upright task, above the floor: its lower and its upper edge."},
+         {"lean", &kLeanType, optional, "Of a face: degrees that it leans back.", "0"},
+         {"glare", &kGlareMethodType, optional,
+          "How glare is judged: by the tabular method, or at observers, too; if not given by "
+          "the table, where the room is one that it is for. There it is always asked."},
+         {"front-wall", &kCountType, optional,
+          "The wall of this number is in front of who works there; others may be darker, "
+          "where the row says so."},
+         {kTaskPlaceName, &kTaskPlaceType, optional,
+          "The task may be anywhere in the room, and nobody knows where yet."}},
     .children = {{"zone", &kZoneElement},
                  {"without", &kWithoutElement},
                  {"deviation", &kDeviationElement},

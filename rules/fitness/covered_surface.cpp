@@ -109,6 +109,43 @@ class AreaOnSurface {
   const RoomSurface& surface_;
 };
 
+// Whether the area, seen along its normal, has the place, without a strip along its outline.
+bool has_place(const calc::PlanarArea& area, const glm::dvec3& place_m, double own_strip_m) {
+  const glm::dvec3 offset_m = place_m - area.origin_m;
+  const glm::dvec2 flat(glm::dot(offset_m, area.u), glm::dot(offset_m, area.v));
+  return is_inside(area.outline_m, flat, own_strip_m) &&
+         std::none_of(area.holes_m.begin(), area.holes_m.end(),
+                      [&](const auto& hole) { return calc::contains_point(hole, flat); });
+}
+
+// In the room, and not nearer to a wall than the strip is wide. Upright zones are looked at from
+// before them: they may be on a wall, which has no strip for them. Everything is in the open space.
+class InRoom {
+ public:
+  InRoom(const calc::Space& space, const calc::PlanarArea& zone, double strip_m)
+      : space_(space), normal_(zone.normal()) {
+    const bool is_level = looks_up(normal_) || looks_down(normal_);
+    strip_m_ = is_level ? strip_m : 0.0;
+    before_m_ = is_level ? 0.0 : 2.0 * kLift_m;
+  }
+
+  bool has(const glm::dvec3& place) const {
+    const auto& outline_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
+    if (outline_m.size() < 3) return true;
+    const glm::dvec3 seen = place + before_m_ * normal_;
+    if (space_.shell && before_m_ > 0.0) {
+      const double height_m = seen.z - space_.shell->floor_z_m;
+      if (height_m < 0.0 || height_m > space_.shell->height_m) return false;
+    }
+    return is_inside(outline_m, glm::dvec2(seen), strip_m_);
+  }
+
+ private:
+  const calc::Space& space_;
+  glm::dvec3 normal_;
+  double strip_m_, before_m_;
+};
+
 // Its first vertices are the corners of its outline, in their order; what covers it may have added
 // more (calc/project/coincident_surfaces.h).
 RoomSurface surface_of(const calc::Body& body, std::size_t corners) {
@@ -163,6 +200,40 @@ std::vector<CoveredSurface> covered_surfaces(const calc::PlanarArea& area, doubl
     covered.push_back({surface.id, all * places.cell_m2, static_cast<double>(counted) / all});
   }
   return covered;
+}
+
+double covered_zone(const calc::PlanarArea& area, double own_strip_m, const ZoneAround& around,
+                    std::span<const calc::PlanarArea* const> others, const calc::Space& space,
+                    double strip_m) {
+  constexpr double kLeastCells = 64.0, kMostCells = 256.0, kCellsAcross = 4.0;
+  const calc::PlanarArea& inner = *around.inner;
+  const FlatBounds bounds = bounds_of(inner.outline_m);
+  const glm::dvec2 low = bounds.low - around.to_m, size_m = bounds.high + around.to_m - low;
+  const double longest_m = std::max(size_m.x, size_m.y);
+  const double wanted_m = around.has_inner ? 0.0 : (around.to_m - around.from_m) / kCellsAcross;
+  const double cell_m = std::clamp(wanted_m, longest_m / kMostCells, longest_m / kLeastCells);
+  const InRoom room(space, inner, strip_m);
+  std::size_t all = 0, counted = 0;
+  const auto columns = static_cast<int>(std::ceil(size_m.x / cell_m));
+  const auto rows = static_cast<int>(std::ceil(size_m.y / cell_m));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const glm::dvec2 flat = low + cell_m * glm::dvec2(column + 0.5, row + 0.5);
+      const bool is_in = calc::contains_point(inner.outline_m, flat);
+      if (is_in ? !around.has_inner : !(around.to_m > 0.0)) continue;
+      const double off_m = is_in ? 0.0 : calc::distance_to_boundary(inner.outline_m, flat);
+      if (!is_in && (off_m < around.from_m || off_m > around.to_m)) continue;
+      const glm::dvec3 place = inner.origin_m + flat.x * inner.u + flat.y * inner.v;
+      if (!room.has(place)) continue;
+      if (std::any_of(others.begin(), others.end(),
+                      [&](const auto* other) { return has_place(*other, place, 0.0); })) {
+        continue;
+      }
+      ++all;
+      counted += has_place(area, place, own_strip_m) ? 1 : 0;
+    }
+  }
+  return all == 0 ? 1.0 : static_cast<double>(counted) / static_cast<double>(all);
 }
 
 }  // namespace rules

@@ -1,10 +1,11 @@
 #pragma once
-// How much of a wall or of the ceiling a plane stands for.
+// How much a plane stands for: of a wall, of the ceiling, of what is around another zone.
 
 #include "calc/scene/project.h"
 
 #include <glm/glm.hpp>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,5 +39,21 @@ struct CoveredSurface {
 std::vector<CoveredSurface> covered_surfaces(const calc::PlanarArea& area, double own_strip_m,
                                              const std::vector<RoomSurface>& surfaces,
                                              double strip_m);
+
+// What a number about the surroundings of a zone is about: a band around it, and it if it belongs
+// to that.
+struct ZoneAround {
+  const calc::PlanarArea* inner;
+  double from_m = 0.0, to_m = 0.0;  // of the band, from the outline of the zone, in its plane
+  bool has_inner = false;
+};
+
+// What share the area without its own strip covers, [0, 1], of what is around the zone, as far as
+// that is in the room, off the strip of strip_m along the walls, and in none of the others, which
+// are zones beside it. The area is seen along the zone's normal, at any distance. own_strip_m as
+// above. 1 where nothing of it is. Measured at some thousand places.
+double covered_zone(const calc::PlanarArea& area, double own_strip_m, const ZoneAround& around,
+                    std::span<const calc::PlanarArea* const> others, const calc::Space& space,
+                    double strip_m);
 
 }  // namespace rules

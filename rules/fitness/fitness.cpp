@@ -5,6 +5,7 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
+#include "calc/project/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -41,6 +43,8 @@ constexpr double kSameLength_m = 1e-6;
 // Of an upright plane about one height above the floor: half a metre to either side.
 constexpr double kTallest_m = 1.0 + kSameLength_m;
 constexpr double kDegrees = 180.0 / calc::kPi;
+// What counts as level and upright: far more than imports round, a hundredth of the light at most.
+constexpr double kLevel_deg = 0.1, kLevelSine = 0.1 / kDegrees;
 
 void add_words(std::string& text, const std::string& words) {
   if (words.empty()) return;
@@ -54,6 +58,7 @@ struct Meant {
   const RuleRow* row;      // may be null
   const RulePlane& plane;  // of the check's role
   const Mask& mask;        // the check's, as it is asked: strips may be narrower
+  const Requirement& asked;
 };
 
 std::string role_words(const Meant& meant) {
@@ -96,8 +101,7 @@ class PlaneFit {
 
   // What nobody can tell, and who reads the verdict must see.
   std::string doubts(const Meant& meant) const {
-    const bool is_surface =
-        meant.plane.area == ZoneArea::walls || meant.plane.area == ZoneArea::ceiling;
+    const bool is_surface = is_of_surface(meant.plane);
     std::string words;
     if (is_surface && !context_.space.shell) words = say<Sentence::surfaces_unknown>();
     if (is_surface || is_route() || !heights_of(meant.plane, meant.row)) return words;
@@ -107,6 +111,10 @@ class PlaneFit {
 
  private:
   const calc::CalcPlane& plane() const { return context_.plane; }
+
+  static bool is_of_surface(const RulePlane& role) {
+    return role.area == ZoneArea::walls || role.area == ZoneArea::ceiling;
+  }
 
   bool is_route() const { return std::holds_alternative<calc::EscapeRoute>(plane().area); }
 
@@ -141,17 +149,39 @@ class PlaneFit {
       return is_route() ? say<Sentence::wrong_way_route>(role_words(meant), words)
                         : say<Sentence::wrong_way>(role_words(meant), words);
     }
+    if (const double leans_deg = leaning_deg(meant, words, normals); leans_deg > kLevel_deg) {
+      return say<Sentence::leans>(role_words(meant), words, leans_deg);
+    }
     // Luminaires are seen from behind a plane, too.
     if (is_lower_limit(meant.check.comparison) || meant.check.quantity->of_space) return {};
     if (!calc::faces_away(context_.project, context_.space, plane())) return {};
     return is_route() ? say<Sentence::faces_away_route>() : say<Sentence::faces_away>();
   }
 
+  // From level or upright, of what is neither by itself nor along a ramp, a board or a wall that it
+  // lies on: where luminaires are far to the side a few degrees are half of the light. What walls
+  // and the ceiling are is looked at as their place.
+  double leaning_deg(const Meant& meant, const std::string& orientation,
+                     const std::vector<glm::dvec3>& normals) const {
+    const bool is_upright = orientation == kUpright;
+    const bool is_level = orientation == "horizontal-up" || orientation == "horizontal-down";
+    if (is_of_surface(meant.plane) || (!is_upright && !is_level)) return 0.0;
+    double most_deg = 0.0;
+    for (const glm::dvec3& normal : normals) {
+      const double off =
+          std::min(1.0, is_upright ? std::abs(normal.z) : glm::length(glm::dvec2(normal)));
+      most_deg = std::max(most_deg, calc::asin(off) * kDegrees);
+    }
+    if (most_deg <= kLevel_deg) return 0.0;
+    return lies_along(plane(), context_.space) ? 0.0 : most_deg;
+  }
+
   std::string axis(const Meant& meant) const {
     const std::vector<glm::dvec3> axes = calc::normals_of(plane());
     const std::string asked = orientation_words(meant);
     const auto unfit = std::find_if(axes.begin(), axes.end(), [&](const glm::dvec3& end) {
-      return !faces(asked, end) && !faces(asked, -end);
+      const double off = asked == kUpright ? std::abs(end.z) : glm::length(glm::dvec2(end));
+      return asked != "free" && asked != "surface" && off > kLevelSine;
     });
     if (unfit == axes.end()) return {};
     const bool is_upright = asked != kUpright;
@@ -173,23 +203,49 @@ class PlaneFit {
     return words.empty() ? around(meant) : words;
   }
 
-  // A band is around something of the same row. Who draws it with a hole for that, and near it, has
-  // meant the band.
+  // A band is around something of the same row, and a zone may hold another. Who draws such a one
+  // draws all of it: of a part whoever draws it chooses where it is bright enough. What a workplace
+  // makes by the rule is so.
   std::string around(const Meant& meant) const {
-    if (meant.plane.area != ZoneArea::band || !plane().made_by.empty() || meant.row == nullptr) {
-      return {};
-    }
-    const RulePlane* band = &meant.plane;
-    double width_m = band->width_m;
-    std::vector<const calc::CalcPlane*> inner = planes_of_role(meant, band->around);
+    const RulePlane& role = meant.plane;
+    const std::string& inside = role_inside(meant);
+    const bool is_by_rule = !plane().made_by.empty() && !plane().has_own_area;
+    if (inside.empty() || is_by_rule || meant.row == nullptr) return {};
+    double to_m = role.width_m;
+    std::vector<const calc::CalcPlane*> inner = planes_of_role(meant, inside);
     // Of a background without a surround that is asked: around the task.
-    while (inner.empty()) {
-      band = meant.pack.find_plane(band->around);
-      if (band == nullptr || band->area != ZoneArea::band) break;
-      width_m += band->width_m;
+    for (const RulePlane* band = meant.pack.find_plane(inside);
+         inner.empty() && band != nullptr && !band->around.empty();
+         band = meant.pack.find_plane(band->around)) {
+      to_m += band->width_m;
       inner = planes_of_role(meant, band->around);
     }
     if (inner.empty()) return {};  // who reads of the row sees that nothing of it was asked
+    const bool is_band = !role.around.empty();
+    if (is_band) {
+      const std::string words = beside(meant, inner, to_m);
+      if (!words.empty()) return words;
+    }
+    return all_around(meant, inner, to_m);
+  }
+
+  // The role of the zone inside; "" = such a plane has none. Eyes are where people are.
+  const std::string& role_inside(const Meant& meant) const {
+    static const std::string none;
+    const RulePlane& role = meant.plane;
+    if (!role.around.empty()) return role.around;
+    if (!role.holds.empty()) return role.holds;
+    if (role.area != ZoneArea::task_and_band) return none;
+    if (calc::has_look(plane().kernel, plane().derived)) return none;
+    for (const RulePlane& other : meant.pack.planes) {
+      if (other.area == ZoneArea::task) return other.role;
+    }
+    return none;
+  }
+
+  // Outside of the zones inside it, and next to one of them.
+  std::string beside(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
+                     double width_m) const {
     double nearest_m = std::numeric_limits<double>::infinity();
     for (const calc::CalcPlane* zone : inner) {
       const ZoneContact contact = contact_with(*zone, context_.grid);
@@ -205,7 +261,38 @@ class PlaneFit {
     return say<Sentence::no_inner_zone>(role_words(meant), meant.plane.around, width_m);
   }
 
-  // Of the space, that the same row is asked of in this role.
+  // All of what is around one of the zones inside it, and of that zone where it belongs to it.
+  std::string all_around(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
+                         double to_m) const {
+    const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
+    if (area == nullptr) return {};  // a list: its points are no grid
+    const bool has_inner = meant.plane.around.empty();
+    const double own_strip_m = std::max(area->margin_m, mask_strip_m(meant, MaskStep::inset));
+    std::vector<const calc::PlanarArea*> zones;
+    for (const calc::CalcPlane* one : inner) {
+      if (const auto* zone = std::get_if<calc::PlanarArea>(&one->area)) zones.push_back(zone);
+    }
+    std::optional<double> best;  // share
+    for (const calc::PlanarArea* zone : zones) {
+      std::vector<const calc::PlanarArea*> others;
+      std::copy_if(zones.begin(), zones.end(), std::back_inserter(others),
+                   [&](const auto* other) { return other != zone; });
+      const ZoneAround around{zone, to_m - meant.plane.width_m, to_m, has_inner};
+      const double covered = covered_zone(*area, own_strip_m, around, others, context_.space,
+                                          strip_along_walls_m(meant));
+      best = std::max(best.value_or(0.0), covered);
+    }
+    if (!best || *best >= 1.0 - meant.plane.missing_share) return {};
+    const std::string& role = role_inside(meant);
+    const double width_m = meant.plane.width_m;
+    const std::string whole = !has_inner      ? say<Sentence::whole_band>(width_m, role)
+                              : width_m > 0.0 ? say<Sentence::whole_zone_and_band>(role, width_m)
+                                              : say<Sentence::whole_zone>(role);
+    return say<Sentence::covers_part>(role_words(meant), whole,
+                                      say<Sentence::part_of_zone>(std::floor(100.0 * *best)));
+  }
+
+  // Of the space, that the same row is asked of in this role; of a workplace: by itself.
   std::vector<const calc::CalcPlane*> planes_of_role(const Meant& meant,
                                                      const std::string& role) const {
     std::map<std::string_view, const calc::CalcPlane*> by_id;
@@ -216,6 +303,11 @@ class PlaneFit {
       if (origin.row != meant.row->ref || origin.pack != meant.pack.full_id()) continue;
       const RuleCheck* check = meant.pack.find_check(origin.check);
       if (check == nullptr || check->role != role) continue;
+      const std::vector<std::string>& own = meant.asked.origin.workplaces;
+      const bool is_own =
+          own.empty() || std::find_first_of(own.begin(), own.end(), origin.workplaces.begin(),
+                                            origin.workplaces.end()) != own.end();
+      if (!is_own) continue;
       if (const auto found = by_id.find(one.plane_id); found != by_id.end()) {
         planes.insert(found->second);
       }
@@ -309,10 +401,34 @@ class PlaneFit {
       return say<Sentence::grid_too_wide>(own.columns, own.rows, role_words(meant), asked.columns,
                                           asked.rows);
     }
+    if (const std::string words = cells_along_sides(meant, *rule); !words.empty()) return words;
     if (own.missed_m2 > 0.0) {
       return say<Sentence::grid_misses>(own.missed_m2);
     }
     return grid_behind_mask(meant, *rule);
+  }
+
+  // A formula is about the sides of the area itself: a grid that stands at an angle to them may be
+  // that of a larger one.
+  std::string cells_along_sides(const Meant& meant, const RuleGrid& rule) const {
+    const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
+    if (area == nullptr || !std::holds_alternative<calc::GridByRule>(*rule.rule)) return {};
+    const glm::dvec2 axis = calc::long_axis(area->outline_m);
+    if (axis.x >= 1.0) return {};  // it stands along them
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const glm::dvec2& corner : area->outline_m) {
+      const glm::dvec2 place(glm::dot(corner, axis), axis.x * corner.y - axis.y * corner.x);
+      low = glm::min(low, place);
+      high = glm::max(high, place);
+    }
+    const glm::dvec2 side_m = high - low - 2.0 * area->margin_m;
+    if (!(side_m.x > 0.0 && side_m.y > 0.0)) return {};
+    const calc::GridCounts asked = asked_counts(rule, side_m.x, side_m.y);
+    const double most_m = std::max(side_m.x / asked.columns, side_m.y / asked.rows);
+    const calc::SensorGrid& own = context_.grid;
+    if (std::max(own.spacing_u_m, own.spacing_v_m) <= most_m + kSameLength_m) return {};
+    return say<Sentence::cells_too_wide>(own.spacing_u_m, own.spacing_v_m, role_words(meant),
+                                         most_m);
   }
 
   // A formula gives a small area a closer grid than a large one, and the area that a mask leaves is
@@ -371,9 +487,7 @@ class PlaneFit {
   // Walls or not: what its mask takes; of walls and the ceiling itself its margin, too.
   double strip_along_outline_m(const Meant& meant) const {
     const double strip_m = mask_strip_m(meant, MaskStep::inset);
-    const bool is_surface =
-        meant.plane.area == ZoneArea::walls || meant.plane.area == ZoneArea::ceiling;
-    return is_surface ? std::max(strip_m, meant.plane.margin_m) : strip_m;
+    return is_of_surface(meant.plane) ? std::max(strip_m, meant.plane.margin_m) : strip_m;
   }
 
   double mask_strip_m(const Meant& meant, MaskStep step) const {
@@ -533,6 +647,10 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
 
 std::string speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
   constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
+  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
+    const double route_m2 = calc::route_length_m(route->line) * route->line.width_m;
+    return route_m2 < kSpeck_m2 ? say<Sentence::speck_route>(route_m2) : std::string();
+  }
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   if (area == nullptr) return {};
   double area_m2 = calc::area_left(area->outline_m, area->holes_m);  // holes may overlap
@@ -571,7 +689,8 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     }
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {
-      const Meant meant{*pack, *check, pack->find_row(requirement.origin.row), *role, *mask};
+      const Meant meant{*pack, *check, pack->find_row(requirement.origin.row),
+                        *role, *mask,  requirement};
       add_words(requirement.note, speck_words(context.plane, context.grid));
       add_words(requirement.note, fit.doubts(meant));
       requirement.deviations = fit.deviations(meant);

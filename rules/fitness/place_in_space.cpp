@@ -64,15 +64,17 @@ double lowest_corner_m(const calc::Space& space) {
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
-// Whether the place lies on the triangle, looking away from it on either side.
+// Whether the place lies on the triangle, within so many metres, and looks away from it on either
+// side, within the angle that has this sine. Sines: near 0 a cosine says little.
 bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
-             const std::array<glm::dvec3, 3>& corner) {
+             const std::array<glm::dvec3, 3>& corner, double off_m = kLift_m,
+             double sine = kAcross) {
   const glm::dvec3 area = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double size = glm::length(area);
   if (!(size > 0.0)) return false;
   const glm::dvec3 face = area / size;
-  if (std::abs(glm::dot(face, normal)) < kAlike) return false;
-  if (std::abs(glm::dot(face, place - corner[0])) > kLift_m) return false;
+  if (glm::length(glm::cross(face, normal)) > sine) return false;
+  if (std::abs(glm::dot(face, place - corner[0])) > off_m) return false;
   // Seen along its own normal, a little larger, so that edges do not matter.
   const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0;
   const glm::dvec3 u = glm::normalize(corner[1] - corner[0]), v = glm::cross(face, u);
@@ -164,6 +166,23 @@ bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string
                  std::any_of(body.triangle.begin(), body.triangle.end(),
                              [&](const glm::uvec3& triangle) {
                                return lies_on(places[i], normals[i], corners_of(body, triangle));
+                             });
+        });
+    if (!is_found) return false;
+  }
+  return true;
+}
+
+bool lies_along(const calc::CalcPlane& plane, const calc::Space& space) {
+  constexpr double kSine = 0.0087;  // half a degree
+  const std::vector<glm::dvec3> places = calc::places_of(plane), normals = calc::normals_of(plane);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_found =
+        std::any_of(space.bodies.begin(), space.bodies.end(), [&](const calc::Body& body) {
+          return std::any_of(body.triangle.begin(), body.triangle.end(),
+                             [&](const glm::uvec3& triangle) {
+                               return lies_on(places[i], normals[i], corners_of(body, triangle),
+                                              kOnSlope_m, kSine);
                              });
         });
     if (!is_found) return false;

@@ -15,7 +15,7 @@ namespace rules {
 // What is laid a little off a surface, so as not to lie in it, counts as lying on it.
 inline constexpr double kLift_m = 0.05;
 
-// Ramps are horizontal and leaning boards upright as far as they go, up to 15 degrees. normal:
+// Which way something looks that need not be exactly level or upright: up to 15 degrees. normal:
 // unit.
 bool looks_up(const glm::dvec3& normal);
 bool looks_down(const glm::dvec3& normal);
@@ -52,5 +52,10 @@ bool is_part(std::string_view id, std::string_view part);
 // the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. Where
 // walls have no names, of any body.
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part);
+
+// Whether every place lies on a surface of some body that leans as it does, within half a degree:
+// planes along ramps, floors that slope, boards. Up to kOnSlope_m off it.
+inline constexpr double kOnSlope_m = 0.3;
+bool lies_along(const calc::CalcPlane& plane, const calc::Space& space);
 
 }  // namespace rules

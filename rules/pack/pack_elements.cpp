@@ -203,7 +203,12 @@ const ElementRow kPlaneElement{
          R"(What a workplace makes: the task area ("height" above the floor, needed); a band of "width" around the zone of
 another role; the task area with such a band; every wall; the ceiling. "margin" is left out along walls, or
 along the edges of walls and ceiling.)"},
-        {"around", &kIdType},
+        {"around", &kIdType, optional,
+         "Role of the zone that this one lies around, \"width\" wide at least. Without \"area\" it "
+         "is drawn so, and no "
+         "workplace makes it."},
+        {"holds", &kIdType, optional,
+         "Role of the zone that lies in this one, which no workplace makes."},
         {"width", &kAmountType},
         {"height", &kAmountType},
         {"margin", &kAmountType},

@@ -167,7 +167,7 @@ std::string_view area_name(ZoneArea area) {
 
 std::vector<PackField> of_plane(const RulePlane& plane) {
   const bool has_area = plane.area != ZoneArea::none;
-  const bool has_width = plane.area == ZoneArea::band || plane.area == ZoneArea::task_and_band;
+  const bool has_width = !plane.around.empty() || plane.area == ZoneArea::task_and_band;
   return {words("orientation", plane.orientation),
           words("heights",
                 plane.has_heights ? heights_text(plane.lowest_m, plane.highest_m) : std::string()),
@@ -180,6 +180,7 @@ std::vector<PackField> of_plane(const RulePlane& plane) {
           words("note", plane.note),
           words("area", area_name(plane.area)),
           words("around", plane.around),
+          words("holds", plane.holds),
           number_if(has_width, "width", plane.width_m, "m"),
           number_if(plane.height_m.has_value(), "height", plane.height_m.value_or(0.0), "m"),
           number_if(has_area, "margin", plane.margin_m, "m"),

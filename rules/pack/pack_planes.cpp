@@ -13,14 +13,22 @@ namespace {
 using calc::DiagnosticId;
 using calc::ElementReader;
 
-// What a workplace makes of a <plane>.
+// What a workplace makes of a <plane>, or how one that is drawn lies to others.
 void read_zone(ElementReader& reader, RulePlane& plane) {
+  if (reader.has("holds")) {
+    plane.holds = reader.id("holds");
+    reader.exclude("area", "holds");
+  }
   constexpr std::array kAreas{ZoneArea::task, ZoneArea::band, ZoneArea::task_and_band,
                               ZoneArea::walls, ZoneArea::ceiling};
   if (!reader.has("area")) {
-    for (const char* name :
-         {"around", "width", "height", "margin", "narrow-below", "narrow-share"}) {
+    for (const char* name : {"height", "margin", "narrow-below", "narrow-share"}) {
       if (reader.has(name)) reader.require_together(name, "area");
+    }
+    reader.require_together("around", "width");
+    if (reader.has("around")) {
+      plane.around = reader.id("around");
+      plane.width_m = reader.number("width", calc::kPositive);
     }
     return;
   }
@@ -144,12 +152,35 @@ RulePlane read_plane(const calc::XmlElement& element, const RulePack& pack,
   return plane;
 }
 
+namespace {
+
+// Of a plane that no workplace makes: any other plane may be the one that it is drawn around.
+void check_lies_to(const RulePack& pack, const RulePlane& plane, const calc::XmlElement& element,
+                   calc::Diagnostics& diagnostics) {
+  if (plane.area != ZoneArea::none) return;
+  const auto check = [&](const char* attribute, const std::string& role) {
+    if (role.empty()) return;
+    calc::Names names;
+    for (const RulePlane& other : pack.planes) {
+      if (&other != &plane) names.emplace_back(other.role);
+    }
+    if (std::find(names.begin(), names.end(), role) != names.end()) return;
+    report_unknown_name(diagnostics, element.where, attribute, "plane", "plane with role", role,
+                        names);
+  };
+  check("around", plane.around);
+  check("holds", plane.holds);
+}
+
+}  // namespace
+
 void check_zones(const RulePack& pack, const calc::XmlElement& root,
                  calc::Diagnostics& diagnostics) {
   std::size_t index = 0;
   for (const calc::XmlElement& child : root.children) {
     if (child.name != "plane") continue;
     const RulePlane& plane = pack.planes[index++];
+    check_lies_to(pack, plane, child, diagnostics);
     if (plane.area != ZoneArea::band) continue;
     calc::Names names;
     const RulePlane* inner = nullptr;

@@ -265,7 +265,8 @@ struct RulePlane {
   bool are_heights_usual = false;          // "usually", in words
   double lowest_m = 0.0, highest_m = 0.0;  // above the floor
   ZoneArea area = ZoneArea::none;
-  std::string around;              // role inside a band
+  std::string around;              // role inside a band, which workplaces make only as an area
+  std::string holds;               // role whose zone lies in this one
   double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
   std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
   double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings

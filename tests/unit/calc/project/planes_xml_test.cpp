@@ -113,6 +113,20 @@ TEST(PlanesXml, PolygonFacesTheSideFromWhichItRunsCounterClockwise) {
   EXPECT_DOUBLE_EQ(std::get<GridBySpacing>(down.grid).along_v_m, 0.25);
 }
 
+// A corner that is cut off gives a grid no direction; a first side that is short, but straight,
+// does.
+TEST(PlanesXml, PolygonLiesAlongItsLongestSideWhereTheFirstIsSlanted) {
+  const PlanarArea cut =
+      area_in_room("<plane id='p' points='1.1 1 1  3 1 1  3 2 1  1 2 1  1 1.1 1'/>");
+  expect_near(cut.u, {1, 0, 0});
+  const PlanarArea slanted =
+      area_in_room("<plane id='p' points='1 1.1 1  1.1 1 1  3 1 1  3 2 1  1 2 1'/>");
+  expect_near(slanted.u, {1, 0, 0});
+  expect_near(slanted.normal(), {0, 0, 1});
+  EXPECT_NEAR(signed_area(slanted.outline_m), 2.0 - 0.005, 1.0e-12);
+  expect_near(area_in_room("<plane id='p' points='3 1 1  3 2 1  1 2 1  1 1 1'/>").u, {0, 1, 0});
+}
+
 TEST(PlanesXml, PolygonMayBeConcaveAtTheFirstCorner) {
   const PlanarArea area =
       area_in_room("<plane id='p' points='2 1.2 1  3 0.5 1  2 2.5 1  1 0.5 1'/>");

@@ -46,6 +46,7 @@ struct Setting {
   std::string root = "maintenance-factor='0.8'";
   std::string element = "plane";
   std::map<std::string, std::string> files{};
+  std::string judged = "p";  // id of the plane
 };
 
 struct Fitted {
@@ -85,10 +86,11 @@ Fitted fit(const Setting& setting) {
   const std::vector<RulePack> packs = builtin_rule_packs();
   if (const auto judged = load_judged_project(files, "p.xml", packs, diagnostics)) {
     const calc::Space& space = judged->project.spaces.at(0);
-    const auto plane = std::find_if(space.planes.begin(), space.planes.end(),
-                                    [](const calc::CalcPlane& one) { return one.id == "p"; });
+    const auto plane =
+        std::find_if(space.planes.begin(), space.planes.end(),
+                     [&](const calc::CalcPlane& one) { return one.id == setting.judged; });
     const auto grid = calc::make_sensor_grid(*plane, space, diagnostics);
-    fitted.requirements = requirements_of_plane(judged->requirements, "p");
+    fitted.requirements = requirements_of_plane(judged->requirements, setting.judged);
     if (grid) {
       check_fitness({judged->project, space, *plane, *grid, packs, kToday, judged->requirements},
                     fitted.requirements);
@@ -233,20 +235,162 @@ TEST(Fitness, AFieldOfARoadHasAtLeastSoManyPoints) {
   EXPECT_THAT(aspects("10 3"), IsEmpty());
 }
 
-// Whoever draws the surround must draw it around the task of the row.
-TEST(Fitness, ASurroundIsAroundATask) {
-  const auto aspects = [](const std::string& plane, bool has_task = true) {
-    Setting setting{plane, kDeskWork + " role='surround'"};
-    if (has_task) {
-      setting.objects = "<plane id='t' origin='2 2 0.75' u='2 0 0' v='0 2 0'><require " +
-                        kDeskWork + "/></plane>";
-    }
-    return fit(setting).aspects("surround.Em");
+const std::string kTask =
+    "<plane id='t' origin='2 2 0.75' u='2 0 0' v='0 2 0'><require " + kDeskWork + "/></plane>";
+
+// Four corners of a plane at such a height, whose hole has four others: "points='...'><hole .../".
+std::string frame(double low, double high, double z, double hole_low, double hole_high) {
+  const auto square = [z](double from, double to) {
+    return fmt::format("{0} {0} {2} {1} {0} {2} {1} {1} {2} {0} {1} {2}", from, to, z);
   };
-  EXPECT_THAT(aspects("origin='4 2 0.75' u='0.5 0 0' v='0 2 0'"), IsEmpty());
+  return fmt::format("points='{}'><hole points='{}'/", square(low, high),
+                     square(hole_low, hole_high));
+}
+
+// Whoever draws the surround must draw it around the task of the row, and all of it.
+TEST(Fitness, ASurroundIsAroundATask) {
+  const auto fitted = [](const std::string& plane, bool has_task = true) {
+    Setting setting{plane, kDeskWork + " role='surround'"};
+    if (has_task) setting.objects = kTask;
+    return fit(setting);
+  };
+  const auto aspects = [&](const std::string& plane, bool has_task = true) {
+    return fitted(plane, has_task).aspects("surround.Em");
+  };
+  EXPECT_THAT(aspects(frame(1.5, 4.5, 0.75, 2, 4)), IsEmpty());
+  EXPECT_THAT(aspects(frame(1, 5, 0.75, 2, 4)), IsEmpty());  // the band has a least width
+  const std::string piece = "origin='4 2 0.75' u='0.5 0 0' v='0 2 0'";
+  EXPECT_THAT(aspects(piece), ElementsAre("place"));
+  EXPECT_EQ(fitted(piece).first().problem,
+            "role 'surround' of en12464-1:2021 is about all of the band of 0.5 m around the task, "
+            "and what counts of this plane covers only 20 % of that (a <deviation "
+            "in=\"place\"> would state it)");
   EXPECT_THAT(aspects("origin='2 2 0.75' u='2 0 0' v='0 2 0'"), ElementsAre("place"));
   EXPECT_THAT(aspects("origin='8 5 0.75' u='0.5 0 0' v='0 2 0'"), ElementsAre("place"));
-  EXPECT_THAT(aspects("origin='4 2 0.75' u='0.5 0 0' v='0 2 0'", false), IsEmpty());
+  EXPECT_THAT(aspects(piece, false), IsEmpty());
+}
+
+// A band ends at walls and at the next task.
+TEST(Fitness, OfABandOnlyWhatIsThereIsAskedFor) {
+  Setting setting{"points='0.5 2 0.75 1.5 2 0.75 1.5 3 0.75 0.5 3 0.75'",
+                  kDeskWork + " role='surround'"};
+  // Between two tasks that fill the room but for this square, less the strip along walls.
+  setting.room = "<room id='r' size='2 5 3' ceiling='m' walls='m' floor='m'>";
+  setting.objects = "<plane id='s' origin='0 0 0.75' u='2 0 0' v='0 2 0'><require " + kDeskWork +
+                    "/></plane><plane id='t' origin='0 3 0.75' u='2 0 0' v='0 2 0'><require " +
+                    kDeskWork + "/></plane>";
+  EXPECT_THAT(fit(setting).aspects("surround.Em"), ElementsAre("place"));
+  setting.plane = "points='0 2 0.75 2 2 0.75 2 3 0.75 0 3 0.75'";
+  EXPECT_THAT(fit(setting).aspects("surround.Em"), IsEmpty());
+}
+
+TEST(Fitness, ABackgroundAndACylinderAreAllAroundTheTaskToo) {
+  const auto aspects = [](const std::string& plane, const std::string& role) {
+    Setting setting{plane, kDeskWork + " role='" + role + "'"};
+    setting.objects = kTask;
+    return fit(setting).aspects(role + ".Em");
+  };
+  EXPECT_THAT(aspects("origin='4.5 2 0' u='3 0 0' v='0 2 0'", "background"), ElementsAre("place"));
+  EXPECT_THAT(aspects(frame(0.5, 7.5, 0, 1.5, 4.5), "background"), IsEmpty());
+  const std::string upright = " quantity='cylindrical'";
+  EXPECT_THAT(aspects("origin='2 2 1.2' u='0.5 0 0' v='0 0.5 0'" + upright, "cylinder"),
+              ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='1.5 1.5 1.2' u='3 0 0' v='0 3 0'" + upright, "cylinder"), IsEmpty());
+  EXPECT_THAT(aspects("height='1.2' margin='0.5'" + upright, "cylinder"), IsEmpty());
+}
+
+// An area that a project gives to a zone of a workplace is looked at as one that it draws.
+TEST(Fitness, AZoneWithAnAreaOfItsOwnIsAroundItsTask) {
+  const auto aspects = [](const std::string& area) {
+    Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
+    setting.objects = "<workplace id='w' " + kDeskWork +
+                      " origin='2 2' size='2 2'><zone role='surround' " + area +
+                      "/></workplace><workplace id='v' " + kDeskWork + " origin='8 4' size='2 2'/>";
+    setting.judged = "w.surround";
+    return fit(setting).aspects("surround.Em");
+  };
+  EXPECT_THAT(aspects("origin='1.5 1.5' size='3 3'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='4 2' size='0.5 2'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='7.5 3.5' size='3 3'"), ElementsAre("place"));  // that of the other
+}
+
+TEST(Fitness, OutdoorsASurroundIsAroundItsTaskToo) {
+  const auto aspects = [](const std::string& plane) {
+    Setting setting{plane, "pack='en12464-2' row='5.1-crossings' role='surround'"};
+    setting.room = "";
+    setting.objects =
+        "<plane id='t' origin='2 2 0' u='2 0 0' v='0 2 0'><require pack='en12464-2' "
+        "row='5.1-crossings'/></plane>";
+    return fit(setting).aspects("surround.Em");
+  };
+  EXPECT_THAT(aspects("origin='2.5 2.5 0' u='1 0 0' v='0 1 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='4 2 0' u='2 0 0' v='0 2 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects(frame(0, 6, 0, 2, 4)), IsEmpty());
+}
+
+TEST(Fitness, TheTotalAreaHoldsThePrincipalOne) {
+  const auto aspects = [](const std::string& plane) {
+    Setting setting{plane, "pack='en12193' row='football-III' role='ta'"};
+    setting.room = "";
+    setting.objects =
+        "<plane id='t' origin='5 5 0' u='10 0 0' v='0 10 0'><require pack='en12193' "
+        "row='football-III'/></plane>";
+    return fit(setting).aspects("ta.Em");
+  };
+  EXPECT_THAT(aspects("origin='9 9 0' u='1 0 0' v='0 1 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='20 5 0' u='10 0 0' v='0 10 0'"), ElementsAre("place"));
+  EXPECT_THAT(aspects("origin='4 4 0' u='12 0 0' v='0 12 0'"), IsEmpty());
+}
+
+// Towards a luminaire 3 m to the side a desk that leans by 14 degrees has 40 % more light than one
+// that is level.
+TEST(Fitness, NothingLeansThatLiesOnNothing) {
+  const auto aspects = [](const std::string& u, const std::string& objects = "") {
+    Setting setting{"origin='3 3 0.75' u='" + u + "' v='0 0.6 0'", kDeskWork};
+    setting.objects = objects;
+    return fit(setting).aspects("task.Em");
+  };
+  EXPECT_THAT(aspects("0.6 0 0.0005"), IsEmpty());  // 0.05 degrees
+  EXPECT_THAT(aspects("0.6 0 0.0025"), ElementsAre("orientation"));
+  EXPECT_THAT(aspects("0.582177 0 0.145153"), ElementsAre("orientation"));
+  const std::string board = "<quad id='b' origin='2 2 0.64' u='3 0 0.15' v='0 3 0' material='m'/>";
+  EXPECT_THAT(aspects("0.6 0 0.03", board), IsEmpty());
+  EXPECT_THAT(aspects("0.6 0 -0.03", board), ElementsAre("orientation"));
+}
+
+TEST(Fitness, UprightIsUprightAndNoLittleLess) {
+  const auto aspects = [](const std::string& v) {
+    Setting setting{"origin='3 3 1' u='-2 0 0' v='" + v + "'",
+                    "pack='en12464-2' row='E2' role='window'"};
+    setting.room = "";
+    return fit(setting).aspects("window");
+  };
+  EXPECT_THAT(aspects("0 0 1"), IsEmpty());
+  EXPECT_THAT(aspects("0 0.2 1"), ElementsAre("orientation"));
+}
+
+// 8 m x 1 m, at 45 degrees to x and y: cells of 0.2 m, and not those of the square around it.
+TEST(Fitness, AGridIsThatOfTheAreasOwnSides) {
+  const std::string strip =
+      "1.429289322 1.070710678 0.75 1.570710678 1.070710678 0.75 "
+      "7.156854249 6.656854249 0.75 6.449747468 7.363961031 0.75 "
+      "0.792893219 1.707106781 0.75";
+  const auto fitted = [&](const std::string& more) {
+    return fit({"points='" + strip + "'" + more, kDeskWork});
+  };
+  EXPECT_THAT(fitted("").aspects("task.Em"), IsEmpty());
+  EXPECT_THAT(fitted(" spacing='0.7'").aspects("task.Em"), ElementsAre("grid"));
+  EXPECT_THAT(fitted(" spacing='0.19'").aspects("task.Em"), IsEmpty());
+}
+
+TEST(Fitness, ASpeckOfARouteIsTold) {
+  const auto note = [](const std::string& points) {
+    Setting setting{"points='" + points + "' width='0.2'", "pack='en1838:2024' scene='em'"};
+    setting.element = "route";
+    return fit(setting).first().note;
+  };
+  EXPECT_THAT(note("2 2 0 2.1 2 0"), HasSubstr("the route has only 0.02 m2"));
+  EXPECT_THAT(note("2 2 0 4 2 0"), testing::Not(HasSubstr("has only")));
 }
 
 // The standard limits intensities from 60 degrees on of level ways, and in all directions of

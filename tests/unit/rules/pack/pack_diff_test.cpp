@@ -234,6 +234,8 @@ constexpr Edit kEdits[] = {
      "area"},
     {"plane.around", "orientation='surface'",
      "orientation='surface' area='band' around='desk' width='1'", "plane wall", "around"},
+    {"plane.holds", "orientation='surface'", "orientation='surface' holds='desk'", "plane wall",
+     "holds"},
     {"plane.width", "width='0.4'", "width='0.3'", "plane band", "width"},
     {"plane.height", "height='0.75'", "height='0.8'", "plane desk", "height"},
     {"plane.margin", "margin='0.5'", "margin='0.4'", "plane desk", "margin"},
