@@ -27,8 +27,8 @@ bool read_header(const CsvRecord& record, std::optional<double>& metres) {
   metres = length_column(record.cells.front().text).metres;
   for (std::size_t i = 0; i < kPointColumns.size(); ++i) {
     const LengthColumn column = length_column(record.cells[i].text);
-    const std::optional<double> wanted = i < kLengthColumns ? metres : std::nullopt;
-    if (column.name != kPointColumns[i] || column.metres != wanted) return false;
+    const bool has_its_unit = i < kLengthColumns ? column.metres == metres : !column.metres;
+    if (column.name != kPointColumns[i] || !has_its_unit) return false;
   }
   return true;
 }
