@@ -54,6 +54,7 @@ luxgate_test(scene_tests
     unit/calc/project/project_files_test.cpp
     unit/calc/project/project_photometry_test.cpp
     unit/calc/project/coincident_surfaces_test.cpp
+    unit/calc/project/open_shells_test.cpp
     unit/calc/project/project_warnings_test.cpp
     unit/calc/project/project_xml_file_messages_test.cpp
     unit/calc/project/project_xml_library_messages_test.cpp

@@ -5,6 +5,7 @@
 #include "calc/project/gbxml_space.h"
 #include "calc/project/mesh_room.h"
 #include "calc/project/objects_xml.h"
+#include "calc/project/open_shells.h"
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_elements.h"
 #include "calc/project/road_xml.h"
@@ -112,6 +113,7 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
   if (surroundings.objects_are_good && surroundings.room_is_good) {
     fit_housings(context.project, space);
     settle_coincident_surfaces(space, shell_bodies, context.project.materials, context.diagnostics);
+    find_open_shells(space, shell_bodies);
   }
   surroundings.origin_m = origin_m;
   surroundings.box_tops = std::move(objects.box_tops);

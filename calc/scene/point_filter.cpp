@@ -11,6 +11,7 @@
 namespace calc {
 namespace {
 
+constexpr double kInFront_m = 1.0e-4;
 constexpr double kOfHeight = 1.0e-9;  // of a room: what is so near to its floor is on it
 
 }  // namespace
@@ -19,7 +20,8 @@ PointFilter::PointFilter(const Space& space, ReceiverKernel kernel, const Boundi
     : space_(space),
       kernel_(kernel),
       offset_m_(ray_offset_m(extent_m(space))),
-      near_(space, region, kContactReach * offset_m_) {
+      near_(space, region, kContactReach * offset_m_),
+      hollow_(space, {region.lower - kInFront_m, region.upper + kInFront_m}) {
   for (const Body& body : space.bodies) {
     const bool has_inside = body.is_closed || body.encloses_room;
     if (!has_inside) continue;
@@ -65,7 +67,17 @@ PointStand PointFilter::stand(const CandidatePoint& candidate) const {
     result.body = solid.body->id;
     return result;
   }
-  return stand_in_surface(candidate);
+  // In front: on a face the side there decides, as of closed bodies.
+  const HollowPlace hollow = hollow_.around(candidate.position_m + kInFront_m * candidate.front,
+                                            [&](const glm::dvec3& place) { return is_air(place); });
+  if (hollow.side == HollowSide::inside) {
+    result.dropped = DropReason::inside_solid;
+    result.body = hollow.shell->id;
+    return result;
+  }
+  result = stand_in_surface(candidate);
+  if (hollow.side == HollowSide::unclear) result.open_body = hollow.shell->id;
+  return result;
 }
 
 bool PointFilter::is_beside_room(const glm::dvec3& point) const {

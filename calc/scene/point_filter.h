@@ -2,6 +2,7 @@
 // Which points of a space can be measured at, and from where.
 
 #include "calc/base/names.h"
+#include "calc/scene/hollow_shells.h"
 #include "calc/scene/near_triangles.h"
 #include "calc/scene/project.h"
 #include "calc/scene/solids.h"
@@ -45,6 +46,8 @@ struct PointStand {
   // From where it is measured, as a shift: 0, or off the surface that it lies in.
   glm::dvec3 shift_m{0.0};
   std::string body;  // that it lies in: of a drop, or of a shift along the plane; else ""
+  // That is not closed and encloses it nearly (HollowSide::unclear), so that it counts as outside.
+  std::string open_body{};
 };
 
 class PointFilter {
@@ -52,7 +55,8 @@ class PointFilter {
   // For candidates within the region. The space must outlive it.
   PointFilter(const Space& space, ReceiverKernel kernel, const BoundingBox& region);
 
-  // - Outside the room, whose surfaces count as inside, or inside a closed body: dropped.
+  // - Outside the room, whose surfaces count as inside, or inside a closed body, or one that is not
+  //   closed and encloses it all the same (hollow_shells.h): dropped.
   // - On a face of a closed body: dropped if `front` looks into the body.
   // - In surfaces that leave air on one side only (walls, corners of the room, sides of furniture):
   //   measured on that side, a few ray offsets off: the limit of what is measured ever nearer to
@@ -80,6 +84,7 @@ class PointFilter {
   ReceiverKernel kernel_;
   double offset_m_;
   NearTriangles near_;
+  HollowShells hollow_;
   std::vector<Solid> solids_;
   std::optional<Solid> around_room_;        // of a room of a mesh that is closed
   std::optional<BoundingBox> room_bounds_;  // of one that is not: of all its surfaces

@@ -318,6 +318,9 @@ struct Space {
   bool is_from_mesh = false;  // surfaces_file is a mesh, and not gbXML
   std::vector<Body>
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
+  // What hangs together in those of them that are objects and not closed, as far as it may have an
+  // inside (hollow_shells.h): with their ids, and no materials.
+  std::vector<Body> open_shells;
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
   std::vector<LeftOutPlane> left_out;  // of its workplaces

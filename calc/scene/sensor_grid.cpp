@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace calc {
@@ -156,12 +158,19 @@ std::optional<double> parts_that_reach(const PlanarArea& area, const Rectangle& 
   return std::nullopt;
 }
 
+// A point that counts as outside of an open mesh, though little of it is open.
+struct NearlyInside {
+  glm::dvec3 position_m;
+  std::string body;
+};
+
 // Adds candidates one by one and keeps the account.
 class GridBuilder {
  public:
-  // region: of all candidates.
-  GridBuilder(const Space& space, const BoundingBox& region, SensorGrid& grid)
-      : filter_(space, grid.kernel, region), grid_(grid) {}
+  // region: of all candidates. nearly_inside: gets those that an open mesh encloses nearly.
+  GridBuilder(const Space& space, const BoundingBox& region, SensorGrid& grid,
+              std::vector<NearlyInside>& nearly_inside)
+      : filter_(space, grid.kernel, region), grid_(grid), nearly_inside_(nearly_inside) {}
 
   // `reason`: already known to be dropped because of the plane's own outline.
   void add(const CandidatePoint& candidate, int column, int row,
@@ -170,6 +179,7 @@ class GridBuilder {
     if (reason) return drop({point, column, row, *reason, {}});
     PointStand stand = filter_.stand(candidate);
     if (stand.dropped) return drop({point, column, row, *stand.dropped, std::move(stand.body)});
+    if (!stand.open_body.empty()) nearly_inside_.push_back({point, std::move(stand.open_body)});
     if (!stand.body.empty()) {
       grid_.inner.push_back({grid_.position_m.size(), std::move(stand.body)});
     }
@@ -200,6 +210,7 @@ class GridBuilder {
  private:
   PointFilter filter_;
   SensorGrid& grid_;
+  std::vector<NearlyInside>& nearly_inside_;
 };
 
 class GridMaker {
@@ -214,6 +225,7 @@ class GridMaker {
     grid_.room_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const bool made = std::visit([this](const auto& area) { return fill(area); }, plane_.area);
+    if (made) warn_about_open_meshes();
     if (!made || is_empty() || is_in_furniture()) return std::nullopt;
     warn_about_surfaces();
     if (grid_.route) {
@@ -229,7 +241,7 @@ class GridMaker {
     grid_.rule = say<Sentence::grid_of_points>();
     const std::size_t count = list.position_m.size();
     if (!is_small_enough({static_cast<double>(count), 1.0})) return false;
-    GridBuilder builder(space_, bounding_box(list.position_m), grid_);
+    GridBuilder builder(space_, bounding_box(list.position_m), grid_, nearly_inside_);
     for (std::size_t i = 0; i < count; ++i) {
       const glm::dvec3& axis = list.normal[i];
       builder.add({list.position_m[i], axis, axis}, static_cast<int>(i), 0);
@@ -287,7 +299,7 @@ class GridMaker {
     const RouteCells cells = grid_.route->cells(grid_.rows);
     const BoundingBox region{{bounds.lower, low_m - kWalkingSearchDown_m + route.height_m},
                              {bounds.upper, high_m + kWalkingSearchUp_m + route.height_m}};
-    GridBuilder builder(space_, region, grid_);
+    GridBuilder builder(space_, region, grid_, nearly_inside_);
     for (int row = 0; row < grid_.rows; ++row) {
       for (int column = 0; column < grid_.columns; ++column) {
         builder.add_above(surface, cells.centre_m(column, row), route.height_m, column, row);
@@ -374,7 +386,7 @@ class GridMaker {
     const BoundingBox region = bounding_box({place_m(inner.lower), place_m(inner.upper),
                                              place_m({inner.lower.x, inner.upper.y}),
                                              place_m({inner.upper.x, inner.lower.y})});
-    GridBuilder builder(space_, region, grid_);
+    GridBuilder builder(space_, region, grid_, nearly_inside_);
     const glm::dvec2 cell_m(grid_.spacing_u_m, grid_.spacing_v_m);
     const glm::dvec3 normal = area.normal();
     const glm::dvec3 axis = has_look(plane_.kernel, plane_.derived) ? plane_.direction : normal;
@@ -397,6 +409,38 @@ class GridMaker {
     if (outside == 0 && (inside == 0 || !is_list)) return;
     diagnostics_.report(DiagnosticId::points_left_out, plane_.where, plane_.id, outside + inside,
                         grid_.position_m.size() + grid_.dropped.size(), outside, inside);
+  }
+
+  // A body may have been meant, and the mesh is what has to be mended.
+  void warn_about_open_meshes() {
+    struct Points {
+      std::size_t count = 0;
+      glm::dvec3 first_m{0.0};
+    };
+    std::map<std::string, Points> inside, nearly;
+    const auto add = [](Points& points, const glm::dvec3& at) {
+      if (++points.count == 1) points.first_m = at;
+    };
+    const auto is_open = [&](const std::string& id) {
+      return std::any_of(space_.open_shells.begin(), space_.open_shells.end(),
+                         [&](const Body& shell) { return shell.id == id; });
+    };
+    for (const DroppedPoint& point : grid_.dropped) {
+      if (point.reason != DropReason::inside_solid) continue;
+      if (inside.contains(point.body) || is_open(point.body)) {
+        add(inside[point.body], point.position_m);
+      }
+    }
+    for (const NearlyInside& point : nearly_inside_) add(nearly[point.body], point.position_m);
+    const std::size_t all = grid_.position_m.size() + grid_.dropped.size();
+    const auto warn = [&](DiagnosticId id, const std::map<std::string, Points>& by_body) {
+      for (const auto& [body, points] : by_body) {
+        const glm::dvec3& at = points.first_m;
+        diagnostics_.report(id, plane_.where, plane_.id, points.count, all, body, at.x, at.y, at.z);
+      }
+    };
+    warn(DiagnosticId::points_in_open_mesh, inside);
+    warn(DiagnosticId::points_nearly_in_open_mesh, nearly);
   }
 
   // What a point in a surface means is our choice, and may not be the project's. Where furniture
@@ -495,6 +539,7 @@ class GridMaker {
   const Space& space_;
   Diagnostics& diagnostics_;
   SensorGrid grid_;
+  std::vector<NearlyInside> nearly_inside_;
 };
 
 }  // namespace

@@ -1,0 +1,14 @@
+#pragma once
+// The parts of open meshes that may have an inside all the same.
+
+#include "calc/scene/project.h"
+
+#include <cstddef>
+
+namespace calc {
+
+// Fills Space::open_shells from its bodies from `first` on: what hangs together in bodies that are
+// not closed. Flat things are left out, and housings of luminaires.
+void find_open_shells(Space& space, std::size_t first);
+
+}  // namespace calc
