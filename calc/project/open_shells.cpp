@@ -3,6 +3,7 @@
 #include "calc/meshes/mesh_shells.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 #include <utility>
 
