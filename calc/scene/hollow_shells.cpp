@@ -25,8 +25,10 @@ constexpr double kBehind_m = 0.02;
 // Of luminaires that are let into a ceiling the place before it counts.
 constexpr std::array kBeforeLamp_m{0.02, 0.1, 0.3};
 
+}  // namespace
+
 // A body's triangles as seen along a line, in the cells of a grid.
-class LineView {
+class HollowShells::LineView {
  public:
   LineView(const Body& body, const glm::dvec3& line) : body_(body), along_(glm::normalize(line)) {
     const glm::dvec3 aside =
@@ -132,6 +134,8 @@ class LineView {
   std::vector<std::size_t> begin_;  // of each cell's part of listed_, and its end
   std::vector<std::uint32_t> listed_;
 };
+
+namespace {
 
 // How far it is from a point in the box to where it is left.
 double way_out_m(const BoundingBox& box, const glm::dvec3& point, const glm::dvec3& direction) {

@@ -37,6 +37,7 @@ class HollowShells {
   HollowPlace around(const glm::dvec3& point, const IsAir& is_air) const;
 
  private:
+  class LineView;
   class Shell;
 
   std::vector<std::shared_ptr<const Shell>> shells_;
