@@ -22,14 +22,14 @@ struct Difference {
 
 // Whole steps from `begin` that do not reach beyond a place.
 double steps_below(float place, float begin, double step) {
-  const Difference way(place, begin);
+  const Difference way(static_cast<double>(place), static_cast<double>(begin));
   const double steps = std::floor(way.value / step);
   return steps * step == way.value && way.rest < 0.0 ? steps - 1.0 : steps;
 }
 
 // Whole steps from `begin` that reach a place.
 double steps_above(float place, float begin, double step) {
-  const Difference way(place, begin);
+  const Difference way(static_cast<double>(place), static_cast<double>(begin));
   const double steps = std::ceil(way.value / step);
   return steps * step == way.value && way.rest > 0.0 ? steps + 1.0 : steps;
 }

@@ -19,7 +19,7 @@
 namespace calc {
 namespace {
 
-constexpr float kAnyDistance = std::numeric_limits<float>::infinity();
+constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 constexpr double kLeastSurvival = 0.25;
 
 // Sobol' dimensions of a path.

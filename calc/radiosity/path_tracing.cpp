@@ -23,7 +23,7 @@
 namespace calc {
 namespace {
 
-constexpr float kNoLimit = std::numeric_limits<float>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kPathsPerRound = 256;  // rounds of samples on extended openings
 
 // By formulas of its own: this is the second method that the first is held against.

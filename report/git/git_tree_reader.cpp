@@ -165,7 +165,8 @@ struct GitTreeReader::State {
     const Blob blob = blob_of(file.id);
     if (blob == nullptr) return failed(unreadable(file.id, file.path));
     if (std::string why = needs_program(file.path); !why.empty()) return failed(std::move(why));
-    git_blob_filter_options options = GIT_BLOB_FILTER_OPTIONS_INIT;
+    git_blob_filter_options options{};
+    options.version = GIT_BLOB_FILTER_OPTIONS_VERSION;
     options.flags = GIT_BLOB_FILTER_ATTRIBUTES_FROM_COMMIT;  // binary ones, too, if they say so
     options.attr_commit_id = commit_id;
     git_buf bytes = GIT_BUF_INIT;
@@ -185,7 +186,8 @@ struct GitTreeReader::State {
   // A checkout has some files written by programs, or in another encoding: none is started here,
   // and what git holds is not what was checked then. "" of others.
   std::string needs_program(const std::string& path) const {
-    git_attr_options options = GIT_ATTR_OPTIONS_INIT;
+    git_attr_options options{};
+    options.version = GIT_ATTR_OPTIONS_VERSION;
     options.flags = GIT_ATTR_CHECK_INCLUDE_COMMIT;
     options.attr_commit_id = commit_id;
     const char* names[] = {"working-tree-encoding", "filter"};
