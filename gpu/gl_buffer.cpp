@@ -14,7 +14,7 @@
 namespace gpu {
 namespace {
 
-constexpr std::size_t kSmallest = 4096;  // an empty array can be bound like any other
+constexpr std::size_t kSmallestBuffer = 4096;  // an empty array can be bound like any other
 
 double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
@@ -36,7 +36,7 @@ GlBuffer::~GlBuffer() {
 }
 
 void GlBuffer::reserve(std::size_t bytes) {
-  bytes = std::max(bytes, kSmallest);
+  bytes = std::max(bytes, kSmallestBuffer);
   if (bytes <= bytes_) return;
   const std::size_t most = largest_for(bytes);
   // Storage is made once: what grows a little with each piece is not to be made anew each time.
@@ -80,13 +80,13 @@ void GlBuffer::assign_bytes(std::span<const std::byte> from) {
     write(0, from);
     return;
   }
-  if (from.size() >= kSmallest) {
+  if (from.size() >= kSmallestBuffer) {
     largest_for(from.size());
     allocate(from.size(), from.data());
     return;
   }
   std::vector<std::byte> padded(from.begin(), from.end());
-  padded.resize(kSmallest);
+  padded.resize(kSmallestBuffer);
   allocate(padded.size(), padded.data());
 }
 

@@ -12,7 +12,7 @@
 namespace gpu {
 namespace {
 
-constexpr std::size_t kSmallest = 4096;
+constexpr std::size_t kSmallestReadBack = 4096;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void GlReadBack::release() {
 
 void GlReadBack::reserve(std::size_t bytes) {
   if (bytes <= bytes_) return;
-  bytes = std::max({bytes, bytes_ + bytes_ / 2, kSmallest});
+  bytes = std::max({bytes, bytes_ + bytes_ / 2, kSmallestReadBack});
   release();
   glGenBuffers(1, &name_);
   glBindBuffer(GL_COPY_WRITE_BUFFER, name_);

@@ -16,7 +16,7 @@
 namespace bench {
 namespace {
 
-constexpr std::uint32_t kPaths = 4096;
+constexpr std::uint32_t kPathsTraced = 4096;
 constexpr int kDraws = 64;                  // connections of a point
 constexpr std::size_t kMostRays = 1 << 18;  // of a kind
 constexpr int kNearRays = 64;
@@ -172,7 +172,7 @@ double hit_ns(const calc::Tracer& tracer, const std::vector<RayQuery>& rays, int
 RayCosts measure_rays(const BenchScene& scene, int threads, int repeats) {
   const calc::Tracer tracer(scene.scene);
   const calc::Emitter emitter(scene.scene);
-  LightTrace light = trace_light(tracer, emitter, Roulette::one_number, kPaths, 1, true);
+  LightTrace light = trace_light(tracer, emitter, Roulette::one_number, kPathsTraced, 1, true);
   if (light.queries.size() > kMostRays) light.queries.resize(kMostRays);
   // Waves: neighbouring paths together, bounce by bounce.
   std::stable_sort(light.queries.begin(), light.queries.end(),

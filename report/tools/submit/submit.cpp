@@ -42,7 +42,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNotes =
+constexpr const char* kSubmitNotes =
     "Shards calculate into the store, the closing job reports from it: with the bytes of one\n"
     "machine. What is in the store is only read, so the same command once more completes what was\n"
     "cut off; a shard of which all is there costs its reading. Store, job folder, projects and\n"
@@ -338,7 +338,7 @@ Command submit_command() {
   add(command.options, options_of_check(*options, std::move(of_check.options)));
   command.config = of_check.config;
   command.config_revision = of_check.config_revision;
-  command.notes = kNotes;
+  command.notes = kSubmitNotes;
   command.examples = {
       {"luxgate submit designs/a.xml designs/b.xml --engine slurm --store /srv/store --output out",
        "Prints the script; 'sbatch' starts it, or --send"},

@@ -40,7 +40,7 @@ namespace {
 // Looks of half that size are forgotten together, so that there is always room for new ones.
 constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
 
-constexpr const char* kNotes =
+constexpr const char* kWatchNotes =
     "The terminal shows the whole result first, then what each change did to it, and the time\n"
     "from the last save to the verdict. What did not change is not calculated again. A change\n"
     "while it calculates starts it anew. Ctrl-C ends it.";
@@ -281,7 +281,7 @@ Command watch_command() {
   add(command.options, work_options(check.settings.radiosity));
   add(command.options, backend_options(check.backend));
   add(command.options, {store_option(check.store)});
-  command.notes = kNotes;
+  command.notes = kWatchNotes;
   command.examples = {
       {"luxgate watch office.xml --serve", "The report in a browser, kept up to date"}};
   command.exit_codes = {{kAllMet, "at the end every requirement was met or waived"},
