@@ -226,8 +226,8 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
   finding.reason = "the scene does not say what 1 luminaire does";
   const std::string html = html_emergency({}, document.projects[0], 0, "");
   for (const char* words :
-       {"EN 1838 risk · end-of-duration · ", "national readings differ", "direct light only",
-        "the scene does not say what 1 luminaire does", "not judged"}) {
+       {"EN 1838 risk (project&#39;s own) · end-of-duration · ", "national readings differ",
+        "direct light only", "the scene does not say what 1 luminaire does", "not judged"}) {
     EXPECT_THAT(html, HasSubstr(words));
   }
 }

@@ -90,7 +90,7 @@ rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& c
       rules::is_of_space(requirement.metric);
   finding.is_close = is_measured ? result.is_close : rules::decide(requirement, measured).is_close;
   finding.by_tolerance = result.by_tolerance;
-  finding.margin = rules::margin(measured.value, check.comparison, requirement.limit);
+  finding.margin = rules::margin_of(requirement, measured, finding.verdict);
   return finding;
 }
 

@@ -76,8 +76,8 @@ TEST(Texts, EveryLanguageHasTheSamePlaceholders) {
 // Words that are the same as in English.
 std::set<std::string_view> loanwords(Language language) {
   std::set<std::string_view> words{
-      "in_lx",        "colon",     "count_of", "statistic_minimum", "statistic_maximum",
-      "statistic_ud", "about_logo"};
+      "in_lx",        "colon",      "count_of",         "statistic_minimum", "statistic_maximum",
+      "statistic_ud", "about_logo", "clause_and_source"};
   if (language == Language::german) words.insert("about_revision");
   if (language == Language::french) {
     words.erase("colon");

@@ -131,7 +131,7 @@ TEST(JudgeAggregates, AnyIsAsDecidedAsItsParts) {
 // A room whose glare is rated at eyes is no better where somebody looks at a wall.
 TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   const std::string parts =
-      kWall +
+      kMean + kWall +
       "<check id='eyes' role='eye' quantity='UGR' statistic='maximum' severity='in-aggregate' "
       "state='initial' at-most='19'/><aggregate id='a' rule='any' of='eyes wall'/>";
   Site site(parts);
