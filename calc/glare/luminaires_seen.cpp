@@ -6,14 +6,18 @@
 #include "calc/scene/polygon.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
+#include "calc/scene/solids.h"
+#include "calc/scene/walking_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <queue>
 #include <tuple>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -495,15 +499,49 @@ bool may_hide_luminaires(const Space& space, double lower_z_m) {
   });
 }
 
+namespace {
+
+// In a solid, or below the ground: in the open space z = 0, where no surface is below.
+class Buried {
+ public:
+  explicit Buried(const Space& space) : space_(space) {
+    for (const Body& body : space.bodies) box_.push_back(bounding_box(body.vertex_m));
+  }
+
+  bool has(const glm::dvec3& place_m) const {
+    bool has_floor = false;
+    for (std::size_t i = 0; i < space_.bodies.size(); ++i) {
+      const Body& body = space_.bodies[i];
+      if (locate_point(body, box_[i], place_m) == SolidSide::inside) return true;
+      if (place_m.z >= 0.0 || has_floor) continue;
+      for (const glm::uvec3& t : body.triangle) {
+        const std::array corner{body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z]};
+        const std::optional<double> z = height_at(corner, glm::dvec2(place_m));
+        has_floor = has_floor || (z && *z <= place_m.z);
+      }
+    }
+    return place_m.z < 0.0 && !has_floor;
+  }
+
+ private:
+  const Space& space_;
+  std::vector<BoundingBox> box_;
+};
+
+}  // namespace
+
 Estimate upward_share_percent(const Project& project, const Space& space, const LightScene* scene) {
   OncePerMounting<Range> above;
+  const Buried buried(space);
   double all_lm = 0.0;
   Range up_lm;
   for (const SeenLuminaire& seen : seen_luminaires(project, space, scene)) {
     const glm::dvec3 up = up_in_table(space.luminaires[seen.index], *seen.web);
     const Range lm = above.of(*seen.web, up, flux_above_lm);
     up_lm += {seen.factor * lm.low, seen.factor * lm.high};
-    all_lm += seen.factor * seen.web->flux_lm();
+    // What shines down there lights nothing, and makes no other luminaire better.
+    const bool is_buried = buried.has(space.luminaires[seen.index].position_m);
+    all_lm += seen.factor * (is_buried ? lm.high : seen.web->flux_lm());
   }
   if (!(all_lm > 0.0)) return {};
   const double low = 100.0 * up_lm.low / all_lm, high = 100.0 * up_lm.high / all_lm;
@@ -552,6 +590,7 @@ NearestLuminaire nearest_luminaire(const Project& project, const Space& space,
                                    const LightScene* scene,
                                    const std::vector<glm::dvec3>& points_m) {
   const std::vector<SeenLuminaire> all = seen_luminaires(project, space, scene);
+  constexpr double kLeastLight_lm = 1.0;  // what gives less is there, and not lit
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (all.empty()) return {{kInfinity, kInfinity, kInfinity}, 0, 0};
   NearestLuminaire farthest;
@@ -560,6 +599,7 @@ NearestLuminaire nearest_luminaire(const Project& project, const Space& space,
     double nearest_m2 = kInfinity;
     std::size_t luminaire = 0;
     for (const SeenLuminaire& seen : all) {
+      if (!(seen.web->flux_lm() * seen.factor >= kLeastLight_lm)) continue;
       if (!stands_in(space, space.luminaires[seen.index].position_m)) continue;
       const glm::dvec2 way(space.luminaires[seen.index].position_m - points_m[point]);
       const double squared_m2 = glm::dot(way, way);

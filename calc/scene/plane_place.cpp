@@ -1,9 +1,13 @@
 #include "calc/scene/plane_place.h"
 
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/scene_level.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 namespace calc {
 
@@ -53,9 +57,18 @@ double opening_reach_m(const LuminousOpening& opening, const Luminaire& luminair
   return glm::length(along);
 }
 
-bool faces_away(const Project& project, const Space& space, const CalcPlane& plane) {
-  constexpr double kTouch_m = 1.0e-6;
-  if (space.luminaires.empty()) return false;
+bool faces_away(const Project& project, const Space& space, const CalcPlane& plane,
+                const LightScene* scene) {
+  constexpr double kTouch_m = 1.0e-6, kWeak = 1.0e-3;
+  std::vector<double> flux_lm;
+  double most_lm = 0.0;
+  for (const Luminaire& luminaire : space.luminaires) {
+    const double web_lm = project.webs[project.luminaire_types[luminaire.type].web].flux_lm();
+    flux_lm.push_back(web_lm * installed_flux_scale(project, luminaire) *
+                      level_in_scene(scene, luminaire.group));
+    most_lm = std::max(most_lm, flux_lm.back());
+  }
+  if (!(most_lm > 0.0)) return false;
   const std::vector<glm::dvec3> places = places_of(plane), normals = normals_of(plane);
   const auto is_behind = [&](const Luminaire& luminaire, std::size_t i) {
     const LuminousOpening& opening =
@@ -65,8 +78,8 @@ bool faces_away(const Project& project, const Space& space, const CalcPlane& pla
            kTouch_m;
   };
   for (std::size_t i = 0; i < places.size(); ++i) {
-    for (const Luminaire& luminaire : space.luminaires) {
-      if (!is_behind(luminaire, i)) return false;
+    for (std::size_t k = 0; k < space.luminaires.size(); ++k) {
+      if (flux_lm[k] >= kWeak * most_lm && !is_behind(space.luminaires[k], i)) return false;
     }
   }
   return true;

@@ -22,7 +22,10 @@ double opening_reach_m(const LuminousOpening& opening, const Luminaire& luminair
                        const glm::dvec3& direction);
 
 // Whether no luminaire of the space has a part of its luminous opening in front of any place of the
-// plane (within a micrometre): only reflected light reaches it. False without luminaires.
-bool faces_away(const Project& project, const Space& space, const CalcPlane& plane);
+// plane (within a micrometre): only reflected light reaches it. Of those that are on in the scene
+// (null: all of them), and have at least a thousandth of the flux of the strongest: what is weaker
+// is no reason to face it. False without such luminaires.
+bool faces_away(const Project& project, const Space& space, const CalcPlane& plane,
+                const LightScene* scene = nullptr);
 
 }  // namespace calc

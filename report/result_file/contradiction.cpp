@@ -303,6 +303,11 @@ Verdict check_member(const Place& place, const Findings& findings,
   }
   constexpr const char* kWhy = "from what it is made of";
   expect(place, "is_waived", member.is_waived, is_waived, kWhy);
+  if (member.is_in_part) {
+    expect(place, "in_part", true, verdict == Verdict::pass, kWhy);
+    verdict = Verdict::not_judged;
+    lived_with = Verdict::not_judged;
+  }
   const bool may_lack_checks = member.of.empty() || over == rules::AggregateOver::rooms;
   if (may_lack_checks && member.verdict == verdict_of_both(verdict, Verdict::not_judged)) {
     return verdict_of_both(lived_with,

@@ -231,6 +231,11 @@ void describe(auto& v, Is<rules::AggregateMember> auto& member) {
   v.field("verdict", member.verdict);
   v.field("is_waived", member.is_waived);
   v.field("area_m2", member.area_m2);
+  v.field("in_part", member.is_in_part,
+          {.words = "There if all of it passes, and it is not all that the check is about, such as "
+                    "eyes that look one way only: not judged.",
+           .presence = only_if(member.is_in_part),
+           .is_mark = true});
   v.field("reason", member.reason, {.holds = Holds::prose});
   v.field("of", member.of, {.words = "What it is made of, beside checks that nothing asks for."});
   v.field("value", member.value,

@@ -40,6 +40,7 @@ struct AggregateMember {
   // known), and what the project states that this rests on.
   std::optional<double> value = {};
   std::string stated = {};
+  bool is_in_part = false;  // all passes, but is not all that the check is about: not judged
 };
 
 struct AggregateFinding {

@@ -1,11 +1,13 @@
 #include "rules/fitness/covered_surface.h"
 
+#include "calc/project/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "rules/fitness/place_in_space.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 namespace rules {
@@ -202,6 +204,18 @@ std::vector<CoveredSurface> covered_surfaces(const calc::PlanarArea& area, doubl
   return covered;
 }
 
+bool comes_near(const calc::PlanarArea& area, const ZoneAround& around) {
+  const calc::PlanarArea& inner = *around.inner;
+  std::vector<glm::dvec2> seen;
+  for (const glm::dvec2& corner : area.outline_m) {
+    seen.push_back(
+        calc::area_coordinates(inner, area.origin_m + corner.x * area.u + corner.y * area.v));
+  }
+  const FlatBounds own = bounds_of(seen), zone = bounds_of(inner.outline_m);
+  const glm::dvec2 low = zone.low - around.to_m, high = zone.high + around.to_m;
+  return own.low.x <= high.x && own.low.y <= high.y && own.high.x >= low.x && own.high.y >= low.y;
+}
+
 double covered_zone(const calc::PlanarArea& area, double own_strip_m, const ZoneAround& around,
                     std::span<const calc::PlanarArea* const> others, const calc::Space& space,
                     double strip_m) {
@@ -213,6 +227,9 @@ double covered_zone(const calc::PlanarArea& area, double own_strip_m, const Zone
   const double wanted_m = around.has_inner ? 0.0 : (around.to_m - around.from_m) / kCellsAcross;
   const double cell_m = std::clamp(wanted_m, longest_m / kMostCells, longest_m / kLeastCells);
   const InRoom room(space, inner, strip_m);
+  std::vector<const calc::PlanarArea*> near;
+  std::copy_if(others.begin(), others.end(), std::back_inserter(near),
+               [&](const calc::PlanarArea* other) { return comes_near(*other, around); });
   std::size_t all = 0, counted = 0;
   const auto columns = static_cast<int>(std::ceil(size_m.x / cell_m));
   const auto rows = static_cast<int>(std::ceil(size_m.y / cell_m));
@@ -225,7 +242,7 @@ double covered_zone(const calc::PlanarArea& area, double own_strip_m, const Zone
       if (!is_in && (off_m < around.from_m || off_m > around.to_m)) continue;
       const glm::dvec3 place = inner.origin_m + flat.x * inner.u + flat.y * inner.v;
       if (!room.has(place)) continue;
-      if (std::any_of(others.begin(), others.end(),
+      if (std::any_of(near.begin(), near.end(),
                       [&](const auto* other) { return has_place(*other, place, 0.0); })) {
         continue;
       }

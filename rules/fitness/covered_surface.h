@@ -48,6 +48,10 @@ struct ZoneAround {
   bool has_inner = false;
 };
 
+// Whether the area, seen along the zone's normal, comes near what is around the zone: else it
+// covers nothing of that.
+bool comes_near(const calc::PlanarArea& area, const ZoneAround& around);
+
 // What share the area without its own strip covers, [0, 1], of what is around the zone, as far as
 // that is in the room, off the strip of strip_m along the walls, and in none of the others, which
 // are zones beside it. The area is seen along the zone's normal, at any distance. own_strip_m as

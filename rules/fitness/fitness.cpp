@@ -154,7 +154,16 @@ class PlaneFit {
     }
     // Luminaires are seen from behind a plane, too.
     if (is_lower_limit(meant.check.comparison) || meant.check.quantity->of_space) return {};
-    if (!calc::faces_away(context_.project, context_.space, plane())) return {};
+    if (const calc::Body* body = body_before(plane(), context_.space)) {
+      return say<Sentence::behind_surface>(body->id);
+    }
+    const auto& scenes = context_.project.scenes;
+    const auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const auto& one) { return one.id == meant.asked.scene; });
+    if (!calc::faces_away(context_.project, context_.space, plane(),
+                          scene == scenes.end() ? nullptr : &*scene)) {
+      return {};
+    }
     return is_route() ? say<Sentence::faces_away_route>() : say<Sentence::faces_away>();
   }
 
@@ -272,24 +281,25 @@ class PlaneFit {
     for (const calc::CalcPlane* one : inner) {
       if (const auto* zone = std::get_if<calc::PlanarArea>(&one->area)) zones.push_back(zone);
     }
-    std::optional<double> best;  // share
+    double best = 0.0;  // share
     for (const calc::PlanarArea* zone : zones) {
+      const ZoneAround around{zone, to_m - meant.plane.width_m, to_m, has_inner};
+      if (!comes_near(*area, around)) continue;
       std::vector<const calc::PlanarArea*> others;
       std::copy_if(zones.begin(), zones.end(), std::back_inserter(others),
                    [&](const auto* other) { return other != zone; });
-      const ZoneAround around{zone, to_m - meant.plane.width_m, to_m, has_inner};
       const double covered = covered_zone(*area, own_strip_m, around, others, context_.space,
                                           strip_along_walls_m(meant));
-      best = std::max(best.value_or(0.0), covered);
+      best = std::max(best, covered);
     }
-    if (!best || *best >= 1.0 - meant.plane.missing_share) return {};
+    if (zones.empty() || best >= 1.0 - meant.plane.missing_share) return {};
     const std::string& role = role_inside(meant);
     const double width_m = meant.plane.width_m;
     const std::string whole = !has_inner      ? say<Sentence::whole_band>(width_m, role)
                               : width_m > 0.0 ? say<Sentence::whole_zone_and_band>(role, width_m)
                                               : say<Sentence::whole_zone>(role);
     return say<Sentence::covers_part>(role_words(meant), whole,
-                                      say<Sentence::part_of_zone>(std::floor(100.0 * *best)));
+                                      say<Sentence::part_of_zone>(std::floor(100.0 * best)));
   }
 
   // Of the space, that the same row is asked of in this role; of a workplace: by itself.
@@ -402,10 +412,25 @@ class PlaneFit {
                                           asked.rows);
     }
     if (const std::string words = cells_along_sides(meant, *rule); !words.empty()) return words;
+    if (const double cut_m2 = cut_out_m2(meant); cut_m2 > 0.0) {
+      return say<Sentence::grid_misses>(cut_m2);
+    }
     if (own.missed_m2 > 0.0) {
       return say<Sentence::grid_misses>(own.missed_m2);
     }
     return grid_behind_mask(meant, *rule);
+  }
+
+  // What holes take of a plane that is drawn, where the role is no band, nor held against what it
+  // covers otherwise: more than bodies may take of it is another area, whose dark parts somebody
+  // has chosen to leave out. 0: no more.
+  double cut_out_m2(const Meant& meant) const {
+    const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
+    const bool is_held = is_of_surface(meant.plane) || !role_inside(meant).empty();
+    if (area == nullptr || !plane().made_by.empty() || is_held) return 0.0;
+    const double whole_m2 = std::abs(calc::signed_area(area->outline_m));
+    const double cut_m2 = whole_m2 - calc::area_left(area->outline_m, area->holes_m);
+    return cut_m2 > meant.plane.missing_share * whole_m2 ? cut_m2 : 0.0;
   }
 
   // A formula is about the sides of the area itself: a grid that stands at an angle to them may be

@@ -190,4 +190,22 @@ bool lies_along(const calc::CalcPlane& plane, const calc::Space& space) {
   return true;
 }
 
+const calc::Body* body_before(const calc::CalcPlane& plane, const calc::Space& space) {
+  constexpr double kIn_m = 1.0e-5;  // what lies in a surface is measured before it
+  const std::vector<glm::dvec3> places = calc::places_of(plane), normals = calc::normals_of(plane);
+  for (const calc::Body& body : space.bodies) {
+    bool is_before = !places.empty();
+    for (std::size_t i = 0; is_before && i < places.size(); ++i) {
+      is_before =
+          std::any_of(body.triangle.begin(), body.triangle.end(), [&](const glm::uvec3& triangle) {
+            const std::array<glm::dvec3, 3> corner = corners_of(body, triangle);
+            return glm::dot(normals[i], corner[0] - places[i]) > kIn_m &&
+                   lies_on(places[i], normals[i], corner);
+          });
+    }
+    if (is_before) return &body;
+  }
+  return nullptr;
+}
+
 }  // namespace rules

@@ -58,4 +58,9 @@ bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string
 inline constexpr double kOnSlope_m = 0.3;
 bool lies_along(const calc::CalcPlane& plane, const calc::Space& space);
 
+// The body of which a surface lies before every place of the plane, alike and within kLift_m, so
+// that no light meets the plane: a facade that the plane of a window was laid into. Null: there is
+// none.
+const calc::Body* body_before(const calc::CalcPlane& plane, const calc::Space& space);
+
 }  // namespace rules

@@ -1,6 +1,8 @@
 #include "rules/verdict/coverage.h"
 
 #include "calc/base/sentences.h"
+#include "calc/project/plane_area.h"
+#include "calc/scene/polygon.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/waiver.h"
@@ -145,6 +147,24 @@ void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool
   if (has_ended) coverage.state = RoleState::left_out_ended;
 }
 
+// Whether two walls stand side by side in one line, but for what is a kink or a jog in no drawing:
+// two degrees, 5 cm.
+bool goes_on(const RoomSurface& wall, const RoomSurface& other) {
+  constexpr double kAlike = 0.9994, kJog_m = 0.05;
+  if (&wall == &other || glm::dot(wall.u, other.u) < kAlike) return false;
+  const glm::dvec3 face = glm::cross(other.u, other.v);
+  const glm::dvec3 offset_m = wall.origin_m - other.origin_m;
+  const auto width_m = [](const RoomSurface& of) {
+    double most_m = 0.0;
+    for (const glm::dvec2& corner : of.outline_m) most_m = std::max(most_m, corner.x);
+    return most_m;
+  };
+  const double along_m = glm::dot(offset_m, other.u);
+  const bool is_beside =
+      std::abs(along_m - width_m(other)) <= kJog_m || std::abs(along_m + width_m(wall)) <= kJog_m;
+  return std::abs(glm::dot(offset_m, face)) <= kJog_m && is_beside;
+}
+
 // Walls that the planes of these requirements do not lie on, of those that are wide enough to
 // count: "without the walls r.wall2, r.wall3". A workplace makes a plane of every wall, and says of
 // which it could not.
@@ -152,15 +172,23 @@ std::string walls_not_asked(const calc::Space& space, const std::vector<Requirem
                             double strip_m) {
   if (!space.shell) return calc::say<calc::Sentence::walls_unknown>();
   std::string words;
-  for (const RoomSurface& wall : surfaces_of(space, ".wall")) {
-    if (!has_inside(wall, strip_m)) continue;
+  const std::vector<RoomSurface> walls = surfaces_of(space, ".wall");
+  for (const RoomSurface& wall : walls) {
+    // A piece of a straight wall is as wide as all of it.
+    const bool is_wide = has_inside(wall, strip_m) ||
+                         std::any_of(walls.begin(), walls.end(), [&](const RoomSurface& other) {
+                           return goes_on(wall, other) && has_inside(other, strip_m);
+                         });
+    if (!is_wide) continue;
     const bool is_asked =
         std::any_of(space.planes.begin(), space.planes.end(), [&](const calc::CalcPlane& plane) {
           const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
           return area != nullptr &&
                  std::any_of(of.begin(), of.end(),
                              [&](const auto& name) { return name.plane_id == plane.id; }) &&
-                 !covered_surfaces(*area, strip_m, {wall}, strip_m).empty();
+                 !covered_surfaces(*area, strip_m, {wall},
+                                   has_inside(wall, strip_m) ? strip_m : 0.0)
+                      .empty();
         });
     if (!is_asked) words += (words.empty() ? "" : ", ") + wall.id;
   }
@@ -186,6 +214,52 @@ std::string areas_without(const Asked& asked, const std::vector<RequirementName>
         finding->requirement.metric == Metric::average && check->role == asked.pack->role;
     if (is_rated || !is_area) continue;
     words += (words.empty() ? "" : ", ") + plane_id;
+  }
+  return words;
+}
+
+// Planes of the zone that a role is around, or that it holds, without such a plane around them: it
+// is asked of some of them only. Null place: the role is about no other. "" = there are none.
+std::string zones_without(const calc::Space& space, const Asked& asked, const RulePlane* place,
+                          const std::vector<RequirementName>& of) {
+  if (place == nullptr) return {};
+  const bool is_around = !place->around.empty(), has_band = place->area == ZoneArea::task_and_band;
+  std::string inside = is_around ? place->around : place->holds;
+  for (const RulePlane& other : asked.pack->planes) {
+    if (has_band && other.area == ZoneArea::task) inside = other.role;
+  }
+  if (inside.empty()) return {};
+  std::vector<const calc::CalcPlane*> inner, outer;
+  for (const calc::CalcPlane& plane : space.planes) {
+    if (!std::holds_alternative<calc::PlanarArea>(plane.area)) continue;
+    const bool is_outer = std::any_of(of.begin(), of.end(),
+                                      [&](const auto& name) { return name.plane_id == plane.id; });
+    const bool is_inner =
+        std::any_of(asked.findings.begin(), asked.findings.end(), [&](const auto& finding) {
+          return finding.first->role == inside && finding.second->requirement.plane_id == plane.id;
+        });
+    if (is_outer) outer.push_back(&plane);
+    if (is_inner) inner.push_back(&plane);
+  }
+  if (outer.empty() || inner.size() < 2) return {};  // one: its planes are held against it
+  std::string words;
+  for (const calc::CalcPlane* zone : inner) {
+    std::vector<const calc::PlanarArea*> others;
+    for (const calc::CalcPlane* other : inner) {
+      if (other != zone) others.push_back(&std::get<calc::PlanarArea>(other->area));
+    }
+    const ZoneAround around{&std::get<calc::PlanarArea>(zone->area), 0.0, place->width_m,
+                            !is_around};
+    const bool has_near = std::any_of(outer.begin(), outer.end(), [&](const auto* plane) {
+      return comes_near(std::get<calc::PlanarArea>(plane->area), around);
+    });
+    const bool has_own = std::any_of(outer.begin(), outer.end(), [&](const auto* plane) {
+      const auto& area = std::get<calc::PlanarArea>(plane->area);
+      if (has_near && !comes_near(area, around)) return false;
+      return covered_zone(area, area.margin_m, around, others, space, place->margin_m) >=
+             1.0 - place->missing_share;
+    });
+    if (!has_own) words += (words.empty() ? "" : ", ") + zone->id;
   }
   return words;
 }
@@ -268,6 +342,14 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
     coverage.words = eyes_of_role(space, asked, role);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
   }
+  if (coverage.state == RoleState::met && asked.workplace == nullptr &&
+      needed->quantity->derived != calc::DerivedQuantity::ugr) {
+    const std::string without = zones_without(space, asked, place, coverage.of);
+    if (!without.empty()) {
+      coverage.state = RoleState::asked_in_part;
+      coverage.words = calc::say<calc::Sentence::field_glare_not_everywhere>(without);
+    }
+  }
   if (is_asked && needed->quantity->of_space == Metric::glare_rating) {
     const std::string elsewhere = areas_without(asked, coverage.of);
     if (!elsewhere.empty()) {
@@ -291,21 +373,42 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
 
 std::string eyes_in_part(const std::vector<EyesAsked>& eyes) {
   constexpr double kOneWay = 0.866;  // cosine of 30 degrees
-  std::vector<glm::dvec3> ways;
+  constexpr double kSamePlace_m = 1.0;
+  struct Eye {
+    glm::dvec3 place_m, way;
+    const calc::PlanarArea* area;  // null: of a list
+    bool is_at(const glm::dvec3& other_m) const {
+      if (area == nullptr) return glm::distance(place_m, other_m) <= kSamePlace_m;
+      const glm::dvec2 flat = calc::area_coordinates(*area, other_m);
+      return calc::contains_point(area->outline_m, flat) ||
+             calc::distance_to_boundary(area->outline_m, flat) <= kSamePlace_m;
+    }
+  };
+  std::vector<Eye> all;
   bool is_rated = false;
   for (const auto& [plane, finding] : eyes) {
     is_rated = is_rated || finding->reason.empty();
     if (const auto* list = std::get_if<calc::PointList>(&plane->area)) {
-      ways.insert(ways.end(), list->normal.begin(), list->normal.end());
-    } else {
-      ways.push_back(plane->direction);
+      for (std::size_t i = 0; i < list->normal.size(); ++i) {
+        all.push_back({list->position_m[i], list->normal[i], nullptr});
+      }
+    } else if (const auto* area = std::get_if<calc::PlanarArea>(&plane->area)) {
+      glm::dvec3 middle_m(0.0);
+      for (const glm::dvec2& corner : area->outline_m) {
+        middle_m += area->origin_m + corner.x * area->u + corner.y * area->v;
+      }
+      all.push_back(
+          {middle_m / static_cast<double>(area->outline_m.size()), plane->direction, area});
     }
   }
   if (!is_rated) return calc::say<calc::Sentence::eyes_see_nothing>();
-  const bool is_one = std::all_of(ways.begin(), ways.end(), [&](const glm::dvec3& way) {
-    return glm::dot(way, ways.front()) > kOneWay;
+  // Wherever somebody looks, somebody looks another way from there.
+  const bool has_one_way = std::any_of(all.begin(), all.end(), [&](const Eye& eye) {
+    return std::none_of(all.begin(), all.end(), [&](const Eye& other) {
+      return glm::dot(eye.way, other.way) <= kOneWay && other.is_at(eye.place_m);
+    });
   });
-  return is_one ? calc::say<calc::Sentence::eyes_one_way>() : "";
+  return has_one_way ? calc::say<calc::Sentence::eyes_one_way>() : "";
 }
 
 RoleState state_of(Outcome outcome, bool has_waived) {

@@ -165,6 +165,7 @@ void take_eyes_in_part(const std::vector<Entry>& entries, Part& part) {
   }
   part.member.reason = eyes_in_part(eyes);
   if (part.member.reason.empty()) return;
+  part.member.is_in_part = true;
   part.member.verdict = Verdict::not_judged;
   part.lived_with = Verdict::not_judged;
 }

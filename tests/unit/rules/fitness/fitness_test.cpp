@@ -383,6 +383,38 @@ TEST(Fitness, AGridIsThatOfTheAreasOwnSides) {
   EXPECT_THAT(fitted(" spacing='0.19'").aspects("task.Em"), IsEmpty());
 }
 
+// What is cut out of a task is another task, whose dark part somebody has left out. A column may
+// stand in it.
+TEST(Fitness, HolesTakeNoMoreThanBodiesMay) {
+  const auto aspects = [](double side) {
+    return fit({frame(1, 7, 0.75, 4 - 0.5 * side, 4 + 0.5 * side), kDeskWork}).aspects("task.Em");
+  };
+  EXPECT_THAT(aspects(1.5), IsEmpty());
+  EXPECT_THAT(aspects(2.5), ElementsAre("grid"));
+}
+
+// A limit from above is met by every plane that no light can meet.
+TEST(Fitness, NothingIsProvedByAPlaneThatLightCannotMeet) {
+  const auto aspects = [](double y, const std::string& more, const std::string& scene = "") {
+    Setting setting{fmt::format("origin='6 {} 1' u='-1 0 0' v='0 0 1'", y),
+                    "pack='lai' row='residential-night'" + scene};
+    setting.room = "";
+    setting.objects = more;
+    return fit(setting).aspects("window.Ev");
+  };
+  EXPECT_THAT(aspects(1.0, ""), IsEmpty());  // the lamp is at y = 4, and it faces that way
+  EXPECT_THAT(aspects(5.0, ""), ElementsAre("orientation"));
+  const std::string decoy = "<luminaire id='d' type='spot' position='6 9 2.9' group='d'/>";
+  EXPECT_THAT(aspects(5.0, decoy), IsEmpty());
+  const std::string off = "<scene id='dark'><dim group='d' level='0'/></scene>";
+  EXPECT_THAT(aspects(5.0, decoy + off, " scene='dark'"), ElementsAre("orientation"));
+  const std::string weak = "<scene id='dark'><dim group='d' level='0.0005'/></scene>";
+  EXPECT_THAT(aspects(5.0, decoy + weak, " scene='dark'"), ElementsAre("orientation"));
+  const std::string facade = "<quad id='f' origin='0 1 0' u='12 0 0' v='0 0 6' material='m'/>";
+  EXPECT_THAT(aspects(0.999, facade), ElementsAre("orientation"));
+  EXPECT_THAT(aspects(1.001, facade), IsEmpty());
+}
+
 TEST(Fitness, ASpeckOfARouteIsTold) {
   const auto note = [](const std::string& points) {
     Setting setting{"points='" + points + "' width='0.2'", "pack='en1838:2024' scene='em'"};

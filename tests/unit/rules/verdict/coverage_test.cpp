@@ -117,6 +117,54 @@ TEST(RowCoverage, GlareOutdoorsIsOfAllAreas) {
   EXPECT_FALSE(one.rows[0].is_met());
 }
 
+// Each task of a row has surroundings of its own, and they may be dark.
+TEST(RowCoverage, OneSurroundIsNotThatOfTwoTasks) {
+  const std::string row = "<require pack='en12464-1:2021' row='34.2'";
+  const auto task = [&](const std::string& id, const std::string& x) {
+    return "<plane id='" + id + "' origin='" + x + " 2 0.75' u='1 0 0' v='0 1 0'>" + row +
+           "/></plane>";
+  };
+  const std::string around_t =
+      "<plane id='s' points='1.5 1.5 0.75 3.5 1.5 0.75 3.5 3.5 0.75 1.5 3.5 0.75'><hole "
+      "points='2 2 0.75 3 2 0.75 3 3 0.75 2 3 0.75'/>" +
+      row + " role='surround'/></plane>";
+  const std::string cylinder =
+      "<plane id='c' origin='1.5 1.5 1.2' u='2 0 0' v='0 2 0' "
+      "quantity='cylindrical'>" +
+      row + " role='cylinder'/></plane>";
+  EXPECT_THAT(cover(task("t", "2") + around_t).roles(), Contains("surround met"));
+  const Covered two = cover(task("t", "2") + task("u", "8") + around_t + cylinder);
+  EXPECT_THAT(two.roles(), Contains("surround asked-in-part"));
+  EXPECT_THAT(two.roles(), Contains("cylinder asked-in-part"));
+  EXPECT_EQ(two.rows.at(0).roles.at(1).words, "not asked of u, which the row is asked of as well");
+  const std::string around_u =
+      "<plane id='v' points='7.5 1.5 0.75 9.5 1.5 0.75 9.5 3.5 0.75 7.5 3.5 0.75'><hole "
+      "points='8 2 0.75 9 2 0.75 9 3 0.75 8 3 0.75'/>" +
+      row + " role='surround'/></plane>";
+  EXPECT_THAT(cover(task("t", "2") + task("u", "8") + around_t + around_u).roles(),
+              Contains("surround met"));
+}
+
+// Drawn in pieces, and one of them too narrow to be judged by itself: it belongs to the wall.
+TEST(RowCoverage, APieceOfAStraightWallIsNoWallThatIsTooNarrow) {
+  const auto roles = [](const std::string& footprint, const std::vector<int>& walls) {
+    std::string inside;
+    for (const int wall : walls) {
+      inside += "<plane id='w" + std::to_string(wall) + "' on='wall" + std::to_string(wall) +
+                "' margin='0.5'><require pack='en12464-1:2021' row='34.2' role='wall'/></plane>";
+    }
+    return cover_in("<room id='r' footprint='" + footprint +
+                        "' height='3' ceiling='m' walls='m' floor='m'>",
+                    inside, Verdict::pass, builtin_rule_packs(), "2027-01-01")
+        .roles();
+  };
+  const std::string in_line = "0 0 8.1 0 9 0 9 8 0 8", jog = "0 0 8.1 0 8.1 0.003 9 0.003 9 8 0 8";
+  EXPECT_THAT(roles(in_line, {1, 3, 4, 5}), Contains("wall asked-in-part"));
+  EXPECT_THAT(roles(jog, {1, 4, 5, 6}), Contains("wall asked-in-part"));
+  // Of a bay it is a wall by itself, and too narrow.
+  EXPECT_THAT(roles("0 0 8.1 0 8.1 1 9 1 9 8 0 8", {1, 2, 4, 5, 6}), Contains("wall met"));
+}
+
 TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   const Covered covered = cover("<workplace id='w' pack='en12464-1:2021' row='34.2'/>");
   ASSERT_EQ(covered.rows.size(), 1u);

@@ -82,9 +82,10 @@ class Site {
     return finding;
   }
   // A plane of eyes, which look that way, and what of them is found.
-  Finding& eyes(const std::string& id, const glm::dvec3& way, Verdict verdict) {
+  Finding& eyes(const std::string& id, const glm::dvec3& way, Verdict verdict, double at_m = 0.0) {
     plane(id);
     planes_.back().direction = way;
+    std::get<calc::PlanarArea>(planes_.back().area).origin_m.x = at_m;
     return add("eyes", verdict);
   }
   void waive(Finding& finding) {
@@ -131,7 +132,7 @@ TEST(JudgeAggregates, AnyIsAsDecidedAsItsParts) {
 // A room whose glare is rated at eyes is no better where somebody looks at a wall.
 TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   const std::string parts =
-      kMean + kWall +
+      check("mean", "desk", "statistic='average' at-least='row(E)'", "shall") + kWall +
       "<check id='eyes' role='eye' quantity='UGR' statistic='maximum' severity='in-aggregate' "
       "state='initial' at-most='19'/><aggregate id='a' rule='any' of='eyes wall'/>";
   Site site(parts);
@@ -142,6 +143,12 @@ TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   EXPECT_THAT(site.only().reason, HasSubstr("one way"));
   site.eyes("g", {0, 1, 0}, kPass);
   EXPECT_EQ(site.only().verdict, kPass);
+  // Two seats that each look one way, apart from each other, are no two ways.
+  Site apart(parts);
+  apart.room("r");
+  apart.eyes("e", {1, 0, 0}, kPass, 8.0);
+  apart.eyes("f", {-1, 0, 0}, kPass);
+  EXPECT_EQ(apart.only().verdict, kNone);
   Site dark(parts);  // nothing that any of them sees is rated
   dark.room("r");
   for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
