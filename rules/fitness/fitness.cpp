@@ -549,6 +549,8 @@ class PlaneFit {
       add_words(words, lost().words);
       return words;
     }
+    const bool is_of_each = meant.asked.metric != Metric::average;
+    if (is_of_each && points_in_posts(context_.grid, context_.space) > 0) return lost().words;
     if (lost().share() <= meant.plane.missing_share) return {};
     if (is_beside_the_task(meant.plane) && share_lost_otherwise() <= meant.plane.missing_share) {
       return {};

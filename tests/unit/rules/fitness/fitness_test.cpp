@@ -383,6 +383,20 @@ TEST(Fitness, AGridIsThatOfTheAreasOwnSides) {
   EXPECT_THAT(fitted(" spacing='0.19'").aspects("task.Em"), IsEmpty());
 }
 
+// The light beside a post is that of its cell; a column takes the light of the cell with it.
+TEST(Fitness, APostOnAPointTakesNoDarkCellAway) {
+  const auto aspects = [](double side, const std::string& check) {
+    Setting setting{"origin='3 3 0.75' u='2 0 0' v='0 2 0' count='9 9'", kDeskWork};
+    setting.objects =
+        fmt::format("<box id='post' size='{0} {0} 2' position='{1} {1} 0' material='m'/>", side,
+                    4 - 0.5 * side);
+    return fit(setting).aspects(check);
+  };
+  EXPECT_THAT(aspects(0.02, "task.Uo"), ElementsAre("points"));
+  EXPECT_THAT(aspects(0.02, "task.Em"), IsEmpty());
+  EXPECT_THAT(aspects(0.15, "task.Uo"), IsEmpty());
+}
+
 // What is cut out of a task is another task, whose dark part somebody has left out. A column may
 // stand in it.
 TEST(Fitness, HolesTakeNoMoreThanBodiesMay) {
