@@ -1,4 +1,6 @@
 #include "rules/binding/bind.h"
+#include "calc/base/units.h"
+#include "calc/photometry/web.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -279,6 +281,10 @@ TEST(BindRequirements, SaysWhenASceneDimsNothing) {
   EXPECT_EQ(note_with({{"exit", 1.0}, {"normal", 0.0}}), "");
 }
 
+calc::PhotometricWeb even_web() {
+  return calc::PhotometricWeb::make({0.0}, {0.0, calc::kPi}, {100.0, 100.0}, {}, {});
+}
+
 // What a scene does not name is at full output: a normal luminaire would light the route.
 TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
   const auto problem_with = [](const std::string& group, const char* role) {
@@ -286,6 +292,7 @@ TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
         project_of({plane_of("p", {{{"pack", "egress-us"}, {"role", role}, {"scene", "night"}}})});
     project.scenes.back().level_of_group = {{"exit", 0.2}};
     project.luminaire_types.emplace_back();
+    project.webs.push_back(even_web());
     calc::Luminaire exit;
     exit.id = "E";
     exit.group = "exit";
@@ -339,6 +346,7 @@ TEST(BindRequirements, PutsOutOnlyLuminairesWithAGroupOfTheirOwn) {
         {plane_of("p", {{{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}}})});
     project.scenes.back().level_of_group = {{"a", 0.2}, {"b", 0.2}};
     project.luminaire_types.emplace_back();
+    project.webs.push_back(even_web());
     calc::Luminaire first, second;
     first.id = "E1";
     first.group = "a";
@@ -429,6 +437,7 @@ Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& at
     type.power_w = power_w;
     calc::Luminaire luminaire;
     luminaire.type = project.luminaire_types.size();
+    project.webs.push_back(even_web());
     project.luminaire_types.push_back(type);
     space.luminaires.push_back(luminaire);
   }
