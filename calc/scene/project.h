@@ -234,7 +234,7 @@ struct CalcPlane {
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;
   // else "".
   std::string made_by, changed;
-  bool has_own_area = false;  // of such a plane: around the task, where the project says
+  bool has_own_area = false;           // of such a plane: around the task, where the project says
   std::optional<double> own_margin_m;  // what the project, or the room's width, makes of the rule's
   std::string usual_role;  // that packs know what the road has made by; "" of any other plane
   SourceLocation where;

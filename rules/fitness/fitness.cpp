@@ -412,9 +412,7 @@ class PlaneFit {
                                           asked.rows);
     }
     if (const std::string words = cells_along_sides(meant, *rule); !words.empty()) return words;
-    if (const double cut_m2 = cut_out_m2(meant); cut_m2 > 0.0) {
-      return say<Sentence::grid_misses>(cut_m2);
-    }
+    if (const std::string words = cut_out(meant); !words.empty()) return words;
     if (own.missed_m2 > 0.0) {
       return say<Sentence::grid_misses>(own.missed_m2);
     }
@@ -423,14 +421,15 @@ class PlaneFit {
 
   // What holes take of a plane that is drawn, where the role is no band, nor held against what it
   // covers otherwise: more than bodies may take of it is another area, whose dark parts somebody
-  // has chosen to leave out. 0: no more.
-  double cut_out_m2(const Meant& meant) const {
+  // has chosen to leave out.
+  std::string cut_out(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     const bool is_held = is_of_surface(meant.plane) || !role_inside(meant).empty();
-    if (area == nullptr || !plane().made_by.empty() || is_held) return 0.0;
+    if (area == nullptr || !plane().made_by.empty() || is_held) return {};
     const double whole_m2 = std::abs(calc::signed_area(area->outline_m));
     const double cut_m2 = whole_m2 - calc::area_left(area->outline_m, area->holes_m);
-    return cut_m2 > meant.plane.missing_share * whole_m2 ? cut_m2 : 0.0;
+    if (cut_m2 <= meant.plane.missing_share * whole_m2) return {};
+    return say<Sentence::holes_take>(cut_m2, whole_m2);
   }
 
   // A formula is about the sides of the area itself: a grid that stands at an angle to them may be
