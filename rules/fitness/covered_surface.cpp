@@ -2,6 +2,8 @@
 
 #include "calc/project/plane_area.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/polygon_cut.h"
+#include "calc/scene/route_shape.h"
 #include "rules/fitness/place_in_space.h"
 
 #include <algorithm>
@@ -9,12 +11,14 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace rules {
 namespace {
 
 constexpr int kPlacesPerSide = 64;
 constexpr double kSameEdge_m = 1e-6;
+constexpr double kParallel = 0.966;  // cosine, 15 degrees
 
 struct FlatBounds {
   glm::dvec2 low{0.0}, high{0.0};
@@ -59,7 +63,6 @@ SurfacePlaces places_on(const RoomSurface& surface, double strip_m) {
 
 // Whether the area can lie on the surface: along it, and not all of it before or behind it.
 bool is_near(const calc::PlanarArea& area, const RoomSurface& surface) {
-  constexpr double kParallel = 0.966;  // cosine, 15 degrees
   const glm::dvec3 face = glm::cross(surface.u, surface.v);
   if (std::abs(glm::dot(face, area.normal())) < kParallel) return false;
   double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
@@ -251,6 +254,42 @@ double covered_zone(const calc::PlanarArea& area, double own_strip_m, const Zone
     }
   }
   return all == 0 ? 1.0 : static_cast<double>(counted) / static_cast<double>(all);
+}
+
+double shared_area_m2(const calc::PlanarArea& area, const calc::PlanarArea& other) {
+  if (glm::dot(area.normal(), other.normal()) < kParallel) return 0.0;
+  double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
+  const auto seen = [&](const std::vector<glm::dvec2>& outline_m) {
+    std::vector<glm::dvec2> flat;
+    for (const glm::dvec2& corner : outline_m) {
+      const glm::dvec3 offset_m =
+          other.origin_m + corner.x * other.u + corner.y * other.v - area.origin_m;
+      flat.emplace_back(glm::dot(offset_m, area.u), glm::dot(offset_m, area.v));
+      const double above_m = glm::dot(offset_m, area.normal());
+      least_m = std::min(least_m, above_m);
+      most_m = std::max(most_m, above_m);
+    }
+    return flat;
+  };
+  const auto without = [](std::vector<calc::ConvexPiece> pieces,
+                          const std::vector<calc::ConvexPiece>& holes) {
+    for (const calc::ConvexPiece& hole : holes) pieces = calc::cut_out(pieces, hole);
+    return pieces;
+  };
+  const std::vector<glm::dvec2> outline_m = seen(other.outline_m);
+  const FlatBounds its_bounds = bounds_of(outline_m), bounds = bounds_of(area.outline_m);
+  if (least_m > calc::kLeastHeadroom_m || most_m < -calc::kLeastHeadroom_m ||
+      glm::any(glm::greaterThan(its_bounds.low, bounds.high)) ||
+      glm::any(glm::lessThan(its_bounds.high, bounds.low))) {
+    return 0.0;
+  }
+  std::vector<calc::ConvexPiece> own = calc::convex_pieces(area.outline_m);
+  for (const auto& hole : area.holes_m) own = without(std::move(own), calc::convex_pieces(hole));
+  std::vector<calc::ConvexPiece> its = calc::convex_pieces(outline_m);
+  for (const auto& hole : other.holes_m) {
+    its = without(std::move(its), calc::convex_pieces(seen(hole)));
+  }
+  return calc::area(own) - calc::area(without(own, its));
 }
 
 }  // namespace rules

@@ -1,5 +1,6 @@
 #pragma once
-// How much a plane stands for: of a wall, of the ceiling, of what is around another zone.
+// How much a plane stands for: of a wall, of the ceiling, of what is around another zone, of what
+// another one stands for, too.
 
 #include "calc/scene/project.h"
 
@@ -59,5 +60,9 @@ bool comes_near(const calc::PlanarArea& area, const ZoneAround& around);
 double covered_zone(const calc::PlanarArea& area, double own_strip_m, const ZoneAround& around,
                     std::span<const calc::PlanarArea* const> others, const calc::Space& space,
                     double strip_m);
+
+// What is of both, m2: places that look the same way, seen along the normal of the first one, with
+// less than a headroom between them. Holes are of neither.
+double shared_area_m2(const calc::PlanarArea& area, const calc::PlanarArea& other);
 
 }  // namespace rules

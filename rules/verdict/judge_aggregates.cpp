@@ -3,6 +3,9 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/route_shape.h"
+#include "calc/scene/zone_shapes.h"
+#include "rules/fitness/covered_surface.h"
 #include "rules/pack/evaluate.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/coverage.h"
@@ -102,6 +105,7 @@ LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
 struct Part {
   AggregateMember member;
   Verdict lived_with = Verdict::pass;
+  std::string why_no_area;  // "" if it has one, or nothing is known of it
 };
 
 constexpr std::size_t kMostToldMembers = 4;
@@ -190,15 +194,45 @@ std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::st
   return parts;
 }
 
-std::optional<double> area_of(const calc::CalcPlane& plane) {
-  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
-    return calc::route_length_m(route->line) * route->line.width_m;
+// Flat pieces that do not overlap; none where a plane has no area.
+std::vector<calc::PlanarArea> pieces_of(const calc::CalcPlane& plane) {
+  if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) return {*area};
+  std::vector<calc::PlanarArea> pieces;
+  const auto* route = std::get_if<calc::EscapeRoute>(&plane.area);
+  if (route == nullptr) return pieces;
+  for (const calc::RouteLeg& leg : calc::route_legs(route->line)) {
+    calc::PlanarArea piece;
+    piece.origin_m.z = 0.5 * (leg.from_z_m + leg.to_z_m);
+    piece.u = {1.0, 0.0, 0.0};
+    piece.v = {0.0, 1.0, 0.0};
+    const double right_m = -0.5 * route->line.width_m;
+    piece.outline_m = {
+        leg.place_m(leg.begin_m(right_m), right_m), leg.place_m(leg.end_m(right_m), right_m),
+        leg.place_m(leg.end_m(-right_m), -right_m), leg.place_m(leg.begin_m(-right_m), -right_m)};
+    pieces.push_back(std::move(piece));
   }
-  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
-  if (area == nullptr) return std::nullopt;
-  double area_m2 = std::abs(calc::signed_area(area->outline_m));
-  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
+  return pieces;
+}
+
+std::optional<double> area_of(const calc::CalcPlane& plane) {
+  double area_m2 = 0.0;
+  for (const calc::PlanarArea& piece : pieces_of(plane)) {
+    area_m2 += calc::area_left(piece.outline_m, piece.holes_m);
+  }
   return area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
+}
+
+// Neighbours are drawn with edges that overlap by a little.
+constexpr double kNeighbours = 0.01;
+
+// Whether both stand for one floor, which would count twice.
+bool share_floor(const calc::CalcPlane& plane, const calc::CalcPlane& other) {
+  double shared_m2 = 0.0;
+  for (const calc::PlanarArea& piece : pieces_of(plane)) {
+    for (const calc::PlanarArea& its : pieces_of(other)) shared_m2 += shared_area_m2(piece, its);
+  }
+  return shared_m2 >
+         kNeighbours * std::min(area_of(plane).value_or(0.0), area_of(other).value_or(0.0));
 }
 
 std::optional<double> area_of(const calc::Space& space) {
@@ -207,11 +241,24 @@ std::optional<double> area_of(const calc::Space& space) {
   return area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
 }
 
-std::vector<Part> parts_by_plane(const std::vector<Entry>& entries) {
+// Planes that share their floor have no area of their own.
+std::vector<Part> parts_by_plane(const std::vector<Entry>& entries, bool by_area) {
   std::vector<Part> parts;
-  for (const Group& group : grouped(entries, is_same_plane)) {
-    parts.push_back(part_of(group.front().place->plane->id, group));
-    parts.back().member.area_m2 = area_of(*group.front().place->plane);
+  const std::vector<Group> groups = grouped(entries, is_same_plane);
+  for (const Group& group : groups) {
+    const JudgedPlane& own = *group.front().place;
+    Part part = part_of(own.plane->id, group);
+    part.member.area_m2 = area_of(*own.plane);
+    for (const Group& other : groups) {
+      const JudgedPlane& its = *other.front().place;
+      if (!by_area || its.plane == own.plane || its.space != own.space) continue;
+      if (!share_floor(*own.plane, *its.plane)) continue;
+      part.why_no_area =
+          calc::say<calc::Sentence::planes_share_floor>(own.plane->id, its.plane->id);
+      part.member.area_m2.reset();
+      break;
+    }
+    parts.push_back(std::move(part));
   }
   return parts;
 }
@@ -362,8 +409,12 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
     finding.reason += finding.reason.empty() ? "" : "; ";
     finding.reason += text;
   };
-  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, finding.members))
-    add_reason(calc::say<calc::Sentence::area_unknown>());
+  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, finding.members)) {
+    const auto shared = std::find_if(parts.begin(), parts.end(),
+                                     [](const Part& part) { return !part.why_no_area.empty(); });
+    add_reason(shared == parts.end() ? calc::say<calc::Sentence::area_unknown>()
+                                     : shared->why_no_area);
+  }
   if (lacks_members(aggregate, finding.members)) {
     add_reason(calc::say<calc::Sentence::too_few_apply>(aggregate.count, parts.size()));
   }
@@ -381,7 +432,7 @@ void judge_aggregate(const std::vector<JudgedPlane>& planes, const RulePack& pac
   };
   switch (aggregate.over) {
     case AggregateOver::planes:
-      return add(entries, parts_by_plane(entries));
+      return add(entries, parts_by_plane(entries, aggregate.by_area));
     case AggregateOver::rooms:
       return add(entries, parts_by_room(pack, aggregate.checks, entries));
     case AggregateOver::checks:

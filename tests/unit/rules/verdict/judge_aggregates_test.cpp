@@ -58,16 +58,17 @@ class Site {
     return space;
   }
   // side_m 0: a list of points; < 0: a route.
-  void plane(const std::string& id, double side_m = 1.0) {
+  void plane(const std::string& id, double side_m = 1.0, const glm::dvec3& at_m = {0, 0, 0}) {
     calc::CalcPlane& plane = planes_.emplace_back();
     plane.id = id;
     calc::PlanarArea area;
     area.outline_m = square(side_m);
+    area.origin_m = at_m;
     plane.area = area;
     if (side_m == 0.0) plane.area = calc::PointList{};
     if (side_m < 0.0) {
       calc::EscapeRoute route;
-      route.line = {{{0, 0, 0}, {-side_m, 0, 0}}, -side_m};
+      route.line = {{at_m, at_m + glm::dvec3(-side_m, 0, 0)}, -side_m};
       plane.area = route;
     }
     findings_.emplace_back();
@@ -266,7 +267,7 @@ TEST(JudgeAggregates, SharesOfPlanesByCountAndByArea) {
     site.room("r");
     site.plane("large", 3.0);
     site.add("mean", kPass);
-    site.plane("small", failing_side_m);
+    site.plane("small", failing_side_m, {10, 10, 0});
     site.add("mean", kFail);
     const AggregateFinding finding = site.only();
     EXPECT_EQ(finding.plane_id + finding.space_id, "");
@@ -279,6 +280,30 @@ TEST(JudgeAggregates, SharesOfPlanesByCountAndByArea) {
   EXPECT_EQ(verdict("area", 0.0), kNone);  // of points, which have no area
   EXPECT_EQ(verdict("area", -1.0), kPass);
   EXPECT_EQ(verdict("area", -3.0), kFail);
+}
+
+// The bright end of the floor asked for again, as a plane of its own, makes no more of it bright.
+TEST(JudgeAggregates, AFloorCountsOnceInAShareOfTheArea) {
+  const auto finding = [](const glm::dvec3& again_at_m, Verdict dark, double again_side_m = 2.0,
+                          const char* by = "area") {
+    Site site(kMean + "<aggregate id='a' rule='share' share='0.6' over='planes' by='" + by +
+              "' of='mean'/>");
+    site.room("r");
+    site.plane("dark", 2.0, {-2, 0, 0});
+    site.add("mean", dark);
+    site.plane("bright", 2.0);
+    site.add("mean", kPass);
+    site.plane("again", again_side_m, again_at_m);
+    site.add("mean", kPass);
+    return site.only();
+  };
+  EXPECT_EQ(finding({0, 0, 0.1}, kFail).verdict, kNone);
+  EXPECT_THAT(finding({1, 1, 0}, kFail).reason, HasSubstr("planes 'bright' and 'again' share"));
+  EXPECT_EQ(finding({0, 0, 0}, kFail, -1.0).verdict, kNone);  // as a route
+  EXPECT_EQ(finding({0, 0, 0}, kPass).verdict, kPass);        // whatever their areas are
+  EXPECT_EQ(finding({0, 0, 2}, kFail).verdict, kPass);        // on a gallery
+  EXPECT_EQ(finding({1.99, 0, 0}, kFail).verdict, kPass);     // a neighbour drawn roughly
+  EXPECT_EQ(finding({0, 0, 0}, kFail, 2.0, "count").verdict, kPass);
 }
 
 TEST(JudgeAggregates, RoomsPassWithAllThatIsAskedOfThem) {
