@@ -32,7 +32,7 @@ DrawPoints::Packed DrawPoints::pack(const calc::Tracer& tracer, const calc::Rece
   packed.receivers.reserve(range.receivers);
   for (std::size_t t = range.first; t < range.last; ++t) {
     const calc::ReceiverGroup& group = tiles.groups()[t];
-    packed.views.push_back(view_of(calc::tile_of(group.receiver, tracer.scene().extent_m)));
+    packed.views.push_back(view_of(calc::tile_of(group.receiver, tracer.scene().whole_extent_m())));
     for (std::size_t k = 0; k < group.receiver.size(); ++k) {
       const calc::Receiver& receiver = group.receiver[k];
       DrawReceiver& sent = packed.receivers.emplace_back();

@@ -86,8 +86,8 @@ void DrawPacker::append(DrawPiece& piece, std::size_t count) {
                            batch_.tiles.receivers_before(block_begin);
   }
   if (std::max<std::size_t>(most_nodes_, channels_.size()) > kMostChosen) {
-    append_nodes(calc::tile_of(batch_.group(tile_).receiver, batch_.tracer.scene().extent_m),
-                 piece);
+    append_nodes(
+        calc::tile_of(batch_.group(tile_).receiver, batch_.tracer.scene().whole_extent_m()), piece);
   }
   piece.receivers += count;
   ++piece.tile_count;

@@ -24,7 +24,7 @@ class Settler {
   Settler(Space& space, std::size_t shell_bodies, const std::vector<Material>& materials)
       : space_(space),
         materials_(materials),
-        tolerance_m_(std::max(kSamePlane_m, touching_m(extent_m(space)))),
+        tolerance_m_(std::max(kSamePlane_m, touching_m(scale_of(space).ray_offset_m()))),
         box_(boxes_of(space)),
         shell_(box_),
         solids_(box_),

@@ -23,6 +23,19 @@ TERM REAL response_times_distance(KERNEL kernel, VEC3 axis, VEC3 w) {
   return along_axis > REAL(0) ? along_axis : REAL(0);
 }
 
+// How far a place is lifted off its surface: farther than near ones, whose lift is given, where
+// coordinates are so large that rounding would take that away.
+TERM REAL lift_at(VEC3 place, REAL near_m) {
+  const REAL of_coordinate = REAL(2.0e-6);
+  REAL largest = REAL(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const REAL coordinate = place[axis] < REAL(0) ? -place[axis] : place[axis];
+    if (coordinate > largest) largest = coordinate;
+  }
+  const REAL far_m = of_coordinate * largest;
+  return far_m > near_m ? far_m : near_m;
+}
+
 // G = k(w) cos_v / d^2 in 1/m^2 for w = vertex - receiver; 0 if either faces away or both are at
 // one place.
 TERM REAL connection_geometry(KERNEL kernel, VEC3 axis, VEC3 vertex_normal, VEC3 w) {

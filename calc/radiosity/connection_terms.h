@@ -39,6 +39,7 @@ using std::sqrt;
 
 using connection_terms::connection_geometry;
 using connection_terms::connection_lx;
+using connection_terms::lift_at;
 using connection_terms::lifted_connection_geometry;
 using connection_terms::response_times_distance;
 

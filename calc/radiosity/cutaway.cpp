@@ -21,7 +21,7 @@ double hit_share(const Tracer& tracer, const glm::dvec3& middle_m, const glm::dv
     const double golden = 0.618033988749895 * k;
     const glm::dvec3 direction =
         cosine_direction(normal, (k + 0.5) / kRays, golden - static_cast<int>(golden));
-    if (tracer.closest_hit(origin_m, direction, 2.0 * tracer.scene().extent_m, hit)) ++hits;
+    if (tracer.closest_hit(origin_m, direction, 2.0 * tracer.scene().whole_extent_m(), hit)) ++hits;
   }
   return static_cast<double>(hits) / kRays;
 }

@@ -29,7 +29,8 @@ class CpuGatherer : public Gatherer {
         kernel = receiver.kernel;
       }
       const LightVertex& v = batch.vertices[connection.vertex];
-      const float g = lifted_connection_geometry(kernel, axis, v.normal, v.position_m - x, lift_m);
+      const float g = lifted_connection_geometry(kernel, axis, v.normal, v.position_m - x,
+                                                 lift_at(v.position_m, lift_m));
       if (!(g > 0.0f)) continue;
       const float bounded = batch.bounds.limited(connection.vertex, g);
       const double lx = static_cast<double>(connection_lx(connection.weight, v.flux_lm, bounded));
@@ -48,7 +49,8 @@ class CpuGatherer : public Gatherer {
     for (std::size_t t = 0; t < batch.sums.size(); ++t) {
       if (is_past(batch.deadline_s)) break;
       const ReceiverGroup& tile = batch.group(t);
-      cut.build(batch.tree, tile_of(tile.receiver, batch.tracer.scene().extent_m), batch.cut);
+      cut.build(batch.tree, tile_of(tile.receiver, batch.tracer.scene().whole_extent_m()),
+                batch.cut);
       connections.clear();
       for (std::uint32_t k = 0; k < tile.receiver.size(); ++k) {
         draw_connections(batch.tree, cut, tile.receiver[k], k, batch.draws,

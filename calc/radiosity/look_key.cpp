@@ -125,6 +125,8 @@ std::string scene_digest(const PreparedScene& scene) {
   KeyBytes bytes;
   bytes.add(scene.origin_m);
   bytes.add(scene.extent_m);
+  bytes.add(scene.whole_extent_m());
+  bytes.add(scene.rounding_m);
   add_surfaces(bytes, scene);
   add_luminaires(bytes, scene);
   return bytes.digest();

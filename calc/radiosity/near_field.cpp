@@ -52,9 +52,10 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
   for (const Connection& connection : connections) {
     const LightVertex& v = field.tree.vertices()[connection.vertex];
-    const double g = lifted_connection_geometry(
-        ReceiverKernel::planar, at.normal, glm::dvec3(v.normal),
-        glm::dvec3(v.position_m) - at.position_m, field.tracer.offset_m());
+    const double g =
+        lifted_connection_geometry(ReceiverKernel::planar, at.normal, glm::dvec3(v.normal),
+                                   glm::dvec3(v.position_m) - at.position_m,
+                                   lift_at(glm::dvec3(v.position_m), field.tracer.offset_m()));
     if (g <= 0.0) continue;
     const float bounded = field.vertex_bounds.limited(connection.vertex, static_cast<float>(g));
     const auto flux = static_cast<double>(connection.weight * v.flux_lm * bounded);

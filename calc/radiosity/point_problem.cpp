@@ -1,11 +1,14 @@
 #include "calc/radiosity/point_problem.h"
 
 #include "calc/base/sentences.h"
+#include "calc/base/triangle.h"
 #include "calc/radiosity/emission.h"
+#include "calc/scene/opening.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,6 +29,31 @@ std::optional<CloseSurface> close_surface(const Tracer& tracer, const glm::dvec3
   return tracer.close_surface({position_m, tracer.lift(receiver),
                                has_back(receiver.kernel) ? receiver.axis : glm::dvec3(0),
                                tracer.touching_m(), (1.0 + kRounding) * tracer.offset_m()});
+}
+
+// A surface between where light leaves the opening and where rays begin to see surfaces.
+std::optional<CloseSurface> surface_before(const Tracer& tracer, const PlacedLuminaire& luminaire,
+                                           const glm::dvec3& axis) {
+  constexpr std::array<double, 5> kPlaces{0.1, 0.3, 0.5, 0.7, 0.9};
+  const double touching_m = tracer.touching_m();
+  const double reach_m = (2.0 + 2.0 * kRounding) * tracer.offset_m();
+  const OpeningView view(luminaire, axis);
+  std::optional<CloseSurface> found;
+  for (const double s : kPlaces) {
+    for (const double t : kPlaces) {
+      const OpeningView::Point place = view.point(s, t);
+      const glm::dvec3 from_m = place.position_m + touching_m * place.normal;
+      const glm::dvec3 to_m = place.position_m + reach_m * place.normal;
+      tracer.visit_near(to_m, reach_m, [&](std::uint32_t index, const Triangle& triangle) {
+        if (!divides(triangle, from_m, to_m)) return;
+        const double apart_m = distance_m(place.position_m, triangle);
+        const bool is_first = !found || apart_m < found->distance_m ||
+                              (apart_m == found->distance_m && index < found->triangle);
+        if (is_first) found = CloseSurface{index, apart_m};
+      });
+    }
+  }
+  return found;
 }
 
 std::string luminaire_problem(const Tracer& tracer, const SensorGrid& grid,
@@ -83,6 +111,24 @@ std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
   std::string problem = luminaire_problem(tracer, grid, receivers);
   if (problem.empty() && refuses_close) problem = closeness_problem(tracer, grid, receivers);
   return problem;
+}
+
+std::string source_problem(const Tracer& tracer) {
+  const PreparedScene& scene = tracer.scene();
+  for (const PlacedLuminaire& luminaire : scene.luminaires) {
+    for (const double side : {-1.0, 1.0}) {
+      if (side > 0.0 && !(luminaire.web->intensity_cd({0.0, 0.0, 1.0}) > 0.0)) continue;
+      const auto found =
+          surface_before(tracer, luminaire, side * luminaire.world_from_luminaire[2]);
+      if (!found) continue;
+      const glm::dvec3 at_m = luminaire.position_m + scene.origin_m;
+      return say<Sentence::source_covered>(
+          scene.body_id.at(scene.body[found->triangle]), found->distance_m,
+          fmt::format("({:.12g} {:.12g} {:.12g})", at_m.x, at_m.y, at_m.z), scene.extent_m,
+          (2.0 + 2.0 * kRounding) * tracer.offset_m());
+    }
+  }
+  return {};
 }
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Points at which nothing can be measured.
+// Points at which nothing can be measured, and sources whose light nobody can tell.
 
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
@@ -19,5 +19,10 @@ namespace calc {
 //   has a shift off them.
 std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
                           std::span<const Receiver> receivers, bool refuses_close);
+
+// Why light of the first such luminaire cannot be computed; "" if all can: a surface stands before
+// its opening, nearer than rays from it or to it begin, which would pass it by. Of the side along
+// its axis and, if the luminaire sends light straight up, the other one.
+std::string source_problem(const Tracer& tracer);
 
 }  // namespace calc

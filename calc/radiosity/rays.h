@@ -105,7 +105,7 @@ class Tracer {
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
   // A point as near to a surface as this lies in it, see calc::touching_m().
-  double touching_m() const { return calc::touching_m(scene_.extent_m); }
+  double touching_m() const { return calc::touching_m(offset_m_); }
   // Unit, by the order of corners.
   const glm::dvec3& triangle_normal(std::size_t triangle) const {
     return triangle_normal_[triangle];
@@ -113,7 +113,7 @@ class Tracer {
 
   // A point moved off its surface along the unit normal.
   glm::dvec3 lift(const glm::dvec3& position_m, const glm::dvec3& normal) const {
-    return position_m + offset_m_ * normal;
+    return position_m + lift_at(position_m, offset_m_) * normal;
   }
 
   // Where rays of a receiver begin: a plane stands off the surface it may lie in.
@@ -135,6 +135,16 @@ class Tracer {
   // What a ShortRayCaster found: a + u (b - a) + v (c - a) for the triangle's corners a, b, c.
   SurfaceHit surface_hit(const FirstHit& first) const;
   SurfaceHit surface_hit(std::uint32_t triangle_and_side, double u, double v) const;
+
+  // Calls visit(index, triangle) for every triangle that may be within radius_m of a place, in no
+  // order to rely on.
+  template <class Visit>
+  void visit_near(const glm::dvec3& place_m, double radius_m, const Visit& visit) const {
+    tree_.visit_near(place_m, radius_m, [&](std::uint32_t index) {
+      visit(index, tree_.triangle(index));
+      return radius_m;
+    });
+  }
 
   // Distance from a point to the nearest surface that reaches in front of the plane through it with
   // this unit normal (0 = all around); most_m if there is none within. Never too large.

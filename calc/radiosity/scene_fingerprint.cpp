@@ -61,6 +61,8 @@ std::uint64_t scene_fingerprint(const PreparedScene& scene,
   Fingerprint print;
   add_vector(print, scene.origin_m);
   print.add(scene.extent_m);
+  print.add(scene.whole_extent_m());
+  print.add(scene.rounding_m);
   print.add(static_cast<std::uint64_t>(scene.vertex_m.size()));
   for (const glm::vec3& v : scene.vertex_m) add_vector(print, glm::dvec3(v));
   print.add(static_cast<std::uint64_t>(scene.triangle.size()));

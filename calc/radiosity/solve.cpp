@@ -10,6 +10,7 @@
 #include "calc/radiosity/look_key.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/point_problem.h"
 #include "calc/radiosity/shared_gather.h"
 #include "calc/radiosity/stored_look.h"
 #include "calc/radiosity/threads.h"
@@ -245,6 +246,10 @@ class Solver {
       make_work(p);
       planes_[p].work->begin(*tasks_[p].grid);
     }
+    if (any_missing() && settings_.refuses_close_points) {
+      const std::string covered = source_problem(workshop_->tracer);
+      if (!covered.empty()) refuse_missing(covered);
+    }
     refuse_missing_of_store();
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing()) continue;
@@ -321,6 +326,12 @@ class Solver {
   void finish_active(StopReason reason) {
     for (SolvedPlane& plane : planes_) {
       if (plane.state.is_active()) plane.state.finish(reason);
+    }
+  }
+
+  void refuse_missing(const std::string& problem) {
+    for (SolvedPlane& plane : planes_) {
+      if (plane.is_missing()) plane.state.refuse(problem);
     }
   }
 

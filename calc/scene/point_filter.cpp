@@ -19,7 +19,7 @@ constexpr double kOfHeight = 1.0e-9;  // of a room: what is so near to its floor
 PointFilter::PointFilter(const Space& space, ReceiverKernel kernel, const BoundingBox& region)
     : space_(space),
       kernel_(kernel),
-      offset_m_(ray_offset_m(extent_m(space))),
+      offset_m_(scale_of(space).ray_offset_m()),
       near_(space, region, kContactReach * offset_m_),
       hollow_(space, {region.lower - kInFront_m, region.upper + kInFront_m}) {
   for (const Body& body : space.bodies) {

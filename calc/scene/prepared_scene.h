@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,11 +23,22 @@ double ray_offset_m(double extent_m);
 
 // A point as near to a surface as this lies in it: 4 ulp of the largest coordinate, what rounding
 // corners to float may do.
-inline double touching_m(double extent_m) { return ray_offset_m(extent_m) / 8.0; }
+inline double touching_m(double ray_offset_m) { return ray_offset_m / 8.0; }
 
-// Length of the diagonal of everything in the space, 1 if there is nothing; see
-// PreparedScene::extent_m.
-double extent_m(const Space& space);
+// What the ends of rays in a space hang on. Near is what is within four diagonals of its shell, or,
+// where it has none, of its luminaires and planes: what is beyond must not make rays begin farther
+// off the surfaces that matter.
+struct SceneScale {
+  glm::dvec3 origin_m{0.0};     // world; the middle of what is near
+  double extent_m = 1.0;        // length of the diagonal of what is near; 1 if there is nothing
+  double whole_extent_m = 1.0;  // of everything
+  // How far rounding to float moves near surfaces along their normals, where it is more than their
+  // being near explains: of triangles that have other corners far away.
+  double rounding_m = 0.0;
+
+  double ray_offset_m() const;
+};
+SceneScale scale_of(const Space& space);
 
 // What a luminaire counts for: points nearer than this along a horizontal axis and across it. Of
 // roads, where a standard ends the light; light itself does not end.
@@ -58,11 +70,15 @@ struct PreparedScene {
   std::vector<std::string> body_id;  // of Space::bodies, for messages
   std::vector<PlacedLuminaire> luminaires;
   std::vector<LightChannel>
-      channels;           // distinct (group, maintenance factor) pairs, in order of first use
-  double extent_m = 1.0;  // length of the diagonal of everything in the scene, > 0
+      channels;               // distinct (group, maintenance factor) pairs, in order of first use
+  double extent_m = 1.0;      // as SceneScale says; > 0
+  double far_extent_m = 0.0;  // of everything, if it is more than is near; else 0
+  double rounding_m = 0.0;    // as SceneScale says
   std::size_t degenerate_triangles = 0;  // left out
 
-  double ray_offset_m() const { return calc::ray_offset_m(extent_m); }
+  double whole_extent_m() const { return std::max(extent_m, far_extent_m); }
+  // Of places near; see lift_at() for others.
+  double ray_offset_m() const { return SceneScale{{}, extent_m, 0.0, rounding_m}.ray_offset_m(); }
 };
 
 // What the intensities of a luminaire's web are multiplied by, with the tilt of its lamp.

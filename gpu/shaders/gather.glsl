@@ -16,7 +16,8 @@ uint gathered(uint i) {
   const vec4 axis = receiver[r + 1u];
   const vec4 position_and_flux = vertex_position[v];
   const float g = lifted_connection_geometry(uint(axis.w), axis.xyz, vertex_normal[v].xyz,
-                                             position_and_flux.xyz - at.xyz, lift_m);
+                                             position_and_flux.xyz - at.xyz,
+                                             lift_at(position_and_flux.xyz, lift_m));
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
   bool is_cut;

@@ -90,7 +90,7 @@ void main() {
   dvec2 share;
   double g;
   HitPlace place = place_of(i, triangle_and_side, share, g);
-  const dvec3 lifted_m = place.position_m + offset_of_rays_m() * place.normal;
+  const dvec3 lifted_m = lifted_m_of(place.position_m, place.normal);
   const double missing = DBL(1.0) - bound_at(lifted_m, place.normal) / g;
   const double rho = reflectance_of(triangle_and_side & ~HIT_FROM_BEHIND);
   place.weight = missing > DBL(0.0) ? weight_with(place, missing * rho) : DBL(0.0);

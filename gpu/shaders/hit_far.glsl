@@ -33,7 +33,8 @@ uvec2 drawn(uint draw, uint i) {
   const HitPlace place = place_at(i);
   const double g = lifted_connection_geometry(
       KERNEL_PLANAR, place.normal, dvec3(normal_and_channel.xyz),
-      dvec3(position_and_flux.xyz) - place.position_m, double(lift_m));
+      dvec3(position_and_flux.xyz) - place.position_m,
+      lift_at(dvec3(position_and_flux.xyz), double(lift_m)));
   if (!(g > DBL(0.0))) return nothing;
   if (has_shadows != 0u) {
     bool is_left_early;

@@ -37,7 +37,7 @@ void main() {
   if (!is_lit(i)) return;
   const HitPlace place = place_at(i);
   const uvec2 key = key_of(place);
-  const vec3 from = vec3(place.position_m + offset_of_rays_m() * place.normal);
+  const vec3 from = vec3(lifted_m_of(place.position_m, place.normal));
   const vec3 along = vec3(cosine_direction(place.normal, fraction_of(key_with(key, PART_3)),
                                            fraction_of(key_with(key, PART_4))));
   uint triangle;

@@ -14,7 +14,7 @@ struct Point {
 
 // calc::Tracer::lift()
 dvec3 lifted_point_m(Point point) {
-  return point.kernel == KERNEL_PLANAR ? point.position_m + offset_of_rays_m() * point.axis
+  return point.kernel == KERNEL_PLANAR ? lifted_m_of(point.position_m, point.axis)
                                        : point.position_m;
 }
 

@@ -28,7 +28,7 @@ void main() {
       break;
     }
     const dvec3 normal = facing_normal(triangle, path.direction);
-    const dvec3 lifted_m = position_on(triangle, share) + offset_of_rays_m() * normal;
+    const dvec3 lifted_m = lifted_m_of(position_on(triangle, share), normal);
     path.origin_m = vec3(lifted_m);
     const uint place = 2u * (vertices * path_count + slot);
     vertex[place] = uvec4(floatBitsToUint(path.origin_m),

@@ -43,7 +43,8 @@ uint gathered(uint map, uint i) {
   const vec4 axis = receiver[3u * i + 1u];
   const uint kernel = uint(axis.w);
   const float g = lifted_connection_geometry(kernel, axis.xyz, normal,
-                                             position_and_flux.xyz - at, offset_m);
+                                             position_and_flux.xyz - at,
+                                             lift_at(position_and_flux.xyz, offset_m));
   if (!(g > 0.0)) return NO_RAY;
   if (has_shadows != 0u && is_hidden(map, position_and_flux.xyz, normal, receiver[3u * i + 2u].xyz,
                                      kernel, axis.xyz)) {

@@ -5,6 +5,11 @@ layout(std430, binding = 3) readonly buffer Tables { double entry[]; };
 
 double offset_of_rays_m() { return entry[0]; }
 
+// calc::Tracer::lift()
+dvec3 lifted_m_of(dvec3 position_m, dvec3 normal) {
+  return position_m + lift_at(position_m, offset_of_rays_m()) * normal;
+}
+
 dvec3 triple(uint at) { return dvec3(entry[at], entry[at + 1u], entry[at + 2u]); }
 
 // std::lerp() of values >= 0.

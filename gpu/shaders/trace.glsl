@@ -17,7 +17,8 @@ uint drawn(uint r, uint k) {
 #endif
   const float g =
       lifted_connection_geometry(kernel, receiver_axis(r), vertex_normal[v].xyz,
-                                 position_and_flux.xyz - receiver_position(r), lift_m);
+                                 position_and_flux.xyz - receiver_position(r),
+                                 lift_at(position_and_flux.xyz, lift_m));
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
   bool is_cut;
