@@ -120,6 +120,11 @@ struct PlaneField {
   std::vector<double>
       direct_sampled_lx;  // [replicate][channel][point]; empty without extended luminaires
   std::vector<double> indirect_lx;  // [replicate][channel][point]; empty without reflection
+  // The same two parts of those looks alone in which all points took part: what mixes points, as an
+  // average does, is of these. A mean of points that went on because they were dark, and of others
+  // that were left out because they were bright, would be too large. Empty: no point was ever left
+  // out, and both are one.
+  std::vector<double> even_direct_sampled_lx, even_indirect_lx;
   // [point]: 1 if sampled light may reach the point but no sample has: its 0 lx is then not a
   // measurement, and its interval of width 0 means nothing. Empty when nothing was sampled.
   std::vector<std::uint8_t> unseen;

@@ -46,9 +46,38 @@ void PlaneState::finish(StopReason reason) {
   field_.stop = reason;
 }
 
+bool PlaneState::are_all_active() const {
+  return std::find(active_.begin(), active_.end(), 0) == active_.end();
+}
+
 void PlaneState::narrow(const std::vector<std::uint8_t>& active) {
   active_ = active;
   active_.resize(points(), 1);
+  if (!are_all_active()) {
+    if (even_.is_needed) return;
+    even_.is_needed = true;
+    even_.indirect_lx = sums_.indirect_sum_lx;
+    even_.paths = sums_.paths;
+    field_.even_direct_sampled_lx = field_.direct_sampled_lx;
+    field_.even_indirect_lx = field_.indirect_lx;
+  } else if (even_.is_needed) {
+    even_.before_lx = sums_.indirect_sum_lx;
+    even_.before_paths = sums_.paths;
+  }
+}
+
+// After a look of all points, where others were not: what it added. Samples on openings are the
+// same for all who have caught up with them, whatever they took part in.
+void PlaneState::publish_even() {
+  field_.even_direct_sampled_lx = field_.direct_sampled_lx;
+  for (std::size_t i = 0; i < points(); ++i) {
+    even_.paths[i] += sums_.paths[i] - even_.before_paths[i];
+  }
+  for (std::size_t k = 0; k < even_.indirect_lx.size(); ++k) {
+    even_.indirect_lx[k] += sums_.indirect_sum_lx[k] - even_.before_lx[k];
+    field_.even_indirect_lx[k] =
+        even_.indirect_lx[k] / static_cast<double>(even_.paths[k % points()]);
+  }
 }
 
 bool PlaneState::opening_error_matters() const {
@@ -98,6 +127,7 @@ void PlaneState::publish(int looks_planned) {
       }
     }
   }
+  if (even_.is_needed && are_all_active()) publish_even();
   if (!field_.is_exact()) {
     find_unseen();
     find_largest_samples();

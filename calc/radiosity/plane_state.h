@@ -67,7 +67,18 @@ class PlaneState {
   double largest_opening_sample_lx(std::size_t point) const;
   double squared_error(const std::vector<double>& values_lx) const;
 
+  bool are_all_active() const;
+  void publish_even();
+
+  // Sums over the looks in which all points took part, once one was left out of a look.
+  struct EvenSums {
+    bool is_needed = false;
+    std::vector<double> indirect_lx, before_lx;      // [r][c][p]; before: of all looks but this one
+    std::vector<std::uint64_t> paths, before_paths;  // [p]
+  };
+
   std::vector<std::uint8_t> active_;
+  EvenSums even_;
   bool is_active_ = true;
   PlaneField field_;
   PlaneSums sums_;

@@ -102,9 +102,11 @@ bool may_sample(const std::vector<calc::LightChannel>& channels,
 calc::PlaneField direct_part(calc::PlaneField field, const std::vector<double>& weights) {
   const std::vector<double> indirect_lx = std::move(field.indirect_lx);
   field.indirect_lx.clear();
+  field.even_indirect_lx.clear();
   field.largest_sample_lx.clear();
   if (field.direct_sampled_lx.empty() || !may_sample(field.channels, weights)) {
     field.direct_sampled_lx.clear();  // of channels that are out
+    field.even_direct_sampled_lx.clear();
     field.replicates = 1;
     field.unseen.clear();
     field.largest_share.clear();
@@ -159,14 +161,22 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
     values.largest_sample_lx = field.largest_sample_lx;
     for (double& sample : values.largest_sample_lx) sample *= largest_weight;
   }
-  values.value_lx.assign(values.replicates * values.points, 0.0);
-  for (std::size_t r = 0; r < values.replicates; ++r) {
-    const std::span<double> row(values.value_lx.data() + r * values.points, values.points);
-    for (std::size_t c = 0; c < weights.size(); ++c) {
-      add_weighted(field.direct_exact_lx, c, weights[c], row);
-      add_weighted(field.direct_sampled_lx, r * weights.size() + c, weights[c], row);
-      add_weighted(field.indirect_lx, r * weights.size() + c, weights[c], row);
+  const auto sum_of = [&](const std::vector<double>& sampled_lx,
+                          const std::vector<double>& indirect_lx) {
+    std::vector<double> value_lx(values.replicates * values.points, 0.0);
+    for (std::size_t r = 0; r < values.replicates; ++r) {
+      const std::span<double> row(value_lx.data() + r * values.points, values.points);
+      for (std::size_t c = 0; c < weights.size(); ++c) {
+        add_weighted(field.direct_exact_lx, c, weights[c], row);
+        add_weighted(sampled_lx, r * weights.size() + c, weights[c], row);
+        add_weighted(indirect_lx, r * weights.size() + c, weights[c], row);
+      }
     }
+    return value_lx;
+  };
+  values.value_lx = sum_of(field.direct_sampled_lx, field.indirect_lx);
+  if (!field.even_direct_sampled_lx.empty() || !field.even_indirect_lx.empty()) {
+    values.even_lx = sum_of(field.even_direct_sampled_lx, field.even_indirect_lx);
   }
   return values;
 }
@@ -178,6 +188,9 @@ PointValues select_points(const PointValues& values, const std::vector<std::size
   selected.replicates = values.replicates;
   for (std::size_t r = 0; r < values.replicates; ++r) {
     for (const std::size_t point : points) selected.value_lx.push_back(values.at(r, point));
+  }
+  for (std::size_t r = 0; !values.even_lx.empty() && r < values.replicates; ++r) {
+    for (const std::size_t point : points) selected.even_lx.push_back(values.even_at(r, point));
   }
   for (const std::size_t point : points) {
     if (!values.unseen.empty()) selected.unseen.push_back(values.unseen[point]);

@@ -186,6 +186,7 @@ PointValues mean_of_four_planes(const PointValues& receivers) {
   mean.points = receivers.points / kParts;
   mean.replicates = receivers.replicates;
   mean.value_lx.assign(mean.replicates * mean.points, 0.0);
+  if (!receivers.even_lx.empty()) mean.even_lx = mean.value_lx;
   if (!receivers.unseen.empty()) mean.unseen.assign(mean.points, 0);
   if (!receivers.largest_share.empty()) mean.largest_share.assign(mean.points, 0.0F);
   if (!receivers.largest_sample_lx.empty()) mean.largest_sample_lx.assign(mean.points, 0.0);
@@ -193,8 +194,10 @@ PointValues mean_of_four_planes(const PointValues& receivers) {
     for (std::size_t i = 0; i < mean.points; ++i) {
       const std::size_t receiver = part * mean.points + i;
       for (std::size_t r = 0; r < mean.replicates; ++r) {
-        mean.value_lx[r * mean.points + i] +=
-            receivers.at(r, receiver) / static_cast<double>(kPlanes);
+        const std::size_t at = r * mean.points + i;
+        mean.value_lx[at] += receivers.at(r, receiver) / static_cast<double>(kPlanes);
+        if (mean.even_lx.empty()) continue;
+        mean.even_lx[at] += receivers.even_at(r, receiver) / static_cast<double>(kPlanes);
       }
       // A sample's share of the mean is at most its share of the plane that it belongs to.
       if (!mean.unseen.empty()) mean.unseen[i] |= receivers.unseen[receiver];

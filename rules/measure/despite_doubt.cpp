@@ -87,6 +87,7 @@ PointValues darkened(PointValues values) {
     if (!is_unknown(values, i)) continue;
     for (std::size_t r = 0; r < values.replicates; ++r) {
       values.value_lx[r * values.points + i] = 0.0;
+      if (!values.even_lx.empty()) values.even_lx[r * values.points + i] = 0.0;
     }
     if (!values.largest_sample_lx.empty()) values.largest_sample_lx[i] = 0.0;
   }

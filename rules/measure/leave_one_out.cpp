@@ -72,8 +72,11 @@ std::vector<double> without_each_replicate(
   const auto points = static_cast<std::ptrdiff_t>(values.points);
   for (std::size_t r = 0; r < values.replicates; ++r) {
     PointValues others = values;
-    const auto row = others.value_lx.begin() + static_cast<std::ptrdiff_t>(r) * points;
-    others.value_lx.erase(row, row + points);
+    for (std::vector<double>* lx : {&others.value_lx, &others.even_lx}) {
+      if (lx->empty()) continue;
+      const auto row = lx->begin() + static_cast<std::ptrdiff_t>(r) * points;
+      lx->erase(row, row + points);
+    }
     --others.replicates;
     const std::optional<double> value = statistic(others);
     if (!value || !std::isfinite(*value)) return {};

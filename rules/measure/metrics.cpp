@@ -25,6 +25,7 @@ calc::Estimate within_range(const calc::Estimate& estimate, Metric metric) {
 
 PointValues negated(PointValues values) {
   for (double& value : values.value_lx) value = -value;
+  for (double& value : values.even_lx) value = -value;
   for (double& sample : values.largest_sample_lx) sample = -sample;
   return values;
 }

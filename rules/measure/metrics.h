@@ -26,6 +26,9 @@ struct PointValues {
   std::size_t points = 0;
   std::size_t replicates = 0;
   std::vector<double> value_lx;
+  // The same of the looks in which all points took part, for what mixes points; see
+  // calc::PlaneField. Empty: value_lx is.
+  std::vector<double> even_lx = {};
   // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
   // May be empty.
   std::vector<std::uint8_t> unseen = {};
@@ -48,6 +51,9 @@ struct PointValues {
   }
   double at(std::size_t replicate, std::size_t point) const {
     return value_lx[replicate * points + point];
+  }
+  double even_at(std::size_t replicate, std::size_t point) const {
+    return (even_lx.empty() ? value_lx : even_lx)[replicate * points + point];
   }
 };
 

@@ -13,10 +13,10 @@ namespace {
 
 // Differences, as below.
 double weighted_mean(const PointValues& values, std::size_t replicate) {
-  const double first = values.at(replicate, 0);
+  const double first = values.even_at(replicate, 0);
   double sum = 0.0, weights = 0.0;
   for (std::size_t i = 0; i < values.points; ++i) {
-    sum += values.weight[i] * (values.at(replicate, i) - first);
+    sum += values.weight[i] * (values.even_at(replicate, i) - first);
     weights += values.weight[i];
   }
   return first + sum / weights;
@@ -89,10 +89,10 @@ std::vector<double> plane_means(const PointValues& values) {
       means.push_back(weighted_mean(values, r));
       continue;
     }
-    const double first =
-        values.at(r, 0);  // differences: a uniform plane has exactly its value as mean
+    // Differences: a uniform plane has exactly its value as mean.
+    const double first = values.even_at(r, 0);
     double sum = 0.0;
-    for (std::size_t i = 0; i < values.points; ++i) sum += values.at(r, i) - first;
+    for (std::size_t i = 0; i < values.points; ++i) sum += values.even_at(r, i) - first;
     means.push_back(first + sum / static_cast<double>(values.points));
   }
   return means;

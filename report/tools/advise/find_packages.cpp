@@ -44,7 +44,8 @@ void scale(calc::PlaneField& field, const std::vector<double>& factor) {
     }
   };
   for (std::vector<double>* lx :
-       {&field.direct_exact_lx, &field.direct_sampled_lx, &field.indirect_lx}) {
+       {&field.direct_exact_lx, &field.direct_sampled_lx, &field.indirect_lx,
+        &field.even_direct_sampled_lx, &field.even_indirect_lx}) {
     times(*lx, false);
   }
   for (std::vector<double>* glare : {&field.glare.value, &field.glare.low, &field.glare.high}) {

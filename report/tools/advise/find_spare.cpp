@@ -35,6 +35,8 @@ void switch_off(calc::PlaneField& field, std::size_t luminaire) {
   clear(field.direct_exact_lx);
   clear(field.direct_sampled_lx);
   clear(field.indirect_lx);
+  clear(field.even_direct_sampled_lx);
+  clear(field.even_indirect_lx);
 }
 
 class SpareSearch {
