@@ -1,11 +1,13 @@
 #include "calc/photometry/web_measures.h"
 
+#include "calc/base/elementary.h"
 #include "calc/base/units.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace calc {
@@ -100,6 +102,105 @@ ProfilePoint highest(const std::vector<ProfilePoint>& profile) {
   }
   return best;
 }
+
+// The running integral of values that are linear between their places.
+class LinearIntegral {
+ public:
+  // place: ascending, at least two.
+  LinearIntegral(std::vector<double> place, std::vector<double> value)
+      : place_(std::move(place)), value_(std::move(value)), up_to_(place_.size(), 0.0) {
+    for (std::size_t i = 1; i < place_.size(); ++i) {
+      up_to_[i] = up_to_[i - 1] + 0.5 * (value_[i - 1] + value_[i]) * (place_[i] - place_[i - 1]);
+    }
+  }
+  // From the first place on; beyond the ends there is nothing.
+  double up_to(double x) const {
+    if (x <= place_.front()) return 0.0;
+    if (x >= place_.back()) return up_to_.back();
+    const std::size_t i = interval_of(place_, x);
+    const double along_rad = x - place_[i];
+    const double slope = (value_[i + 1] - value_[i]) / (place_[i + 1] - place_[i]);
+    return up_to_[i] + along_rad * (value_[i] + 0.5 * slope * along_rad);
+  }
+
+ private:
+  std::vector<double> place_, value_, up_to_;
+};
+
+constexpr double kTimesMean = 2.5;
+
+// Whether no light along this line is more than kTimesMean times its mean over reach_rad to either
+// side, between the ends of the line.
+bool is_wide_along(const LinearIntegral& line, const std::vector<double>& place_rad,
+                   const std::vector<double>& cd, double least_cd, double reach_rad,
+                   double first_rad, double last_rad) {
+  for (std::size_t i = 0; i < place_rad.size(); ++i) {
+    if (!(cd[i] > least_cd)) continue;
+    const double from = std::max(first_rad, place_rad[i] - reach_rad);
+    const double to = std::min(last_rad, place_rad[i] + reach_rad);
+    if (cd[i] * (to - from) > kTimesMean * (line.up_to(to) - line.up_to(from))) return false;
+  }
+  return true;
+}
+
+// The table's lines along gamma, and its circles.
+class TableLines {
+ public:
+  explicit TableLines(const PhotometricWeb& web) : gamma_rad_(web.gamma_rad()) {
+    const std::size_t planes = web.c_rad().size();
+    for (std::size_t p = 0; p < planes; ++p) {
+      std::vector<double> cd;
+      for (std::size_t g = 0; g < gamma_rad_.size(); ++g) cd.push_back(web.table_cd(p, g));
+      along_gamma_.push_back({LinearIntegral(gamma_rad_, cd), cd});
+    }
+    least_cd_ = 1.0e-3 * web.max_intensity_cd();
+    if (web.is_axial()) return;
+    c_rad_ = web.c_rad();
+    // Three times around, so that every reach lies within.
+    std::vector<double> around_rad;
+    for (const double turn : {-1.0, 0.0, 1.0}) {
+      for (std::size_t p = 0; p + 1 < planes; ++p)
+        around_rad.push_back(c_rad_[p] + turn * 2.0 * kPi);
+    }
+    around_rad.push_back(4.0 * kPi);
+    for (std::size_t g = 0; g < gamma_rad_.size(); ++g) {
+      std::vector<double> cd, around_cd;
+      for (std::size_t p = 0; p < planes; ++p) cd.push_back(web.table_cd(p, g));
+      for (std::size_t k = 0; k + 1 < around_rad.size(); ++k) {
+        around_cd.push_back(cd[k % (planes - 1)]);
+      }
+      around_cd.push_back(cd.front());
+      along_c_.push_back({LinearIntegral(around_rad, std::move(around_cd)), cd});
+    }
+  }
+
+  bool are_wide(double reach_rad) const {
+    for (const Line& line : along_gamma_) {
+      if (!is_wide_along(line.sum, gamma_rad_, line.cd, least_cd_, reach_rad, 0.0, kPi)) {
+        return false;
+      }
+    }
+    for (std::size_t g = 0; g < along_c_.size(); ++g) {
+      const double reach_c_rad = reach_rad / std::max(1.0e-9, calc::sin(gamma_rad_[g]));
+      if (reach_c_rad >= 0.5 * kPi) continue;  // the circle is no longer than what is looked at
+      const Line& line = along_c_[g];
+      if (!is_wide_along(line.sum, c_rad_, line.cd, least_cd_, reach_c_rad, -2.0 * kPi,
+                         4.0 * kPi)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Line {
+    LinearIntegral sum;
+    std::vector<double> cd;
+  };
+  std::vector<double> gamma_rad_, c_rad_;
+  std::vector<Line> along_gamma_, along_c_;
+  double least_cd_ = 0.0;
+};
 
 }  // namespace
 
@@ -202,6 +303,17 @@ PlaneSymmetry symmetry_within(const SymmetryFit& fit, double share) {
   if (fit.c0_c180 <= share && fit.c90_c270 <= share) return PlaneSymmetry::quadrant;
   if (fit.c0_c180 <= share) return PlaneSymmetry::c0_c180;
   return fit.c90_c270 <= share ? PlaneSymmetry::c90_c270 : PlaneSymmetry::none;
+}
+
+double narrowest_beam_rad(const PhotometricWeb& web) {
+  const TableLines lines(web);
+  if (lines.are_wide(kTimesMean * kWideBeam_rad)) return std::numeric_limits<double>::infinity();
+  constexpr double kFinest_rad = 0.25 * kPi / 180.0;
+  double width_rad = kWideBeam_rad;
+  do {
+    width_rad *= 0.75;
+  } while (width_rad > kFinest_rad && !lines.are_wide(kTimesMean * width_rad));
+  return std::max(width_rad, kFinest_rad);
 }
 
 double downward_share(const PhotometricWeb& web) {

@@ -2,6 +2,7 @@
 
 #include "calc/base/units.h"
 #include "calc/base/wide.h"
+#include "calc/photometry/web_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,15 @@ WebSketch::WebSketch(const PhotometricWeb& web)
     : planes_(web.is_axial() ? 1 : steps_of(web.c_rad(), 2.0 * kPi, kMostPlanes)),
       gammas_(steps_of(web.gamma_rad(), kPi, kMostGammas)),
       begin_rad_(web.gamma_rad().front()),
-      end_rad_(web.gamma_rad().back()) {
+      end_rad_(web.gamma_rad().back()),
+      finest_rad_(narrowest_beam_rad(web)),
+      gamma_rad_(web.gamma_rad()),
+      most_cd_(gamma_rad_.size(), 0.0) {
+  for (std::size_t g = 0; g < gamma_rad_.size(); ++g) {
+    for (std::size_t p = 0; p < web.c_rad().size(); ++p) {
+      most_cd_[g] = std::max(most_cd_[g], web.table_cd(p, g));
+    }
+  }
   fill(web);
   if (are_ends_of_steps(web.gamma_rad(), kPi, gammas_) &&
       (web.is_axial() || are_ends_of_steps(web.c_rad(), 2.0 * kPi, planes_))) {
@@ -126,6 +135,18 @@ double WebSketch::measured_error_cd(const PhotometricWeb& web) const {
     largest_cd = std::max(largest_cd, std::abs(static_cast<double>(lanes.lx[k]) - exact_cd[k]));
   }
   return largest_cd;
+}
+
+double WebSketch::most_cd(double from_rad, double to_rad) const {
+  constexpr double kRounding_rad = 1e-9;
+  const double from = from_rad - kRounding_rad, to = to_rad + kRounding_rad;
+  if (to < gamma_rad_.front() || from > gamma_rad_.back()) return 0.0;
+  // The angles of the table that hold the range between them, on both sides.
+  const auto after = std::upper_bound(gamma_rad_.begin(), gamma_rad_.end(), from);
+  const auto begin = after == gamma_rad_.begin() ? after : after - 1;
+  const auto end = std::lower_bound(gamma_rad_.begin(), gamma_rad_.end(), to);
+  const auto at = [&](auto place) { return most_cd_.begin() + (place - gamma_rad_.begin()); };
+  return *std::max_element(at(begin), at(end == gamma_rad_.end() ? end : end + 1));
 }
 
 WebSketch::Table WebSketch::table() const {

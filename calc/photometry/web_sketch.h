@@ -25,6 +25,13 @@ class WebSketch {
   // those angles and between them.
   double largest_error_share() const { return largest_error_share_; }
 
+  // About half the width of the narrowest beam, rad; infinite where every beam is so wide (11
+  // degrees) that the places at which the calculation looks at an opening cannot miss it.
+  double finest_rad() const { return finest_rad_; }
+
+  // No intensity at table angles gamma in [from, to] is more; 0 beyond the table.
+  double most_cd(double from_rad, double to_rad) const;
+
   // lx[i] = factor[i] * intensity / distance^3, finite, of n directions from the luminaire in the
   // frame of the web's table (PhotometricWeb::to_table()), of lengths from 1e-9 to 1e12 m.
   void light_of(std::size_t n, const float* x_m, const float* y_m, const float* z_m,
@@ -46,7 +53,9 @@ class WebSketch {
   std::size_t planes_ = 0, gammas_ = 0;  // steps, one less than entries
   double begin_rad_, end_rad_;           // the web's first and last gamma: dark outside
   double largest_error_share_ = 1e-5;
-  std::vector<float> cd_;  // [plane][gamma]
+  double finest_rad_;
+  std::vector<double> gamma_rad_, most_cd_;  // of the web: its angles, the most over C at each
+  std::vector<float> cd_;                    // [plane][gamma]
 };
 
 class LazyWebSketch {

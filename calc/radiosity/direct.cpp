@@ -1,5 +1,6 @@
 #include "calc/radiosity/direct.h"
 
+#include "calc/photometry/web_sketch.h"
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/opening_constants.h"
 #include "calc/radiosity/shadow_batch.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace calc {
 namespace {
@@ -91,14 +93,31 @@ std::uint32_t cell_samples(double diameter_m, double distance_m, double error_fa
 // A receiver in touch with the opening would split for ever. 2^-32 of its sides is below the
 // distance that any receiver keeps, see ray_offset_m().
 constexpr int kDeepestSplit = 64;
+// A part reaches no farther from its middle than half its diameter, but for bent ones.
+constexpr double kJustOutside = 1.5;
 
-void split_cell(const OpeningView& view, const glm::dvec3& position_m, const OpeningCell& cell,
-                int depth, double error_factor, std::vector<OpeningCell>& cells) {
-  const CellExtent extent = cell_extent(view, cell);
-  const double distance = glm::length(extent.centre_m - position_m);
-  if (extent.diameter_m <= distance || depth == kDeepestSplit) {
+// What parts are made of, and for which point.
+struct SplitOpening {
+  const PlacedLuminaire& luminaire;
+  const OpeningView view;
+  const glm::dvec3& position_m;
+  double error_factor;
+  double largest_ratio;  // of a part's diameter to its distance
+  bool leaves_out_dark;
+};
+
+void split_cell(const SplitOpening& split, const OpeningCell& cell, int depth,
+                std::vector<OpeningCell>& cells) {
+  const CellExtent extent = cell_extent(split.view, cell);
+  const double distance = glm::length(extent.centre_m - split.position_m);
+  if (split.leaves_out_dark &&
+      most_intensity_cd(split.luminaire, extent.centre_m, 0.5 * extent.diameter_m * kJustOutside,
+                        split.position_m) == 0.0) {
+    return;
+  }
+  if (extent.diameter_m <= split.largest_ratio * distance || depth == kDeepestSplit) {
     cells.push_back(cell);
-    cells.back().samples = cell_samples(extent.diameter_m, distance, error_factor);
+    cells.back().samples = cell_samples(extent.diameter_m, distance, split.error_factor);
     return;
   }
   // The longer side is halved, so that parts stay about as long as wide.
@@ -107,8 +126,33 @@ void split_cell(const OpeningView& view, const glm::dvec3& position_m, const Ope
   (is_along_s ? first.size_s : first.size_t) *= 0.5;
   OpeningCell second = first;
   (is_along_s ? second.s : second.t) += is_along_s ? first.size_s : first.size_t;
-  split_cell(view, position_m, first, depth + 1, error_factor, cells);
-  split_cell(view, position_m, second, depth + 1, error_factor, cells);
+  split_cell(split, first, depth + 1, cells);
+  split_cell(split, second, depth + 1, cells);
+}
+
+// Parts as small as narrow beams want them, if is_fine; else as small as they are far.
+std::vector<OpeningCell> cells_of(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
+                                  double error_factor, bool is_fine) {
+  const double finest_rad =
+      is_fine ? luminaire.web->sketch().finest_rad() : std::numeric_limits<double>::infinity();
+  const bool is_narrow = std::isfinite(finest_rad);
+  const double largest_ratio = is_narrow ? std::min(1.0, kPartOfBeam * finest_rad) : 1.0;
+  const SplitOpening split{luminaire,     view_from(luminaire, position_m),
+                           position_m,    error_factor,
+                           largest_ratio, is_narrow};
+  const double size_m = glm::length(luminaire.opening.size_m());
+  const double distance_m = glm::length(luminaire.position_m - position_m);
+  std::vector<OpeningCell> cells;
+  if (size_m <= largest_ratio * distance_m) {
+    cells.push_back({});
+    cells.back().samples = cell_samples(size_m, distance_m, error_factor);
+    return cells;
+  }
+  const std::span<const double> ends = split.view.piece_ends();  // the faces of a body
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    split_cell(split, {ends[i], 0.0, ends[i + 1] - ends[i], 1.0, 1}, 0, cells);
+  }
+  return cells;
 }
 
 struct DrawnCell {
@@ -220,8 +264,9 @@ std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
                                    double* sums, std::size_t stride) {
   const PlacedLuminaire& placed = tracer.scene().luminaires[luminaire];
   const OpeningView view = view_from(placed, receiver.position_m);
-  const DrawnCell drawn = draw_cell(view, opening_cells(placed, receiver.position_m), receiver,
-                                    tracer.offset_m(), [&key] { return key.with(3).uniform(); });
+  const DrawnCell drawn =
+      draw_cell(view, cells_of(placed, receiver.position_m, 1.0, false), receiver,
+                tracer.offset_m(), [&key] { return key.with(3).uniform(); });
   if (!(drawn.probability > 0.0)) return 0;
   ShadowBatch batch(tracer, tracer.has_shadows(), kHitToSource);
   const OpeningCell& cell = drawn.cell;
@@ -235,21 +280,23 @@ std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
 
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
                                        const glm::dvec3& position_m, double error_factor) {
-  const OpeningView view = view_from(luminaire, position_m);
-  const double size_m = glm::length(luminaire.opening.size_m());
-  const double distance_m = glm::length(luminaire.position_m - position_m);
-  std::vector<OpeningCell> cells;
-  if (size_m <= distance_m) {
-    cells.push_back({});
-    cells.back().samples = cell_samples(size_m, distance_m, error_factor);
-    return cells;
+  return cells_of(luminaire, position_m, error_factor, true);
+}
+
+bool has_fine_beams(const PreparedScene& scene, const DirectProofs& proofs,
+                    std::span<const Receiver> receivers) {
+  for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
+    const PlacedLuminaire& luminaire = scene.luminaires[l];
+    if (is_point(luminaire) || proofs.leaves_out(l)) continue;
+    const double finest_rad = luminaire.web->sketch().finest_rad();
+    if (!std::isfinite(finest_rad)) continue;
+    const double size_m = glm::length(luminaire.opening.size_m());
+    for (const Receiver& receiver : receivers) {
+      const double distance_m = glm::length(luminaire.position_m - receiver.position_m);
+      if (size_m > kOnePlaceOfBeam * finest_rad * distance_m) return true;
+    }
   }
-  const std::span<const double> ends = view.piece_ends();  // the faces of a body
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    split_cell(view, position_m, {ends[i], 0.0, ends[i + 1] - ends[i], 1.0, 1}, 0, error_factor,
-               cells);
-  }
-  return cells;
+  return false;
 }
 
 }  // namespace calc

@@ -84,7 +84,15 @@ struct OpeningCell {
 // diameter is at most its distance from the point, so that 1 / d^2 stays tame right up to the
 // luminaire. Samples per part: a power of two, 1 far away, chosen so that a scrambled net's error
 // stays near 0.5 % of the part's unoccluded contribution in one replicate; error_factor times that.
+//
+// Of beams that are narrow (WebSketch::finest_rad()) parts are as small as the beam is wide, seen
+// from the point, and those that send no light there, by the table, are left out: none may be left.
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
                                        const glm::dvec3& position_m, double error_factor = 1.0);
+
+// Whether a luminaire with an opening has so narrow a beam, or is so near, that its light at one of
+// the points wants such parts.
+bool has_fine_beams(const PreparedScene& scene, const DirectProofs& proofs,
+                    std::span<const Receiver> receivers);
 
 }  // namespace calc

@@ -29,4 +29,11 @@ inline constexpr double kUnseenFloor = 1e-4, kPatchFloor = 1e-3;
 // Larger parts are halved: the rest falls with the third power.
 inline constexpr double kLargestPatch = 0.7;
 
+// Of beams that places so far apart might miss, in their half widths (WebSketch::finest_rad()):
+// parts are no larger, seen from the point, than the first; up to the others one place and five
+// tell enough; and what is not seen may be that share of the most that could be. The CPU alone
+// (has_fine_beams()).
+inline constexpr double kPartOfBeam = 1.5, kOnePlaceOfBeam = 0.2, kFivePlacesOfBeam = 0.8;
+inline constexpr double kUnseenOfBeam = 0.02;
+
 }  // namespace calc

@@ -66,7 +66,15 @@ class OpeningPatch {
                 (2.0 * cell.t + cell.size_t - 1.0) * v * axes[1];
     const double size_m = 2.0 * std::sqrt(glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_));
     ratio_ = size_m / glm::length(centre_m_ - receiver.position_m);
+    beam_rad_ = luminaire.web->sketch().finest_rad();
+    most_cd_ = is_narrow()
+                   ? most_intensity_cd(luminaire, centre_m_, 0.5 * size_m, receiver.position_m)
+                   : luminaire.web->max_intensity_cd() * luminaire.flux_scale;
   }
+
+  bool is_narrow() const { return std::isfinite(beam_rad_); }
+  // No light of it comes here.
+  bool is_dark() const { return is_narrow() && most_cd_ == 0.0; }
 
   // Its places are asked for: 1, 5 or 9 of them, in the order in which fit() takes their light.
   void ask(const Receiver& receiver, SketchLanes& lanes) const {
@@ -82,7 +90,12 @@ class OpeningPatch {
     if (places_asked() == 1) return;
     add_cross(places, 1.0);
   }
-  std::size_t places_asked() const { return ratio_ < kOnePlace ? 1 : ratio_ < kFivePlaces ? 5 : 9; }
+  std::size_t places_asked() const {
+    return ratio_ < std::min(kOnePlace, kOnePlaceOfBeam * beam_rad_)       ? 1
+           : ratio_ < std::min(kFivePlaces, kFivePlacesOfBeam * beam_rad_) ? 5
+                                                                           : 9;
+  }
+  double largest_ratio() const { return std::min(kLargestPatch, kPartOfBeam * beam_rad_); }
 
   double ratio() const { return ratio_; }  // of its size to its distance
   // lx: of its places. False: all are dark, and the light may still begin at a corner or be a
@@ -98,7 +111,7 @@ class OpeningPatch {
       fit_five(receiver, {at(0), at(1), at(2), at(3), at(4)});
     } else {
       c_[0][0] = at(0);
-      rest_lx_ = ratio_ * at(0) + unseen_lx(receiver);
+      rest_lx_ = (is_narrow() ? ratio_ / beam_rad_ : ratio_) * at(0) + unseen_lx(receiver);
     }
     return true;
   }
@@ -178,28 +191,33 @@ class OpeningPatch {
     places.add(0, reach);
   }
 
+  // Smooth light differs from the polynomial by about the square of the ratio; that of a beam as
+  // wide as the part, by all that it is.
   void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
-    rest_lx_ =
-        ratio_ * ratio_ * (highest_lx - lowest_lx) + kPatchFloor * highest_lx + unseen_lx(receiver);
+    const double bent = is_narrow() ? std::min(1.0, ratio_ * ratio_ / (4.0 * beam_rad_ * beam_rad_))
+                                    : ratio_ * ratio_;
+    rest_lx_ = bent * (highest_lx - lowest_lx) + kPatchFloor * highest_lx + unseen_lx(receiver);
   }
 
   // What places may have missed.
   double unseen_lx(const Receiver& receiver) const {
-    return (kUnseenFloor + luminaire_.web->sketch().largest_error_share()) * most_lx(receiver);
+    const double floor = is_narrow() ? kUnseenOfBeam : kUnseenFloor;
+    return (floor + luminaire_.web->sketch().largest_error_share()) * most_lx(receiver);
   }
 
   // At its largest intensity, head-on.
   double most_lx(const Receiver& receiver) const {
     const glm::dvec3 away = centre_m_ - receiver.position_m;
     const double reach_m2 = glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_);
-    return luminaire_.web->max_intensity_cd() * luminaire_.flux_scale /
-           std::max(glm::dot(away, away), reach_m2);
+    return most_cd_ / std::max(glm::dot(away, away), reach_m2);
   }
 
   const PlacedLuminaire& luminaire_;
   bool is_disk_;
   double share_;
-  double ratio_;  // of its size to its distance
+  double ratio_;     // of its size to its distance
+  double beam_rad_;  // see WebSketch::finest_rad()
+  double most_cd_;   // that it may send this way
   glm::dvec3 centre_m_, u_m_, v_m_;
   std::array<std::array<double, 3>, 3> c_{};  // [power of x][power of y]
   double rest_lx_ = 0.0;
@@ -229,7 +247,9 @@ class SeenOpenings {
 
   void add(const PlacedLuminaire& luminaire, const Receiver& receiver, const OpeningCell& cell) {
     const OpeningPatch patch(luminaire, receiver, cell);
-    if (patch.ratio() > kLargestPatch && luminaire.opening.shape == OpeningShape::rectangle &&
+    if (patch.is_dark()) return;
+    if (patch.ratio() > patch.largest_ratio() &&
+        luminaire.opening.shape == OpeningShape::rectangle &&
         cell.size_s * cell.size_t > kSmallestShare) {
       for (const OpeningCell& half : halves(luminaire.opening, cell)) {
         add(luminaire, receiver, half);
@@ -350,6 +370,7 @@ bool has_patches(const PlacedLuminaire& luminaire, const std::vector<OpeningCell
 Sight sight_of_cells(const Tracer& tracer, const PlacedLuminaire& luminaire,
                      const std::vector<OpeningCell>& cells, const Receiver& receiver,
                      bool has_shadows) {
+  if (cells.empty()) return Sight::hidden;
   if (!has_patches(luminaire, cells)) return Sight::unknown;
   if (!has_shadows) return Sight::free;
   return tracer.sight(tracer.lift(receiver),

@@ -115,12 +115,21 @@ void PlaneWork::sample_openings(DirectTracer* direct, double deadline_s, SolveTi
   const PhaseTimer timer(times.direct_s);
   sums_.direct_sum_lx.resize(state_.values());
   const std::uint32_t last = std::max<std::uint32_t>(1, 2 * sums_.most_rounds);
-  if (direct != nullptr) {
+  if (direct != nullptr && !has_fine_beams()) {
     sample_openings_by(*direct, last, deadline_s);
   } else {
     sample_openings_by_points(last, deadline_s);
   }
   sums_.most_rounds = last;
+}
+
+// Devices take openings in the parts that wide beams want.
+bool PlaneWork::has_fine_beams() {
+  if (!has_fine_beams_) {
+    has_fine_beams_ =
+        calc::has_fine_beams(tracer_.scene(), {decision_.is_dark, has_shadows()}, receiver_);
+  }
+  return *has_fine_beams_;
 }
 
 void PlaneWork::sample_openings_by_points(std::uint32_t last_round, double deadline_s) {

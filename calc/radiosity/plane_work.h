@@ -19,6 +19,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -104,6 +105,7 @@ class PlaneWork {
 
   void add_glare(double deadline_s);
   void prove_openings(double deadline_s);
+  bool has_fine_beams();
   void sample_openings_by_points(std::uint32_t last_round, double deadline_s);
   void sample_openings_by(DirectTracer& direct, std::uint32_t last_round, double deadline_s);
   void sample_batch(DirectTracer& direct, std::span<const std::size_t> chosen,
@@ -142,6 +144,7 @@ class PlaneWork {
   std::vector<std::uint32_t> spatial_order_;  // of points, neighbours together
   // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
   std::vector<std::vector<std::uint8_t>> free_openings_;
+  std::optional<bool> has_fine_beams_;            // once it is asked for
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
   ReceiverTiles tiles_;                           // of this look
   std::size_t look_points_ = 0;                   // in them

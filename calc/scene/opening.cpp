@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/photometry/web_sketch.h"
 
 #include <algorithm>
 #include <array>
@@ -82,6 +83,19 @@ bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point
       return glm::dot(across, across) <= 1.0;
     }
   }
+}
+
+double most_intensity_cd(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
+                         double radius_m, const glm::dvec3& point_m) {
+  const glm::dvec3 way_m = glm::transpose(luminaire.world_from_luminaire) * (point_m - place_m);
+  const double distance_m = glm::length(way_m);
+  const PhotometricWeb& web = *luminaire.web;
+  if (!(radius_m < distance_m)) return luminaire.flux_scale * web.max_intensity_cd();
+  const glm::dvec3 way = way_m / distance_m;
+  const double gamma_rad = angles_of(web.to_table({way.x, way.y, way.z})).gamma_rad;
+  const double around_rad = calc::asin(radius_m / distance_m);
+  return luminaire.flux_scale *
+         web.sketch().most_cd(gamma_rad - around_rad, gamma_rad + around_rad);
 }
 
 double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards) {

@@ -23,6 +23,10 @@ glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t)
 bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point_m,
                        double distance_m);
 
+// No more leaves any place of the opening within radius_m of the given one for the point, cd.
+double most_intensity_cd(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
+                         double radius_m, const glm::dvec3& point_m);
+
 // Area (m2) of the opening's outline seen from far away in the unit direction `towards`: 0 of a
 // point, and of a flat opening edge-on.
 double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards);
