@@ -4,6 +4,8 @@
 
 #include "rules/verdict/stop_rule.h"
 
+#include "calc/base/statistics.h"
+#include "calc/radiosity/plane_state.h"
 #include "rules/measure/error_spending.h"
 #include "rules/verdict/judge.h"
 #include "tests/support/normal_numbers.h"
@@ -16,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rules::stop_rule_test {
@@ -45,20 +48,22 @@ double truth_of(Metric metric) {
 // Relative errors of the means of every look's new samples alone: at each point its own and one
 // that all points of a replicate share.
 struct Noise {
-  explicit Noise(std::uint64_t seed) {
+  explicit Noise(std::uint64_t seed, double of_points = 0.06, double of_all = 0.02) {
     NormalNumbers normal(seed);
     for (int look = 0; look < kLooks; ++look) {
-      const double scale = 1.0 / std::sqrt(new_samples(look));
+      const double scale = 1.0 / std::sqrt(static_cast<double>(new_samples(look)));
       for (std::size_t r = 0; r < kReplicates; ++r) {
-        const double shared = 0.02 * normal.next();
+        const double shared = of_all * normal.next();
         for (std::size_t i = 0; i < kPoints; ++i) {
-          error[look].push_back(scale * (shared + 0.06 * normal.next()));
+          error[look].push_back(scale * (shared + of_points * normal.next()));
         }
       }
     }
   }
 
-  static double new_samples(int look) { return look == 0 ? 1.0 : std::pow(2.0, look - 1); }
+  static std::uint64_t new_samples(int look) {
+    return look == 0 ? 1 : std::uint64_t{1} << (look - 1);
+  }
 
   std::array<std::vector<double>, kLooks> error;
 };
@@ -75,39 +80,6 @@ const std::vector<Noise>& noise_of_planes() {
   return kNoise;
 }
 
-// Means over all looks that a point took part in.
-class GrowingField {
- public:
-  explicit GrowingField(int looks_planned) : samples_(kPoints, 0.0) {
-    field_.points = kPoints;
-    field_.replicates = kReplicates;
-    field_.channels = {{"", 1.0}};
-    field_.indirect_lx.assign(kReplicates * kPoints, 0.0);
-    field_.looks_planned = looks_planned;
-  }
-
-  void add(const std::vector<double>& error, double samples,
-           const std::vector<std::uint8_t>& active) {
-    field_.counters.active_points.push_back(kPoints);
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      if (!active.empty() && active[i] == 0) continue;
-      samples_[i] += samples;
-      for (std::size_t r = 0; r < kReplicates; ++r) {
-        double& mean = field_.indirect_lx[r * kPoints + i];
-        const double added = truth_[i] * (1.0 + error[r * kPoints + i]);
-        mean += samples / samples_[i] * (added - mean);
-      }
-    }
-  }
-
-  const calc::PlaneField& field() const { return field_; }
-
- private:
-  std::vector<double> truth_ = true_values_lx();
-  std::vector<double> samples_;
-  calc::PlaneField field_;
-};
-
 calc::SensorGrid grid_of_points() {
   calc::SensorGrid grid;
   for (std::size_t i = 0; i < kPoints; ++i) {
@@ -115,6 +87,42 @@ calc::SensorGrid grid_of_points() {
   }
   return grid;
 }
+
+// Looks as the calculation adds them up, with samples that are made up.
+class GrowingField {
+ public:
+  explicit GrowingField(int looks_planned, std::vector<double> truth_lx = true_values_lx())
+      : looks_planned_(looks_planned),
+        truth_lx_(std::move(truth_lx)),
+        state_("plane", grid_of_points(), {{"", 1.0}}, kReplicates) {
+    calc::PlaneSums& sums = state_.sums();
+    sums.may_be_sampled.assign(kPoints, 1);
+    sums.indirect_sum_lx.assign(kReplicates * kPoints, 0.0);
+    sums.largest_sum_lx.assign(kReplicates * kPoints, 0.0f);
+  }
+
+  void add(const std::vector<double>& error, std::uint64_t samples,
+           const std::vector<std::uint8_t>& active) {
+    state_.narrow(active);
+    calc::PlaneSums& sums = state_.sums();
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      if (state_.active()[i] == 0) continue;
+      sums.paths[i] += samples;
+      for (std::size_t r = 0; r < kReplicates; ++r) {
+        sums.indirect_sum_lx[r * kPoints + i] +=
+            static_cast<double>(samples) * truth_lx_[i] * (1.0 + error[r * kPoints + i]);
+      }
+    }
+    state_.publish(looks_planned_);
+  }
+
+  const calc::PlaneField& field() const { return state_.field(); }
+
+ private:
+  int looks_planned_;
+  std::vector<double> truth_lx_;
+  calc::PlaneState state_;
+};
 
 struct Outcome {
   std::vector<Finding> findings;  // one per requirement
@@ -215,6 +223,45 @@ TEST(WrongVerdictsOfAPlane, AreRareWhereSeveralQuantitiesShareTheSamples) {
                                 offset);
     EXPECT_LE(counts.wrong, kMostWrong) << offset;
   }
+}
+
+// Where all points are alike and their noise is their own, those that go on for the uniformity are
+// those that were dark by chance. They get brighter; those that were bright by chance stay so. The
+// average may not be of both. Measured: 0.0 % off, 30 of 1000 intervals miss; of all looks 1.6 %
+// off, and 316 miss.
+TEST(TheAverageBesideAnOpenUniformity, IsOfTheLooksInWhichAllPointsTookPart) {
+  const std::vector<double> truth_lx(kPoints, 300.0);
+  Requirement average, uniformity;
+  average.metric = Metric::average;
+  average.limit = 150.0;
+  uniformity.metric = Metric::uniformity_min_avg;
+  uniformity.limit = 0.9;
+  const calc::SensorGrid grid = grid_of_points();
+  std::vector<double> averages;
+  int missed = 0, failed = 0, narrowed = 0;
+  for (int plane = 0; plane < kPlanes; ++plane) {
+    const Noise noise(static_cast<std::uint64_t>(plane), 0.3, 0.0);
+    GrowingField growing(kLooks, truth_lx);
+    StopAnswer answer;
+    for (int look = 0; look < kLooks && !answer.finished; ++look) {
+      growing.add(noise.error[look], Noise::new_samples(look), answer.active);
+      answer = stop_or_go_on({Goal::verdict, 0.02, kConfidence}, {average, uniformity}, grid,
+                             growing.field(), {});
+    }
+    narrowed += growing.field().even_indirect_lx.empty() ? 0 : 1;
+    const std::vector<Finding> found =
+        judge_plane({average, uniformity}, grid, growing.field(), {}, kConfidence);
+    averages.push_back(found[0].measured.value);
+    missed += found[0].measured.low > 300.0 || found[0].measured.high < 300.0 ? 1 : 0;
+    failed += found[1].verdict == Verdict::fail ? 1 : 0;
+  }
+  const calc::ReplicateMean mean = calc::replicate_mean(averages);
+  RecordProperty("average", std::to_string(mean.mean));
+  RecordProperty("missed", missed);
+  EXPECT_GT(narrowed, kPlanes / 2);
+  EXPECT_NEAR(mean.mean, 300.0, 4.0 * mean.standard_error);
+  EXPECT_LE(missed, kMostWrong);
+  EXPECT_EQ(failed, 0);
 }
 
 // With the limit 2 % off. Planes not finished after each look: average 421, 127, 2, 0; minimum

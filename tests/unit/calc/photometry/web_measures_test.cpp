@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
 
 namespace calc::web_measures_test {
 namespace {
@@ -186,6 +189,43 @@ TEST(BeamWidth, OfATableAboutAnotherAxis) {
   EXPECT_LT(fit.c0_c180, 1e-9);
   EXPECT_LT(fit.c90_c270, 1e-9);
   EXPECT_GT(fit.axial, 0.1);
+}
+
+double narrowest(const std::vector<double>& c_deg, const std::vector<double>& gamma_deg,
+                 const std::function<double(double, double)>& cd) {
+  return deg(narrowest_beam_rad(make_web(c_deg, gamma_deg, cd)));
+}
+
+TEST(NarrowestBeam, OfWideLightIsNone) {
+  const auto gamma = angle_steps(0, 90, 5);
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(
+      narrowest({0}, gamma, [](double, double g) { return std::cos(radians_from_degrees(g)); }),
+      inf);
+  EXPECT_EQ(narrowest({0}, gamma, [](double, double g) { return g <= 60 ? 1.0 : 0.0; }), inf)
+      << "a sharp edge is no narrow beam";
+  EXPECT_EQ(narrowest({0}, gamma, [](double, double g) { return g == 20 ? 1.0005 : 1.0; }), inf);
+}
+
+TEST(NarrowestBeam, IsAboutItsHalfWidth) {
+  for (const double half : {0.5, 1.0, 2.0, 5.0, 8.0}) {
+    const auto top_hat = [half](double, double g) { return g <= half ? 1.0 : 0.0; };
+    const double found = narrowest({0}, angle_steps(0, 90, 0.1), top_hat);
+    EXPECT_GT(found, 0.6 * half);
+    EXPECT_LT(found, 1.5 * half);
+  }
+}
+
+TEST(NarrowestBeam, OfASpikeInWideLightIsTheSpikes) {
+  const double along_gamma = narrowest({0}, angle_steps(0, 90, 0.5), [](double, double g) {
+    return std::abs(g - 40.0) <= 1.0 ? 10.0 : 1.0;
+  });
+  EXPECT_LT(along_gamma, 4.0);
+  const double along_c =
+      narrowest(angle_steps(0, 360, 2), angle_steps(0, 90, 5),
+                [](double c, double g) { return c == 90 && g > 20 ? 10.0 : 1.0; });
+  EXPECT_LT(along_c, 4.0);
+  EXPECT_GT(along_c, 0.25);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Direct light by what is proved of openings, against sampling all of them with shadow rays.
 #include "calc/radiosity/opening_light.h"
 #include "calc/base/statistics.h"
+#include "calc/base/units.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/scenes.h"
 
@@ -226,6 +227,45 @@ TEST(OpeningLight, MoreRoundsMakeTheErrorSmaller) {
 }
 
 // Every opening is hidden by the one table top: nothing is sampled, nothing is unseen.
+// Half of the light at half the angle, nothing beyond it. steps: of the table.
+calc::PhotometricWeb beam_web(double half_angle_deg, std::size_t steps,
+                              const calc::LuminousOpening& opening) {
+  const double end = calc::radians_from_degrees(half_angle_deg);
+  std::vector<double> gamma, cd;
+  for (std::size_t k = 0; k <= steps; ++k) {
+    gamma.push_back(1.1 * end * static_cast<double>(k) / static_cast<double>(steps));
+    cd.push_back(1000.0 * std::clamp(1.0 - 0.5 * gamma.back() / end, 0.5, 1.0));
+  }
+  cd.back() = 0.0;
+  return calc::PhotometricWeb::make({0.0}, gamma, cd, opening, {});
+}
+
+// Wherever the beam that comes to a point has all of its outline on the opening, the light there is
+// the beam's flux over the opening's area: dA = d^2 dw / cos.
+TEST(OpeningLight, OfABeamNarrowerThanTheOpeningIsKnown) {
+  for (const double half_angle_deg : {0.5, 1.0, 2.5, 5.0, 10.0}) {
+    Room room;
+    room.scene.channels = {{"a", 1.0}};
+    room.add(beam_web(half_angle_deg, 40, {OpeningShape::rectangle, 1.0, 1.0, 0.0}), {0, 0, 1.5});
+    set_extent(room.scene);
+    const double truth_lx = room.webs[0]->flux_lm();  // on 1 m2
+    const calc::Tracer tracer(room.scene);
+    for (const glm::dvec3& at_m : {glm::dvec3(0, 0, 0), glm::dvec3(0.13, 0.07, 0.0),
+                                   glm::dvec3(-0.2, 0.11, 0.3), glm::dvec3(0.1, -0.1, 1.2)}) {
+      const calc::Receiver receiver{at_m, {0, 0, 1}, calc::ReceiverKernel::planar};
+      const std::vector<double> totals = replicate_totals(by_proof(tracer, receiver, 3, 64, 1), 0);
+      const calc::ReplicateMean mean = calc::replicate_mean(totals);
+      EXPECT_NEAR(mean.mean, truth_lx, 4.5 * mean.standard_error)
+          << half_angle_deg << ", " << at_m.x;
+      EXPECT_LT(mean.standard_error, 0.01 * truth_lx) << half_angle_deg << ", " << at_m.x;
+      EXPECT_LT(*std::max_element(totals.begin(), totals.end()), 2.0 * truth_lx);
+    }
+    // Beside the beams nothing comes, and no part is looked at.
+    EXPECT_TRUE(calc::opening_cells(room.scene.luminaires[0], {3, 0, 0}).empty());
+    EXPECT_TRUE(calc::has_fine_beams(room.scene, {}, std::vector<calc::Receiver>{{}}));
+  }
+}
+
 TEST(OpeningLight, HiddenOpeningsNeedNoRays) {
   Room room;
   room.scene.channels = {{"", 1.0}};

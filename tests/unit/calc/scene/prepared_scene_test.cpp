@@ -101,6 +101,53 @@ TEST(PreparedScene, FarFromTheOriginMicrometresAreKept) {
   EXPECT_NEAR((scene.luminaires[0].position_m + scene.origin_m - far).z, 2.654321, 1.0e-6);
 }
 
+// A yard of 4 x 4 m below a luminaire, a house that is far off, and a hillside from here to there.
+TEST(PreparedScene, FarGeometryMovesNoEndOfARay) {
+  Project project = project_with({0.5});
+  add_type(project, 0.8);
+  Space space;
+  space.bodies = {body({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}}, {{0, 1, 2}}, {0})};
+  space.luminaires = {luminaire(0, {0, 0, 6})};
+  PlanarArea yard;
+  yard.outline_m = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  CalcPlane plane;
+  plane.area = yard;
+  space.planes = {plane};
+  const double alone_m = prepare_scene(project, space).ray_offset_m();
+  space.bodies.push_back(body({{3000, 0, 0}, {3010, 0, 0}, {3000, 10, 0}}, {{0, 1, 2}}, {0}));
+  const PreparedScene scene = prepare_scene(project, space);
+  EXPECT_LT(scene.ray_offset_m(), 8.0 * alone_m);
+  EXPECT_LT(scene.extent_m, 100.0);
+  EXPECT_GT(scene.whole_extent_m(), 3000.0);
+  EXPECT_EQ(scene.triangle.size(), 2u) << "it is there, and lit";
+
+  // Float rounding moves a surface here if one of its corners is far away and it is not level.
+  space.bodies.push_back(
+      body({{-3, -3, 0.1}, {3000.1, -3, 123.4}, {-3, 3000.3, 77.7}}, {{0, 1, 2}}, {0}));
+  const PreparedScene hill = prepare_scene(project, space);
+  EXPECT_GT(hill.rounding_m, 1e-6);
+  EXPECT_GE(hill.ray_offset_m(), 8.0 * hill.rounding_m);
+}
+
+TEST(PreparedScene, WhatLiesBeyondAClosedRoomIsLeftOut) {
+  Project project = project_with({0.5});
+  add_type(project, 0.8);
+  Space space;
+  space.shell = RoomShell{{{0, 0}, {5, 0}, {5, 4}, {0, 4}}, 0.0, 3.0};
+  space.luminaires = {luminaire(0, {2.5, 2, 2.9})};
+  const auto wall = [](double x) {
+    return body({{x, 0, 0}, {x, 4, 0}, {x, 4, 3}}, {{0, 1, 2}}, {0});
+  };
+  space.bodies = {wall(0), wall(5)};
+  const PreparedScene alone = prepare_scene(project, space);
+  EXPECT_EQ(alone.triangle.size(), 2u) << "its own walls are no nearer than it";
+  space.bodies.push_back(wall(10000));
+  space.bodies.push_back(wall(-0.1));
+  const PreparedScene scene = prepare_scene(project, space);
+  EXPECT_EQ(scene.triangle.size(), 2u);
+  EXPECT_LT(scene.ray_offset_m(), 8.0 * alone.ray_offset_m());
+}
+
 TEST(PreparedScene, TrianglesKnowTheirReflectanceAndBody) {
   const Project project = project_with({0.2, 0.7});
   Space space;
