@@ -1,7 +1,6 @@
 luxgate_test(rules_tests
   SOURCES
     statistical/metric_coverage_test.cpp
-    statistical/stop_rule_test.cpp
     unit/calc/base/day_test.cpp
     unit/calc/base/statistics_test.cpp
     unit/rules/binding/bind_test.cpp

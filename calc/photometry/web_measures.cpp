@@ -128,6 +128,8 @@ class LinearIntegral {
 };
 
 constexpr double kTimesMean = 2.5;
+// What is weaker is no beam: most files have single angles of some hundredths beside dark ones.
+constexpr double kBeamOfMost = 0.05;
 
 // Whether no light along this line is more than kTimesMean times its mean over reach_rad to either
 // side, between the ends of the line.
@@ -153,7 +155,7 @@ class TableLines {
       for (std::size_t g = 0; g < gamma_rad_.size(); ++g) cd.push_back(web.table_cd(p, g));
       along_gamma_.push_back({LinearIntegral(gamma_rad_, cd), cd});
     }
-    least_cd_ = 1.0e-3 * web.max_intensity_cd();
+    least_cd_ = kBeamOfMost * web.max_intensity_cd();
     if (web.is_axial()) return;
     c_rad_ = web.c_rad();
     // Three times around, so that every reach lies within.
@@ -308,7 +310,7 @@ PlaneSymmetry symmetry_within(const SymmetryFit& fit, double share) {
 double narrowest_beam_rad(const PhotometricWeb& web) {
   const TableLines lines(web);
   if (lines.are_wide(kTimesMean * kWideBeam_rad)) return std::numeric_limits<double>::infinity();
-  constexpr double kFinest_rad = 0.25 * kPi / 180.0;
+  constexpr double kFinest_rad = 0.5 * kPi / 180.0;
   double width_rad = kWideBeam_rad;
   do {
     width_rad *= 0.75;

@@ -55,9 +55,9 @@ PlaneSymmetry symmetry_within(const SymmetryFit& fit, double share);
 inline constexpr double kExactSymmetry = 1.0e-9;
 
 // About half the width of the narrowest beam that matters: at every angle of the table with more
-// than a thousandth of the highest intensity, along gamma and along C, the light is at most 2.5
+// than a twentieth of the highest intensity, along gamma and along C, the light is at most 2.5
 // times its mean over 2.5 of that to either side (a sharp edge has 2). Infinite from
-// kWideBeam_rad on; never below a quarter of a degree.
+// kWideBeam_rad on; never below half a degree.
 double narrowest_beam_rad(const PhotometricWeb& web);
 inline constexpr double kWideBeam_rad = 0.195;  // 11.2 degrees
 

@@ -137,16 +137,20 @@ double WebSketch::measured_error_cd(const PhotometricWeb& web) const {
   return largest_cd;
 }
 
-double WebSketch::most_cd(double from_rad, double to_rad) const {
+WebSketch::Band WebSketch::band(double from_rad, double to_rad) const {
   constexpr double kRounding_rad = 1e-9;
   const double from = from_rad - kRounding_rad, to = to_rad + kRounding_rad;
-  if (to < gamma_rad_.front() || from > gamma_rad_.back()) return 0.0;
+  if (to < gamma_rad_.front() || from > gamma_rad_.back()) return {};
   // The angles of the table that hold the range between them, on both sides.
   const auto after = std::upper_bound(gamma_rad_.begin(), gamma_rad_.end(), from);
   const auto begin = after == gamma_rad_.begin() ? after : after - 1;
   const auto end = std::lower_bound(gamma_rad_.begin(), gamma_rad_.end(), to);
   const auto at = [&](auto place) { return most_cd_.begin() + (place - gamma_rad_.begin()); };
-  return *std::max_element(at(begin), at(end == gamma_rad_.end() ? end : end + 1));
+  const auto [least, most] =
+      std::minmax_element(at(begin), at(end == gamma_rad_.end() ? end : end + 1));
+  const bool has_end = (from < gamma_rad_.front() && gamma_rad_.front() > 0.0) ||
+                       (to > gamma_rad_.back() && gamma_rad_.back() < kPi);
+  return {*most, *least == 0.0 || has_end};
 }
 
 WebSketch::Table WebSketch::table() const {

@@ -29,8 +29,13 @@ class WebSketch {
   // degrees) that the places at which the calculation looks at an opening cannot miss it.
   double finest_rad() const { return finest_rad_; }
 
-  // No intensity at table angles gamma in [from, to] is more; 0 beyond the table.
-  double most_cd(double from_rad, double to_rad) const;
+  // Of table angles gamma in [from, to]: no intensity there is more; beyond the table there is none.
+  // Whether it is dark at one of them for all C, as far as the table's own angles tell.
+  struct Band {
+    double most_cd = 0.0;
+    bool is_partly_dark = true;
+  };
+  Band band(double from_rad, double to_rad) const;
 
   // lx[i] = factor[i] * intensity / distance^3, finite, of n directions from the luminaire in the
   // frame of the web's table (PhotometricWeb::to_table()), of lengths from 1e-9 to 1e12 m.

@@ -102,20 +102,23 @@ struct SplitOpening {
   const OpeningView view;
   const glm::dvec3& position_m;
   double error_factor;
-  double largest_ratio;  // of a part's diameter to its distance
-  bool leaves_out_dark;
+  bool is_narrow;        // its beams
+  double largest_ratio;  // of a part's diameter to its distance, where it is not lit as a whole
 };
 
 void split_cell(const SplitOpening& split, const OpeningCell& cell, int depth,
                 std::vector<OpeningCell>& cells) {
   const CellExtent extent = cell_extent(split.view, cell);
   const double distance = glm::length(extent.centre_m - split.position_m);
-  if (split.leaves_out_dark &&
-      most_intensity_cd(split.luminaire, extent.centre_m, 0.5 * extent.diameter_m * kJustOutside,
-                        split.position_m) == 0.0) {
-    return;
+  double largest_ratio = 1.0;
+  if (split.is_narrow) {
+    const double radius_m = kJustOutside * 0.5 * extent.diameter_m;
+    const WebSketch::Band band =
+        intensities_towards(split.luminaire, extent.centre_m, radius_m, split.position_m);
+    if (band.most_cd == 0.0) return;
+    if (band.is_partly_dark) largest_ratio = split.largest_ratio;
   }
-  if (extent.diameter_m <= split.largest_ratio * distance || depth == kDeepestSplit) {
+  if (extent.diameter_m <= largest_ratio * distance || depth == kDeepestSplit) {
     cells.push_back(cell);
     cells.back().samples = cell_samples(extent.diameter_m, distance, split.error_factor);
     return;
@@ -137,9 +140,9 @@ std::vector<OpeningCell> cells_of(const PlacedLuminaire& luminaire, const glm::d
       is_fine ? luminaire.web->sketch().finest_rad() : std::numeric_limits<double>::infinity();
   const bool is_narrow = std::isfinite(finest_rad);
   const double largest_ratio = is_narrow ? std::min(1.0, kPartOfBeam * finest_rad) : 1.0;
-  const SplitOpening split{luminaire,     view_from(luminaire, position_m),
-                           position_m,    error_factor,
-                           largest_ratio, is_narrow};
+  const SplitOpening split{luminaire,  view_from(luminaire, position_m),
+                           position_m, error_factor,
+                           is_narrow,  largest_ratio};
   const double size_m = glm::length(luminaire.opening.size_m());
   const double distance_m = glm::length(luminaire.position_m - position_m);
   std::vector<OpeningCell> cells;

@@ -33,7 +33,7 @@ inline constexpr double kLargestPatch = 0.7;
 // parts are no larger, seen from the point, than the first; up to the others one place and five
 // tell enough; and what is not seen may be that share of the most that could be. The CPU alone
 // (has_fine_beams()).
-inline constexpr double kPartOfBeam = 1.5, kOnePlaceOfBeam = 0.2, kFivePlacesOfBeam = 0.8;
+inline constexpr double kPartOfBeam = 2.0, kOnePlaceOfBeam = 0.2, kFivePlacesOfBeam = 0.8;
 inline constexpr double kUnseenOfBeam = 0.02;
 
 }  // namespace calc

@@ -67,9 +67,10 @@ class OpeningPatch {
     const double size_m = 2.0 * std::sqrt(glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_));
     ratio_ = size_m / glm::length(centre_m_ - receiver.position_m);
     beam_rad_ = luminaire.web->sketch().finest_rad();
-    most_cd_ = is_narrow()
-                   ? most_intensity_cd(luminaire, centre_m_, 0.5 * size_m, receiver.position_m)
-                   : luminaire.web->max_intensity_cd() * luminaire.flux_scale;
+    most_cd_ =
+        is_narrow()
+            ? intensities_towards(luminaire, centre_m_, 0.5 * size_m, receiver.position_m).most_cd
+            : luminaire.web->max_intensity_cd() * luminaire.flux_scale;
   }
 
   bool is_narrow() const { return std::isfinite(beam_rad_); }
@@ -194,15 +195,20 @@ class OpeningPatch {
   // Smooth light differs from the polynomial by about the square of the ratio; that of a beam as
   // wide as the part, by all that it is.
   void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
-    const double bent = is_narrow() ? std::min(1.0, ratio_ * ratio_ / (4.0 * beam_rad_ * beam_rad_))
-                                    : ratio_ * ratio_;
-    rest_lx_ = bent * (highest_lx - lowest_lx) + kPatchFloor * highest_lx + unseen_lx(receiver);
+    rest_lx_ = (is_narrow() ? of_beam() : ratio_ * ratio_) * (highest_lx - lowest_lx) +
+               kPatchFloor * highest_lx + unseen_lx(receiver);
+  }
+
+  double of_beam() const {
+    const double share = 0.5 * ratio_ / beam_rad_;
+    return std::min(1.0, share * share);
   }
 
   // What places may have missed.
   double unseen_lx(const Receiver& receiver) const {
-    const double floor = is_narrow() ? kUnseenOfBeam : kUnseenFloor;
-    return (floor + luminaire_.web->sketch().largest_error_share()) * most_lx(receiver);
+    const double floor = is_narrow() ? kUnseenOfBeam * of_beam() : 0.0;
+    return (std::max(floor, kUnseenFloor) + luminaire_.web->sketch().largest_error_share()) *
+           most_lx(receiver);
   }
 
   // At its largest intensity, head-on.

@@ -2,7 +2,6 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "calc/photometry/web_sketch.h"
 
 #include <algorithm>
 #include <array>
@@ -85,17 +84,18 @@ bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point
   }
 }
 
-double most_intensity_cd(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
-                         double radius_m, const glm::dvec3& point_m) {
+WebSketch::Band intensities_towards(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
+                                    double radius_m, const glm::dvec3& point_m) {
   const glm::dvec3 way_m = glm::transpose(luminaire.world_from_luminaire) * (point_m - place_m);
   const double distance_m = glm::length(way_m);
   const PhotometricWeb& web = *luminaire.web;
-  if (!(radius_m < distance_m)) return luminaire.flux_scale * web.max_intensity_cd();
+  if (!(radius_m < distance_m)) return {luminaire.flux_scale * web.max_intensity_cd(), true};
   const glm::dvec3 way = way_m / distance_m;
   const double gamma_rad = angles_of(web.to_table({way.x, way.y, way.z})).gamma_rad;
   const double around_rad = calc::asin(radius_m / distance_m);
-  return luminaire.flux_scale *
-         web.sketch().most_cd(gamma_rad - around_rad, gamma_rad + around_rad);
+  WebSketch::Band band = web.sketch().band(gamma_rad - around_rad, gamma_rad + around_rad);
+  band.most_cd *= luminaire.flux_scale;
+  return band;
 }
 
 double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards) {

@@ -2,6 +2,7 @@
 // A luminaire's luminous opening as seen from outside: points on it, and how much of the
 // luminaire's light each of them sends somewhere.
 
+#include "calc/photometry/web_sketch.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
@@ -23,9 +24,10 @@ glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t)
 bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point_m,
                        double distance_m);
 
-// No more leaves any place of the opening within radius_m of the given one for the point, cd.
-double most_intensity_cd(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
-                         double radius_m, const glm::dvec3& point_m);
+// What leaves places of the opening within radius_m of the given one for the point, as far as the
+// table's angles gamma tell, cd.
+WebSketch::Band intensities_towards(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
+                                    double radius_m, const glm::dvec3& point_m);
 
 // Area (m2) of the opening's outline seen from far away in the unit direction `towards`: 0 of a
 // point, and of a flat opening edge-on.

@@ -259,7 +259,7 @@ TEST(TheAverageBesideAnOpenUniformity, IsOfTheLooksInWhichAllPointsTookPart) {
   RecordProperty("average", std::to_string(mean.mean));
   RecordProperty("missed", missed);
   EXPECT_GT(narrowed, kPlanes / 2);
-  EXPECT_NEAR(mean.mean, 300.0, 4.0 * mean.standard_error);
+  EXPECT_NEAR(mean.mean, 300.0, 0.005 * 300.0);  // it ends sooner where the average is low
   EXPECT_LE(missed, kMostWrong);
   EXPECT_EQ(failed, 0);
 }

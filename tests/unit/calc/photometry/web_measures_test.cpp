@@ -211,8 +211,8 @@ TEST(NarrowestBeam, IsAboutItsHalfWidth) {
   for (const double half : {0.5, 1.0, 2.0, 5.0, 8.0}) {
     const auto top_hat = [half](double, double g) { return g <= half ? 1.0 : 0.0; };
     const double found = narrowest({0}, angle_steps(0, 90, 0.1), top_hat);
-    EXPECT_GT(found, 0.6 * half);
-    EXPECT_LT(found, 1.5 * half);
+    EXPECT_GT(found, 0.5 * half);
+    EXPECT_LT(found, 1.2 * half);
   }
 }
 

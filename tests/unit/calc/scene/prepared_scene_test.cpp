@@ -145,7 +145,7 @@ TEST(PreparedScene, WhatLiesBeyondAClosedRoomIsLeftOut) {
   space.bodies.push_back(wall(-0.1));
   const PreparedScene scene = prepare_scene(project, space);
   EXPECT_EQ(scene.triangle.size(), 2u);
-  EXPECT_LT(scene.ray_offset_m(), 8.0 * alone.ray_offset_m());
+  EXPECT_LT(scene.ray_offset_m(), 16.0 * alone.ray_offset_m());
 }
 
 TEST(PreparedScene, TrianglesKnowTheirReflectanceAndBody) {
