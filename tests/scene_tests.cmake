@@ -48,6 +48,7 @@ luxgate_test(scene_tests
     unit/calc/scene/housing_mesh_test.cpp
     unit/calc/scene/housing_several_test.cpp
     unit/calc/scene/housing_test.cpp
+    unit/calc/scene/joined_openings_test.cpp
     unit/calc/scene/opening_fit_test.cpp
     unit/calc/scene/plane_place_test.cpp
     unit/calc/project/point_list_csv_test.cpp

@@ -1,10 +1,12 @@
 #include "calc/glare/room_ugr.h"
 
+#include "calc/base/elementary.h"
 #include "calc/base/glare_limits.h"
 #include "calc/base/sentences.h"
 #include "calc/base/units.h"
 #include "calc/glare/mean_luminance.h"
 #include "calc/glare/ugr_table.h"
+#include "calc/scene/joined_openings.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -117,17 +120,59 @@ std::string why_misplaced(const Luminaire& luminaire, const Space& space, const 
   return is_inside ? "" : say<Sentence::ugr_table_outside>(luminaire.id);
 }
 
+bool shines_down(const Luminaire& luminaire, const PhotometricWeb& web) {
+  const bool is_upright = luminaire.world_from_luminaire[2].z > 0.0;
+  return (is_upright ? web.zonal_flux_lm(0.0, 0.5 * kPi) : web.zonal_flux_lm(0.5 * kPi, kPi)) > 0.0;
+}
+
+// The most that eyes below see of it, whatever way they look.
+double seen_area_m2(const Luminaire& luminaire, const PhotometricWeb& web) {
+  constexpr int kGammas = 6, kPlanes = 24;  // of 15 degrees
+  const double down = luminaire.world_from_luminaire[2].z > 0.0 ? -1.0 : 1.0;
+  const MeanLuminance opening(web);
+  double most_m2 = 0.0;
+  for (int g = 0; g <= kGammas; ++g) {
+    const double gamma = 0.5 * kPi * g / kGammas;
+    for (int p = 0; p < kPlanes; ++p) {
+      const double c = 2.0 * kPi * p / kPlanes;
+      most_m2 = std::max(
+          most_m2, opening.area_m2({calc::sin(gamma) * calc::cos(c),
+                                    calc::sin(gamma) * calc::sin(c), down * calc::cos(gamma)}));
+    }
+  }
+  return most_m2;
+}
+
 // Why its opening is none for the formula; "" = it is one, or nobody sees it.
 std::string why_unfit(const Luminaire& luminaire, const PhotometricWeb& web) {
-  const bool is_upright = luminaire.world_from_luminaire[2].z > 0.0;
-  const double below_lm =
-      is_upright ? web.zonal_flux_lm(0.0, 0.5 * kPi) : web.zonal_flux_lm(0.5 * kPi, kPi);
-  if (!(below_lm > 0.0)) return {};
-  const double area_m2 = MeanLuminance(web).area_m2({0.0, 0.0, is_upright ? -1.0 : 1.0});
+  if (!shines_down(luminaire, web)) return {};
+  const double area_m2 = seen_area_m2(luminaire, web);
   if (!(area_m2 > 0.0)) return say<Sentence::ugr_table_no_area>(luminaire.id);
   return area_m2 > kLargestGlareSource_m2
              ? say<Sentence::ugr_table_too_large>(luminaire.id, area_m2, kLargestGlareSource_m2)
              : "";
+}
+
+// The same of openings that make one, as the tiles of a luminous ceiling do.
+std::string why_joined_unfit(const Project& project, const std::vector<const Luminaire*>& lit) {
+  std::vector<OpeningInPlace> openings;
+  std::vector<const Luminaire*> of;
+  for (const Luminaire* luminaire : lit) {
+    const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire->type].web];
+    if (!shines_down(*luminaire, web)) continue;
+    openings.push_back({luminaire->position_m, luminaire->world_from_luminaire, web.opening()});
+    of.push_back(luminaire);
+  }
+  for (const JoinedOpening& joined : joined_openings(openings)) {
+    double area_m2 = 0.0;
+    for (const std::size_t i : joined.members) {
+      area_m2 += seen_area_m2(*of[i], project.webs[project.luminaire_types[of[i]->type].web]);
+    }
+    if (area_m2 <= kLargestGlareSource_m2) continue;
+    return say<Sentence::ugr_table_joined>(joined.members.size(), of[joined.members.front()]->id,
+                                           area_m2, kLargestGlareSource_m2);
+  }
+  return {};
 }
 
 // Give the same light in the same direction from the same height, but for what nobody sees.
@@ -143,6 +188,7 @@ bool are_alike(const Kind& kind, const Kind& other) {
 std::vector<Kind> kinds_of(const Project& project, const Space& space, const LightScene* scene,
                            const Rectangle& room, std::string& problem) {
   std::vector<Kind> kinds;
+  std::vector<const Luminaire*> lit;
   for (const Luminaire& luminaire : space.luminaires) {
     const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
     const double flux_scale =
@@ -164,7 +210,10 @@ std::vector<Kind> kinds_of(const Project& project, const Space& space, const Lig
     }
     Kind& found = same == kinds.end() ? kinds.emplace_back(std::move(kind)) : *same;
     found.place_m.push_back(room.place_m(luminaire.position_m));
+    lit.push_back(&luminaire);
   }
+  problem = why_joined_unfit(project, lit);
+  if (!problem.empty()) return {};
   return kinds;
 }
 

@@ -33,7 +33,8 @@ struct RoomUgr {
 };
 
 // The method is for rectangular rooms with a ceiling, and for luminaires in the room that hang
-// level, above the eyes, with a luminous area of at most 1.5 m2, those of one photometry and height
+// level, above the eyes, with a luminous area of at most 1.5 m2 as eyes below
+// see it, those that touch together unless they make a line, those of one photometry and height
 // in rows and columns spread evenly over the room: no gap between two, nor twice that to a wall, is
 // more than half as wide again as if they were spread exactly. Walls, luminaires and dimming only,
 // not what stands in the room.

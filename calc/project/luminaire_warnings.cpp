@@ -9,6 +9,7 @@
 #include "calc/scene/luminaire_sums.h"
 #include "calc/scene/opening_fit.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/scene_level.h"
 #include "calc/scene/solids.h"
 
 #include <fmt/format.h>
@@ -68,17 +69,23 @@ void warn_luminaires_outside_mesh(const Space& room, const Body& shell, Diagnost
 }
 
 // In a wall, the floor or the ceiling, and turned the wrong way.
+bool is_surface_that_faces_out(const Project& project, const Space& room,
+                               const Luminaire& luminaire) {
+  constexpr double kBefore_m = 0.01;
+  const LuminaireType& type = project.luminaire_types[luminaire.type];
+  const bool is_surface = type.photometry_file.empty();  // all others come from a file
+  if (!is_surface || !room_contains(*room.shell, luminaire.position_m)) return false;
+  return !room_contains(*room.shell,
+                        luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2]);
+}
+
 void warn_surfaces_that_face_out(const Project& project, const Space& room,
                                  Diagnostics& diagnostics) {
-  constexpr double kBefore_m = 0.01;
   PerElement outwards;
   for (const Luminaire& luminaire : room.luminaires) {
-    const LuminaireType& type = project.luminaire_types[luminaire.type];
-    const bool is_surface = type.photometry_file.empty();  // all others come from a file
-    if (!is_surface || !room_contains(*room.shell, luminaire.position_m)) continue;
-    const glm::dvec3 before_m =
-        luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
-    if (!room_contains(*room.shell, before_m)) outwards.add(luminaire.id, luminaire.where);
+    if (is_surface_that_faces_out(project, room, luminaire)) {
+      outwards.add(luminaire.id, luminaire.where);
+    }
   }
   outwards.report([&](const FirstOfElement& first) {
     diagnostics.report(DiagnosticId::luminous_surface_faces_out, first.where, first.id,
@@ -104,20 +111,27 @@ std::vector<glm::dvec3> opening_edge_m(const LuminousOpening& opening, const Lum
   return edge;
 }
 
+// How far the opening of one whose centre is within the room reaches out of it; 0 within what
+// projects, which are written in millimetres, have from rounding.
+double reach_outside_m(const Project& project, const Space& room, const Luminaire& luminaire) {
+  constexpr double kTolerated_m = 1.0e-3;
+  const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+  double farthest_m = 0.0;
+  for (const glm::dvec3& point_m : opening_edge_m(web.opening(), luminaire)) {
+    farthest_m = std::max(farthest_m, distance_outside_m(*room.shell, point_m));
+  }
+  return farthest_m > kTolerated_m ? farthest_m : 0.0;
+}
+
 // Those whose centre is within the room: of all others everything is said already.
 void warn_luminaires_partly_outside(const Project& project, const Space& room,
                                     Diagnostics& diagnostics) {
-  constexpr double kTolerated_m = 1.0e-3;  // projects are written in millimetres
   PerElement partly;
   std::map<std::pair<int, int>, double> reach_m;  // the farthest of each element
   for (const Luminaire& luminaire : room.luminaires) {
     if (!room_contains(*room.shell, luminaire.position_m)) continue;
-    const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
-    double farthest_m = 0.0;
-    for (const glm::dvec3& point_m : opening_edge_m(web.opening(), luminaire)) {
-      farthest_m = std::max(farthest_m, distance_outside_m(*room.shell, point_m));
-    }
-    if (farthest_m <= kTolerated_m) continue;
+    const double farthest_m = reach_outside_m(project, room, luminaire);
+    if (farthest_m == 0.0) continue;
     partly.add(luminaire.id, luminaire.where);
     double& reach = reach_m[{luminaire.where.line, luminaire.where.column}];
     reach = std::max(reach, farthest_m);
@@ -141,6 +155,14 @@ bool reaches_into_solid(const LuminousOpening& opening, const Luminaire& luminai
     if (locate_point(body, box, inner_m) == SolidSide::inside) return true;
   }
   return false;
+}
+
+// An opening in its very surface may look into it.
+bool is_in_solid(const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
+  constexpr double kBefore_m = 1.0e-3;
+  const glm::dvec3 before_m = luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
+  return locate_point(body, box, luminaire.position_m) == SolidSide::inside ||
+         locate_point(body, box, before_m) == SolidSide::inside;
 }
 
 // What both of the next look for: calls visit(luminaire, body, its box) for the luminaires that may
@@ -174,7 +196,7 @@ void warn_luminaires_partly_in_solids(const Project& project, const Space& space
   for_each_near_solid(
       project, space, [&](const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
         const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
-        if (locate_point(body, box, luminaire.position_m) == SolidSide::inside) return;
+        if (is_in_solid(luminaire, body, box)) return;
         if (!reaches_into_solid(web.opening(), luminaire, body, box)) return;
         partly.add(luminaire.id, luminaire.where);
         solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
@@ -191,14 +213,7 @@ void warn_luminaires_in_solids(const Project& project, const Space& space,
   std::map<std::pair<int, int>, std::string> solid;
   for_each_near_solid(project, space,
                       [&](const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
-                        // An opening in its very surface may look into it.
-                        constexpr double kBefore_m = 1.0e-3;
-                        const glm::dvec3 before_m =
-                            luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
-                        if (locate_point(body, box, luminaire.position_m) != SolidSide::inside &&
-                            locate_point(body, box, before_m) != SolidSide::inside) {
-                          return;
-                        }
+                        if (!is_in_solid(luminaire, body, box)) return;
                         buried.add(luminaire.id, luminaire.where);
                         solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
                       });
@@ -413,6 +428,40 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
   warn_coincident_luminaires(project, space, diagnostics);
   warn_lamp_tilts(project, space, diagnostics);
   warn_cut_openings(project, space, diagnostics);
+}
+
+const Luminaire* luminaire_of_lost_light(const Project& project, const Space& space,
+                                         const LightScene* scene) {
+  const auto is_lit = [&](const Luminaire& luminaire) {
+    return level_in_scene(scene, luminaire.group) > 0.0;
+  };
+  const Body* around = nullptr;
+  for (const Body& body : space.bodies) {
+    if (body.encloses_room) around = &body;
+  }
+  for (const Luminaire& luminaire : space.luminaires) {
+    if (!is_lit(luminaire)) continue;
+    if (space.shell && (!room_contains(*space.shell, luminaire.position_m) ||
+                        reach_outside_m(project, space, luminaire) > 0.0 ||
+                        is_surface_that_faces_out(project, space, luminaire))) {
+      return &luminaire;
+    }
+    if (around != nullptr && locate_point(*around, bounding_box(around->vertex_m),
+                                          luminaire.position_m) == SolidSide::outside) {
+      return &luminaire;
+    }
+  }
+  const Luminaire* in_solid = nullptr;
+  for_each_near_solid(
+      project, space, [&](const Luminaire& luminaire, const Body& body, const BoundingBox& box) {
+        if (in_solid != nullptr || !is_lit(luminaire)) return;
+        const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+        if (is_in_solid(luminaire, body, box) ||
+            reaches_into_solid(web.opening(), luminaire, body, box)) {
+          in_solid = &luminaire;
+        }
+      });
+  return in_solid;
 }
 
 }  // namespace calc

@@ -147,7 +147,11 @@ class GlareEye {
  public:
   GlareEye(const Tracer& tracer, const Receiver& receiver, bool has_shadows,
            std::span<GlareSum> sums)
-      : tracer_(tracer), receiver_(receiver), has_shadows_(has_shadows), sums_(sums) {}
+      : tracer_(tracer),
+        receiver_(receiver),
+        has_shadows_(has_shadows),
+        sums_(sums),
+        seen_sr_(tracer.scene().luminaires.size(), 0.0) {}
 
   void add(std::size_t index_of_luminaire) {
     const PlacedLuminaire& luminaire = tracer_.scene().luminaires[index_of_luminaire];
@@ -175,6 +179,7 @@ class GlareEye {
         proof != Sight::hidden && luminaire.opening.shape != OpeningShape::point;
     if (!is_large && !is_seen && !may_be_seen) return;
     if (!(sight.all > 0.0)) return;  // hidden, or a body turned away
+    seen_sr_[index_of_luminaire] = std::min(1.0, sight.open / sight.all) * solid_angle_sr;
     const bool has_area = area_m2 > 0.0;
     if (!has_area && is_seen) note_doubt(luminaire, GlareProblem::no_area, 0.0);
     const double squares = cd * cd / ((has_area ? area_m2 : kSmallestGlareSource_m2) * r2);
@@ -192,6 +197,17 @@ class GlareEye {
       found.value = squares * sight.sure_open / static_cast<double>(sight.facing);
     }
     add(luminaire, found);
+  }
+
+  // After all luminaires.
+  void add_joined(const JoinedOpening& joined) {
+    double sum_sr = 0.0;
+    for (const std::size_t l : joined.members) sum_sr += seen_sr_[l];
+    if (!(sum_sr > kLargestGlareSource_sr)) return;
+    for (const std::size_t l : joined.members) {
+      const PlacedLuminaire& luminaire = tracer_.scene().luminaires[l];
+      if (seen_sr_[l] > 0.0) note_doubt(luminaire, GlareProblem::too_large, sum_sr);
+    }
   }
 
   std::uint64_t rays() const { return rays_; }
@@ -311,6 +327,7 @@ class GlareEye {
   const Receiver& receiver_;
   bool has_shadows_;
   std::span<GlareSum> sums_;
+  std::vector<double> seen_sr_;  // [luminaire]: of what counts, and is seen
   std::uint64_t rays_ = 0;
 };
 
@@ -322,10 +339,20 @@ bool is_behind(const PlacedLuminaire& luminaire, const Receiver& eye) {
 }
 
 std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,
+                                std::span<const JoinedOpening> joined,
                                 std::span<GlareSum> channel_sums) {
   GlareEye eye(tracer, receiver, has_shadows, channel_sums);
   for (std::size_t l = 0; l < tracer.scene().luminaires.size(); ++l) eye.add(l);
+  for (const JoinedOpening& one : joined) eye.add_joined(one);
   return eye.rays();
+}
+
+std::vector<JoinedOpening> joined_luminaires(const PreparedScene& scene) {
+  std::vector<OpeningInPlace> openings;
+  for (const PlacedLuminaire& luminaire : scene.luminaires) {
+    openings.push_back({luminaire.position_m, luminaire.world_from_luminaire, luminaire.opening});
+  }
+  return joined_openings(openings);
 }
 
 }  // namespace calc

@@ -30,6 +30,7 @@
 #include "calc/base/glare_limits.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/scene/joined_openings.h"
 
 #include <glm/glm.hpp>
 
@@ -52,7 +53,13 @@ struct GlareSum {
   std::vector<GlareDoubt> doubts;             // of every problem the first one, see GlareField
 };
 // receiver: planar, its axis the direction that the eye looks in. Returns the rays traced.
+// joined: joined_luminaires() of the scene.
 std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,
+                                std::span<const JoinedOpening> joined,
                                 std::span<GlareSum> channel_sums);
+
+// Luminaires whose openings touch, by their places in the scene: where what an eye sees of them is
+// more than 0.1 sr, they are a source too large, whatever each of them is.
+std::vector<JoinedOpening> joined_luminaires(const PreparedScene& scene);
 
 }  // namespace calc

@@ -89,9 +89,10 @@ void PlaneWork::add_exact(DirectTracer* direct, double deadline_s, SolveTimes& t
 
 void PlaneWork::add_glare(double deadline_s) {
   std::vector<GlareSum> sums(points() * channels());  // [point][channel]
+  const std::vector<JoinedOpening> joined = joined_luminaires(tracer_.scene());
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
-    return add_glare_sources(tracer_, receiver_[i], has_shadows(),
+    return add_glare_sources(tracer_, receiver_[i], has_shadows(), joined,
                              std::span(sums).subspan(i * channels(), channels()));
   });
   GlareField& glare = field_.glare;

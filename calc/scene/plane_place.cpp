@@ -1,7 +1,9 @@
 #include "calc/scene/plane_place.h"
 
+#include "calc/scene/polygon.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
+#include "calc/scene/solids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +85,85 @@ bool faces_away(const Project& project, const Space& space, const CalcPlane& pla
     }
   }
   return true;
+}
+
+namespace {
+
+// Whether the segment runs through the inside of the room, more than a trifle from its surfaces.
+bool runs_through(const RoomShell& shell, const glm::dvec3& from_m, const glm::dvec3& to_m) {
+  constexpr double kTrifle_m = 0.01;
+  constexpr int kPlaces = 64;
+  const double low_m = shell.floor_z_m + kTrifle_m;
+  const double high_m = shell.floor_z_m + shell.height_m - kTrifle_m;
+  double begin = 0.0, end = 1.0;
+  const double up_m = to_m.z - from_m.z;
+  if (up_m == 0.0) {
+    if (from_m.z < low_m || from_m.z > high_m) return false;
+  } else {
+    const double a = (low_m - from_m.z) / up_m, b = (high_m - from_m.z) / up_m;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+    if (!(begin < end)) return false;
+  }
+  for (int k = 0; k < kPlaces; ++k) {
+    const glm::dvec2 at(from_m + (begin + (end - begin) * (k + 0.5) / kPlaces) * (to_m - from_m));
+    if (contains_point(shell.footprint_m, at) &&
+        distance_to_boundary(shell.footprint_m, at) > kTrifle_m) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+const Space* room_between(const Project& project, const Space& open_space,
+                          const std::vector<glm::dvec3>& points_m, const LightScene* scene) {
+  constexpr std::size_t kMostPoints = 256;
+  constexpr double kTrifle = 0.01;
+  BoundingBox light;
+  for (const glm::dvec3& point : points_m) light.add(point);
+  for (const Luminaire& luminaire : open_space.luminaires) light.add(luminaire.position_m);
+  std::vector<const Space*> rooms;
+  for (const Space& room : project.spaces) {
+    if (!room.shell) continue;
+    BoundingBox box;
+    for (const glm::dvec2& corner : room.shell->footprint_m) {
+      box.add({corner, room.shell->floor_z_m});
+      box.add({corner, room.shell->floor_z_m + room.shell->height_m});
+    }
+    if (glm::all(glm::lessThan(box.lower, light.upper)) &&
+        glm::all(glm::greaterThan(box.upper, light.lower))) {
+      rooms.push_back(&room);
+    }
+  }
+  if (rooms.empty()) return nullptr;
+  const std::size_t apart = (points_m.size() + kMostPoints - 1) / kMostPoints;
+  for (std::size_t i = 0; i < points_m.size(); i += apart) {
+    double all_lx = 0.0, hidden_lx = 0.0;
+    const Space* hiding = nullptr;
+    for (const Luminaire& luminaire : open_space.luminaires) {
+      const glm::dvec3 way_m = points_m[i] - luminaire.position_m;
+      const double distance2 = glm::dot(way_m, way_m);
+      if (!(distance2 > 0.0)) continue;
+      const glm::dvec3 out =
+          glm::transpose(luminaire.world_from_luminaire) * (way_m / std::sqrt(distance2));
+      const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+      const double lx = web.intensity_cd({out.x, out.y, out.z}) *
+                        installed_flux_scale(project, luminaire) *
+                        level_in_scene(scene, luminaire.group) / distance2;
+      if (!(lx > 0.0)) continue;
+      all_lx += lx;
+      const auto found = std::find_if(rooms.begin(), rooms.end(), [&](const Space* room) {
+        return runs_through(*room->shell, luminaire.position_m, points_m[i]);
+      });
+      if (found == rooms.end()) continue;
+      hidden_lx += lx;
+      hiding = *found;
+    }
+    if (hidden_lx > kTrifle * all_lx) return hiding;
+  }
+  return nullptr;
 }
 
 }  // namespace calc

@@ -28,4 +28,11 @@ double opening_reach_m(const LuminousOpening& opening, const Luminaire& luminair
 bool faces_away(const Project& project, const Space& space, const CalcPlane& plane,
                 const LightScene* scene = nullptr);
 
+// Of the rooms, which throw no shadow in the open space, one that stands between a lit luminaire of
+// it and one of the points, where that luminaire would give more than a hundredth of what all of
+// them do by intensity and distance. Asked of at most some hundred points, spread over all. Null:
+// none does.
+const Space* room_between(const Project& project, const Space& open_space,
+                          const std::vector<glm::dvec3>& points_m, const LightScene* scene);
+
 }  // namespace calc

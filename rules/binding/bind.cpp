@@ -5,9 +5,11 @@
 #include "calc/glare/field_glare.h"
 #include "calc/glare/room_ugr.h"
 #include "calc/project/former_ids.h"
+#include "calc/project/luminaire_warnings.h"
 #include "calc/road/road_values.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
+#include "calc/scene/plane_place.h"
 #include "calc/scene/scene_level.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/luminaire_values.h"
@@ -73,18 +75,39 @@ class ElementsOnce {
   std::set<std::tuple<std::string, int, int, std::string>> wrong_;
 };
 
-// Of a luminaire that is on: where its table ends in the light nobody knows what it sends beyond.
-// "" = of none.
-std::string light_beyond_tables(const calc::Project& project, const calc::Space& space,
-                                const calc::LightScene* scene) {
+// Why light is not what is calculated: it may be more, or it may be more or less.
+struct OtherLight {
+  std::string missing, unsure;  // "" = it is as calculated
+};
+
+// Of a luminaire that is on: where its table ends in the light nobody knows what it sends beyond;
+// with a flux of its own nor what it sends within, as the table has nobody knows what share of it.
+OtherLight light_beyond_tables(const calc::Project& project, const calc::Space& space,
+                               const calc::LightScene* scene) {
+  OtherLight other;
   for (const calc::Luminaire& luminaire : space.road ? space.road->rows : space.luminaires) {
     const calc::LuminaireType& type = project.luminaire_types[luminaire.type];
     const double share = project.webs[type.web].source().open_end_share;
-    if (share > 0.0 && calc::level_in_scene(scene, luminaire.group) > 0.0) {
-      return calc::say<calc::Sentence::light_beyond_table>(type.id, 100.0 * share);
+    if (!(share > 0.0) || !(calc::level_in_scene(scene, luminaire.group) > 0.0)) continue;
+    if (other.missing.empty()) {
+      other.missing = calc::say<calc::Sentence::light_beyond_table>(type.id, 100.0 * share);
+    }
+    if (type.flux_scale != 1.0) {
+      other.unsure = calc::say<calc::Sentence::flux_of_part_of_table>(type.id, 100.0 * share);
+      break;
     }
   }
-  return {};
+  return other;
+}
+
+OtherLight other_light(const calc::Project& project, const calc::Space& space,
+                       const calc::LightScene* scene) {
+  OtherLight other = light_beyond_tables(project, space, scene);
+  if (!other.missing.empty()) return other;
+  if (const calc::Luminaire* lost = calc::luminaire_of_lost_light(project, space, scene)) {
+    other.missing = calc::say<calc::Sentence::light_is_lost>(lost->id);
+  }
+  return other;
 }
 
 // What is known of a space before any light.
@@ -128,11 +151,20 @@ class SpaceValues {
          [&]() -> const PlanePoints& { return points_of(plane); }},
         requirement);
   }
-  // Requirement::missing_light.
-  const std::string& missing_light(const std::string& scene) {
-    return known(missing_light_, scene, [&](const calc::LightScene* levels) {
-      return light_beyond_tables(project_, space_, levels);
+  // Requirement::missing_light and unsure_light, of a plane of the space.
+  OtherLight other_light_on(const calc::CalcPlane& plane, const std::string& scene) {
+    OtherLight other = known(other_light_, scene, [&](const calc::LightScene* levels) {
+      return other_light(project_, space_, levels);
     });
+    if (!other.unsure.empty() || !space_.is_open_space()) return other;
+    const std::vector<glm::dvec3>& points_m = points_of(plane).position_m;
+    const calc::Space* hiding = known(hiding_, scene, [&](const calc::LightScene* levels) {
+      return calc::room_between(project_, space_, points_m, levels);
+    });
+    if (hiding != nullptr) {
+      other.unsure = calc::say<calc::Sentence::room_throws_no_shadow>(hiding->id);
+    }
+    return other;
   }
   std::size_t luminaires() const { return space_.luminaires.size(); }
   // Null: the space is no road.
@@ -172,6 +204,7 @@ class SpaceValues {
     if (plane_ == &plane) return points_;
     plane_ = &plane;
     veiling_.clear();
+    hiding_.clear();
     calc::Diagnostics said;  // where the plane is made to be calculated
     const auto grid = calc::make_sensor_grid(plane, space_, said);
     points_ = grid ? PlanePoints{grid->position_m, grid->normal} : PlanePoints{};
@@ -189,7 +222,8 @@ class SpaceValues {
   const calc::CalcPlane* heights_of_ = nullptr;  // the same
   std::vector<MountingHeight> heights_;
   std::map<std::string, calc::Estimate> veiling_;     // by scene
-  std::map<std::string, std::string> missing_light_;  // by scene
+  std::map<std::string, OtherLight> other_light_;     // by scene
+  std::map<std::string, const calc::Space*> hiding_;  // by scene, of one plane after the other
 
  public:
   const calc::InstalledPower power;
@@ -322,7 +356,9 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
       if (is_about_space(requirement.metric)) set_space_value(of_space, plane, requirement);
       if (is_of_light(requirement.metric)) {
-        requirement.missing_light = of_space.missing_light(requirement.scene);
+        OtherLight other = of_space.other_light_on(plane, requirement.scene);
+        requirement.missing_light = std::move(other.missing);
+        requirement.unsure_light = std::move(other.unsure);
       }
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);

@@ -94,6 +94,8 @@ struct Requirement {
   // Why the light that it is of may be more than what is calculated; "" = it is all there. Nothing
   // passes then that more light could fail.
   std::string missing_light{};
+  // The same of light that may be less, or more or less: nothing passes at all.
+  std::string unsure_light{};
   std::string problem;  // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;

@@ -596,7 +596,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   result.is_cut_off =
       field.is_cut_off && !requirement.direct_only && !is_of_space(requirement.metric);
   if (result.is_cut_off) result.despite_doubt.reset();  // it could prove too little light
-  result.has_missing_light = !requirement.missing_light.empty();
+  result.has_missing_light =
+      !requirement.missing_light.empty() || !requirement.unsure_light.empty();
   return result;
 }
 

@@ -47,7 +47,7 @@ struct Measurement {
 
   // The light that it is of is too little by nobody knows how much, see PlaneField::is_cut_off.
   bool is_cut_off = false;
-  // It may be more than is calculated, see Requirement::missing_light.
+  // It may be other than is calculated, see Requirement::missing_light and unsure_light.
   bool has_missing_light = false;
 
   bool has_doubtful_points() const { return unseen_points > 0 || single_sample_points > 0; }

@@ -149,5 +149,26 @@ TEST(PointProblem, PlaneIsNotJudgedAndPicturesMayStillAsk) {
   EXPECT_EQ(problem(), "");
 }
 
+// In a scene of kilometres rays begin millimetres off an opening.
+TEST(SourceProblem, NamesWhatRaysWouldPass) {
+  const calc::PhotometricWeb down = lambert_web(1000, 9);
+  const auto problem = [&](double below_m, double size_m) {
+    calc::PreparedScene scene;
+    scene.channels = {{"", 1.0}};
+    add_luminaire(scene, down, {0, 0, 6});
+    add_quad(scene, {-0.3, -0.3, 6 - below_m}, {0.6, 0, 0}, {0, 0.6, 0}, 0.0);
+    set_extent(scene);
+    scene.body_id = {"shield"};
+    scene.extent_m = size_m;
+    return calc::source_problem(calc::Tracer(scene));
+  };
+  EXPECT_NE(problem(0.004, 3000.0).find("'shield' is 0.004 m before the luminaire at (0 0 6) m"),
+            std::string::npos);
+  EXPECT_EQ(problem(0.004, 30.0), "");
+  EXPECT_EQ(problem(0.04, 3000.0), "");
+  EXPECT_EQ(problem(0.0, 3000.0), "") << "a ceiling that it is flush with";
+  EXPECT_EQ(problem(-0.004, 3000.0), "") << "above it, where it sends no light";
+}
+
 }  // namespace
 }  // namespace point_problem_test

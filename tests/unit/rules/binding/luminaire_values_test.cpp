@@ -348,6 +348,76 @@ TEST(LuminaireValue, LightBeyondATableIsMissing) {
   EXPECT_THAT(missing("0 90", "100 50", 2), ElementsAre("", "", "", "")) << "by LM-63 dark above";
 }
 
+// A flux of one's own makes light of a part of the table: it may be less as well.
+TEST(LuminaireValue, AFluxForAPartOfATableMakesAllOfItUnsure) {
+  const auto unsure = [](const std::string& flux, const std::string& candelas) {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='1'><luminaire-type id='t' photometry='t.ies'" +
+        flux +
+        "/><luminaire id='l' type='t' position='0 0 3'/>"
+        "<plane id='p' origin='0 0 0' u='1 0 0' v='0 1 0'>"
+        "<require quantity='minimum' at-least='5'/></plane></luxgate>";
+    calc::Diagnostics diagnostics;
+    const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 60", candelas, 2)}});
+    const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    return judged->requirements.at(0).unsure_light;
+  };
+  EXPECT_THAT(unsure(" flux-lm='1000'", "100 50"), HasSubstr("an unknown share"));
+  EXPECT_EQ(unsure(" flux-lm='1000'", "100 0"), "");
+  EXPECT_EQ(unsure("", "100 50"), "");
+}
+
+// What is known to be missing of a lit luminaire, and what is there of an unlit one.
+TEST(LuminaireValue, LightOfLuminairesThatAreNotInTheirRoomIsMissing) {
+  const auto missing = [](const std::string& luminaire, const std::string& scene = "") {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.5'/>"
+        "<luminaire-type id='t' photometry='t.ies'/>"
+        "<scene id='off'><dim group='g' level='0'/></scene>"
+        "<room id='r' size='4 4 3' floor='m' ceiling='m' walls='m'>"
+        "<luminaire id='in' type='t' position='2 2 2.9' group='g'/>"
+        "<box id='cupboard' size='1 1 2' position='3 3 0' material='m'/>" +
+        luminaire +
+        "<plane id='p' origin='1 1 0.5' u='1 0 0' v='0 1 0'>"
+        "<require quantity='maximum' at-most='5'" +
+        scene + "/></plane></room></luxgate>";
+    calc::Diagnostics diagnostics;
+    const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 90", "100 50", 2)}});
+    const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    return judged->requirements.at(0).missing_light;
+  };
+  EXPECT_EQ(missing(""), "");
+  const std::string above = "<luminaire id='l' type='t' position='2 2 3.01' group='g'/>";
+  EXPECT_THAT(missing(above), HasSubstr("luminaire 'l' is outside the room"));
+  EXPECT_EQ(missing(above, " scene='off'"), "");
+  EXPECT_THAT(missing("<luminaire id='l' type='t' position='3.5 3.5 1'/>"), HasSubstr("'l'"));
+  EXPECT_THAT(missing("<quad id='q' origin='1 0 1' u='1 0 0' v='0 0 1' material='m' "
+                      "luminous-exitance='100'/>"),
+              HasSubstr("'q'"))
+      << "in the wall, and shines out";
+}
+
+// The room is 8 m high, between a lamp and the path behind it.
+TEST(LuminaireValue, RoomsInTheWayOfLightMakeItUnsure) {
+  const auto unsure = [](const std::string& lamp, const std::string& plane) {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.5'/>"
+        "<luminaire-type id='t' photometry='t.ies'/>"
+        "<room id='house' size='10 20 8' origin='0 -10 0' floor='m' ceiling='m' walls='m'/>"
+        "<luminaire id='l' type='t' position='" +
+        lamp + "'/><plane id='p' origin='" + plane +
+        "' u='2 0 0' v='0 4 0'><require quantity='minimum' at-least='5'/></plane></luxgate>";
+    calc::Diagnostics diagnostics;
+    const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 180", "100 100", 2)}});
+    const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    return judged->requirements.at(0).unsure_light;
+  };
+  EXPECT_THAT(unsure("-6 0 6", "11 -2 0.01"), HasSubstr("room 'house' stands between"));
+  EXPECT_EQ(unsure("-6 0 6", "-8 -2 0.01"), "") << "before it";
+  EXPECT_EQ(unsure("0 0 4", "-8 -2 0.01"), "") << "on its wall";
+  EXPECT_EQ(unsure("5 0 60", "14 -2 0.01"), "") << "above its roof, and down beside it";
+}
+
 // Of zones the limit is the row's, and of emergency a luminaire is 2 m away at most.
 TEST(LuminaireValue, RowsAskForThem) {
   const Bound zone = bind_plane(kBall,

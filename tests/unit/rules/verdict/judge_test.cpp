@@ -141,6 +141,21 @@ TEST(Judge, WhatIsCutOffIsInNoInterval) {
   EXPECT_EQ(verdict(direct, kLeast), Verdict::fail);
 }
 
+// Light that may be more or less: nothing passes.
+TEST(Judge, NothingPassesOnLightThatIsUnsure) {
+  const auto judge_unsure = [](Requirement requirement, Comparison comparison) {
+    requirement.comparison = comparison;
+    requirement.unsure_light = "a room stands between";
+    const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
+    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.unsure_light : "");
+    return finding.verdict;
+  };
+  constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
+  EXPECT_EQ(judge_unsure(at_least(Metric::average, 400), kLeast), Verdict::undecided);
+  EXPECT_EQ(judge_unsure(at_least(Metric::average, 600), kLeast), Verdict::fail);
+  EXPECT_EQ(judge_unsure(at_least(Metric::maximum, 600), kMost), Verdict::undecided);
+}
+
 // A photometry that ends in the light: more of it would leave these passes, and turn all others.
 // What fails by the light that is known fails.
 TEST(Judge, NothingPassesThatMissingLightCouldFail) {

@@ -1,0 +1,104 @@
+#include "calc/scene/joined_openings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace calc {
+namespace {
+
+constexpr double kOfSide = 0.1;
+constexpr double kParallel = 0.9962;  // cosine of 5 degrees
+
+bool has_sides(const LuminousOpening& opening) {
+  return opening.shape != OpeningShape::point && opening.size_m().x > 0.0 &&
+         opening.size_m().y > 0.0;
+}
+
+// The other one's outline along the axes of the first, from its centre.
+struct Seen {
+  glm::dvec2 low{std::numeric_limits<double>::infinity()};
+  glm::dvec2 high{-std::numeric_limits<double>::infinity()};
+  double above_m = 0.0;
+};
+
+Seen seen_from(const OpeningInPlace& first, const OpeningInPlace& other) {
+  Seen seen;
+  const glm::dvec3 half_m = 0.5 * other.opening.size_m();
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const glm::dvec3 corner_m = other.position_m + x * half_m.x * other.axes[0] +
+                                  y * half_m.y * other.axes[1] - first.position_m;
+      const glm::dvec2 at(glm::dot(corner_m, first.axes[0]), glm::dot(corner_m, first.axes[1]));
+      seen.low = glm::min(seen.low, at);
+      seen.high = glm::max(seen.high, at);
+    }
+  }
+  seen.above_m = std::abs(glm::dot(other.position_m - first.position_m, first.axes[2]));
+  return seen;
+}
+
+double shortest_side_m(const OpeningInPlace& one) {
+  return std::min(one.opening.size_m().x, one.opening.size_m().y);
+}
+
+bool touch(const OpeningInPlace& one, const OpeningInPlace& other) {
+  if (!(std::abs(glm::dot(one.axes[2], other.axes[2])) >= kParallel)) return false;
+  const double near_m = kOfSide * std::min(shortest_side_m(one), shortest_side_m(other));
+  const Seen seen = seen_from(one, other);
+  if (seen.above_m > near_m) return false;
+  const glm::dvec2 half_m = 0.5 * glm::dvec2(one.opening.size_m());
+  const glm::dvec2 apart_m = glm::max(seen.low - half_m, -half_m - seen.high);  // < 0: they overlap
+  return std::max(apart_m.x, apart_m.y) <= near_m && std::min(apart_m.x, apart_m.y) < 0.0;
+}
+
+}  // namespace
+
+std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings) {
+  std::vector<std::size_t> group(openings.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
+  // Along x, so that only near ones are looked at.
+  std::vector<std::size_t> order = group;
+  const auto reach_m = [&](std::size_t i) {
+    return (0.5 + kOfSide) * glm::length(openings[i].opening.size_m());
+  };
+  double most_m = 0.0;
+  for (std::size_t i = 0; i < openings.size(); ++i) most_m = std::max(most_m, reach_m(i));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return openings[a].position_m.x < openings[b].position_m.x;
+  });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const OpeningInPlace& one = openings[order[k]];
+    if (!has_sides(one.opening)) continue;
+    for (std::size_t n = k + 1; n < order.size(); ++n) {
+      const OpeningInPlace& other = openings[order[n]];
+      if (other.position_m.x - one.position_m.x > reach_m(order[k]) + most_m) break;
+      if (!has_sides(other.opening) || !touch(one, other)) continue;
+      const std::size_t a = root(order[k]), b = root(order[n]);
+      group[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::map<std::size_t, JoinedOpening> joined;
+  for (std::size_t i = 0; i < openings.size(); ++i) joined[root(i)].members.push_back(i);
+  std::vector<JoinedOpening> found;
+  for (auto& [first, one] : joined) {
+    if (one.members.size() < 2) continue;
+    Seen all;
+    for (const std::size_t i : one.members) {
+      const Seen seen = seen_from(openings[first], openings[i]);
+      all.low = glm::min(all.low, seen.low);
+      all.high = glm::max(all.high, seen.high);
+    }
+    one.width_m = std::min(all.high.x - all.low.x, all.high.y - all.low.y);
+    if (one.width_m > kWidestLine_m) found.push_back(std::move(one));
+  }
+  return found;
+}
+
+}  // namespace calc
