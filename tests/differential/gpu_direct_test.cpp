@@ -138,8 +138,11 @@ Hall office() {
     hall.add(lambert_web(1000, 9, {OpeningShape::rectangle, 1.2, 0.3, 0.0}),
              {1.0 + 2.0 * (k % 3), k < 3 ? 1.0 : 3.0, 2.8}, k % 2 == 0 ? 0u : 1u);
   }
-  hall.add(crooked_web({OpeningShape::disk, 0.4, 0.2, 0.0}), {3, 2, 2.7}, 1u);
-  hall.add(crooked_web({OpeningShape::rectangle, 0.5, 0.4, 0.0}), {1.5, 3.2, 2.0});
+  const auto crooked = [](const calc::LuminousOpening& opening) {
+    return crooked_web(opening, calc::TableAxis::vertical, 0.0, kNoBeams_cd);
+  };
+  hall.add(crooked({OpeningShape::disk, 0.4, 0.2, 0.0}), {3, 2, 2.7}, 1u);
+  hall.add(crooked({OpeningShape::rectangle, 0.5, 0.4, 0.0}), {1.5, 3.2, 2.0});
   hall.add(lambert_web(300, 18, {OpeningShape::rectangle, 3.0, 0.02, 0.0}), {3, 2, 2.0}, 1u);
   hall.add(lambert_web(300, 18), {2, 2, 2.5});
   set_extent(hall.scene);
@@ -226,12 +229,13 @@ TEST(GlDirect, AddsTheOpeningsOfTheCpu) {
 // Bodies are sampled always.
 TEST(GlDirect, AddsTheBodiesOfTheCpu) {
   LUXGATE_NEEDS_OPENGL();
-  const LampHall hall;
+  const LampHall hall(0.6, false, kNoBeams_cd);
   const calc::Tracer tracer(hall.scene);
   const auto gl = gl_direct();
   const std::vector<calc::Receiver> points = points_in({-4, -3, 0}, {8, 6, 2.3}, 200);
   const std::vector<RandomKey> keys = keys_of(points.size());
   const calc::DirectBatch batch{tracer, points, {}, 0.0};
+  EXPECT_FALSE(calc::has_fine_beams(hall.scene, {}, points)) << "devices know of none";
   const calc::OpeningRounds rounds{1, 3, 2, 4.0};
   const Comparison same = compare(by_cpu(batch, keys, rounds), by_gl(*gl, batch, keys, rounds));
   EXPECT_LE(same.differing, same.values / 200);
