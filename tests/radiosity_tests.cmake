@@ -16,6 +16,7 @@ luxgate_test(radiosity_tests
     analytic/receiver_kernels_test.cpp
     analytic/road_plane_test.cpp
     differential/gatherer_test.cpp
+    differential/random_scenes_test.cpp
     differential/same_bits_test.cpp
     differential/skips_test.cpp
     statistical/coverage_test.cpp
