@@ -439,6 +439,7 @@ const Luminaire* luminaire_of_lost_light(const Project& project, const Space& sp
   for (const Body& body : space.bodies) {
     if (body.encloses_room) around = &body;
   }
+  const BoundingBox box_around = around == nullptr ? BoundingBox{} : bounding_box(around->vertex_m);
   for (const Luminaire& luminaire : space.luminaires) {
     if (!is_lit(luminaire)) continue;
     if (space.shell && (!room_contains(*space.shell, luminaire.position_m) ||
@@ -446,8 +447,8 @@ const Luminaire* luminaire_of_lost_light(const Project& project, const Space& sp
                         is_surface_that_faces_out(project, space, luminaire))) {
       return &luminaire;
     }
-    if (around != nullptr && locate_point(*around, bounding_box(around->vertex_m),
-                                          luminaire.position_m) == SolidSide::outside) {
+    if (around != nullptr &&
+        locate_point(*around, box_around, luminaire.position_m) == SolidSide::outside) {
       return &luminaire;
     }
   }

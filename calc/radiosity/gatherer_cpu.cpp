@@ -15,7 +15,8 @@ class CpuGatherer : public Gatherer {
   // out; the sums are double.
   std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) override {
     ShadowBatch shadows(batch.tracer, batch.has_shadows, kReceiverToVertex);
-    const auto lift_m = static_cast<float>(batch.tracer.offset_m());
+    const auto near_m = static_cast<float>(batch.tracer.offset_m());
+    const bool has_far = batch.tracer.scene().far_extent_m > 0.0;
     std::uint32_t current = ~0u;
     glm::vec3 from(0.0f), x(0.0f), axis(0.0f);
     ReceiverKernel kernel = ReceiverKernel::planar;
@@ -29,8 +30,8 @@ class CpuGatherer : public Gatherer {
         kernel = receiver.kernel;
       }
       const LightVertex& v = batch.vertices[connection.vertex];
-      const float g = lifted_connection_geometry(kernel, axis, v.normal, v.position_m - x,
-                                                 lift_at(v.position_m, lift_m));
+      const float lift_m = has_far ? lift_at(v.position_m, near_m) : near_m;
+      const float g = lifted_connection_geometry(kernel, axis, v.normal, v.position_m - x, lift_m);
       if (!(g > 0.0f)) continue;
       const float bounded = batch.bounds.limited(connection.vertex, g);
       const double lx = static_cast<double>(connection_lx(connection.weight, v.flux_lm, bounded));

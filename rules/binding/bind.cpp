@@ -156,7 +156,11 @@ class SpaceValues {
     OtherLight other = known(other_light_, scene, [&](const calc::LightScene* levels) {
       return other_light(project_, space_, levels);
     });
-    if (!other.unsure.empty() || !space_.is_open_space()) return other;
+    const bool has_rooms =
+        space_.is_open_space() &&
+        std::any_of(project_.spaces.begin(), project_.spaces.end(),
+                    [](const calc::Space& space) { return space.shell.has_value(); });
+    if (!other.unsure.empty() || !has_rooms) return other;
     const std::vector<glm::dvec3>& points_m = points_of(plane).position_m;
     const calc::Space* hiding = known(hiding_, scene, [&](const calc::LightScene* levels) {
       return calc::room_between(project_, space_, points_m, levels);
