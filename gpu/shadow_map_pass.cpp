@@ -94,7 +94,7 @@ void ShadowMapPass::upload_scene(const calc::Tracer& tracer) {
   triangles_.assign(std::span<const glm::uvec3>(scene.triangle));
   check_gl("sending the scene");
   indices_ = static_cast<std::uint32_t>(3 * scene.triangle.size());
-  depth_unit_m_ = static_cast<float>(1.01 * scene.extent_m);
+  depth_unit_m_ = static_cast<float>(1.01 * scene.whole_extent_m());
   scene_identity_ = tracer.identity();
 }
 

@@ -435,6 +435,12 @@ const Luminaire* luminaire_of_lost_light(const Project& project, const Space& sp
   const auto is_lit = [&](const Luminaire& luminaire) {
     return level_in_scene(scene, luminaire.group) > 0.0;
   };
+  const auto loses_a_part = [&](const Luminaire& luminaire) {
+    constexpr double kTrifle = 0.01;  // of its size: panels beside walls reach into them by as much
+    const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+    return reach_outside_m(project, space, luminaire) >
+           kTrifle * glm::length(web.opening().size_m());
+  };
   const Body* around = nullptr;
   for (const Body& body : space.bodies) {
     if (body.encloses_room) around = &body;
@@ -442,9 +448,9 @@ const Luminaire* luminaire_of_lost_light(const Project& project, const Space& sp
   const BoundingBox box_around = around == nullptr ? BoundingBox{} : bounding_box(around->vertex_m);
   for (const Luminaire& luminaire : space.luminaires) {
     if (!is_lit(luminaire)) continue;
-    if (space.shell && (!room_contains(*space.shell, luminaire.position_m) ||
-                        reach_outside_m(project, space, luminaire) > 0.0 ||
-                        is_surface_that_faces_out(project, space, luminaire))) {
+    if (space.shell &&
+        (!room_contains(*space.shell, luminaire.position_m) || loses_a_part(luminaire) ||
+         is_surface_that_faces_out(project, space, luminaire))) {
       return &luminaire;
     }
     if (around != nullptr &&

@@ -130,7 +130,7 @@ Escape measure_escape(const calc::SurfaceModel& model, const calc::BoundingBox& 
   }
   const calc::FlushDenormals flush;
   const calc::Tracer tracer(scene);
-  const Sampler sampler(tracer, 4.0 * scene.extent_m, is_sheet, !is_rimless(model));
+  const Sampler sampler(tracer, 4.0 * scene.whole_extent_m(), is_sheet, !is_rimless(model));
   const calc::RandomKey seed = calc::RandomKey(1).with("geometry");
   std::uint64_t tried = 0, escaped = 0;
   for (; tried < kMostPoints && escape.points < kEnoughInside; ++tried) {
