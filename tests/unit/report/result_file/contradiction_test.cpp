@@ -122,7 +122,7 @@ TEST(Contradiction, NoFindingMayHaveAnotherVerdict) {
 TEST(Contradiction, NoLimitMayBeMovedOverTheInterval) {
   for (const std::string& finding : every("findings", "requirement")) {
     if (at(finding + "/verdict") == "not-judged") continue;
-    const json& measured = at(finding + "/measured");
+    const json measured = at(finding + "/measured");
     const double low = measured["low"], high = measured["high"];
     for (const double limit : {low - 1.0 - std::abs(low), high + 1.0 + std::abs(high)}) {
       // What was on this side of it stays so, but the margin tells.
@@ -218,7 +218,7 @@ TEST(Contradiction, LooksSayWhatTheirIntervalsSay) {
 TEST(Contradiction, TheLastLookIsTheResult) {
   int judged = 0;
   for (const std::string& plane : every("planes", "look_results")) {
-    const json& looks = at(plane + "/look_results");
+    const json looks = at(plane + "/look_results");
     if (looks.empty()) continue;
     const std::size_t last = looks.size() - 1;
     for (std::size_t i = 0; i < looks[last]["findings"].size(); ++i) {
