@@ -29,8 +29,8 @@ class WebSketch {
   // degrees) that the places at which the calculation looks at an opening cannot miss it.
   double finest_rad() const { return finest_rad_; }
 
-  // Of table angles gamma in [from, to]: no intensity there is more; beyond the table there is none.
-  // Whether it is dark at one of them for all C, as far as the table's own angles tell.
+  // Of table angles gamma in [from, to]: no intensity there is more; beyond the table there is
+  // none. Whether it is dark at one of them for all C, as far as the table's own angles tell.
   struct Band {
     double most_cd = 0.0;
     bool is_partly_dark = true;
