@@ -55,6 +55,25 @@ bool touch(const OpeningInPlace& one, const OpeningInPlace& other) {
   return std::max(apart_m.x, apart_m.y) <= near_m && std::min(apart_m.x, apart_m.y) < 0.0;
 }
 
+// Whether all are narrow, and nowhere so many side by side that they fill half of a square metre:
+// lines that meet, as in a frame of light along the walls.
+bool is_of_lines(const std::vector<std::size_t>& members,
+                 std::span<const OpeningInPlace> openings) {
+  constexpr double kSquare_m = 1.0, kMostFilled = 0.48;
+  for (const std::size_t i : members) {
+    if (shortest_side_m(openings[i]) > kWidestLine_m) return false;
+    double filled_m2 = 0.0;
+    for (const std::size_t k : members) {
+      const Seen seen = seen_from(openings[i], openings[k]);
+      const glm::dvec2 inside_m = glm::min(seen.high, glm::dvec2(0.5 * kSquare_m)) -
+                                  glm::max(seen.low, glm::dvec2(-0.5 * kSquare_m));
+      if (inside_m.x > 0.0 && inside_m.y > 0.0) filled_m2 += inside_m.x * inside_m.y;
+    }
+    if (filled_m2 > kMostFilled * kSquare_m * kSquare_m) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings) {
@@ -97,7 +116,9 @@ std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openi
       all.high = glm::max(all.high, seen.high);
     }
     one.width_m = std::min(all.high.x - all.low.x, all.high.y - all.low.y);
-    if (one.width_m > kWidestLine_m) found.push_back(std::move(one));
+    if (one.width_m > kWidestLine_m && !is_of_lines(one.members, openings)) {
+      found.push_back(std::move(one));
+    }
   }
   return found;
 }

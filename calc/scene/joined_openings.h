@@ -27,7 +27,7 @@ struct JoinedOpening {
 // Luminaires in a line, as tables of glare are made for, are as wide as this, and no ceiling.
 inline constexpr double kWidestLine_m = 0.35;
 
-// Those wider than a line. Points and what has no size in one direction join nothing.
+// Those wider than a line, but for lines that meet, as in a frame along the walls. Points and what has no size in one direction join nothing.
 std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings);
 
 }  // namespace calc

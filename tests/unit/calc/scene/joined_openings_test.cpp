@@ -53,5 +53,22 @@ TEST(JoinedOpenings, LinesOfLuminairesAreNone) {
   EXPECT_THAT(joined_openings(line), SizeIs(1));
 }
 
+TEST(JoinedOpenings, AFrameOfLinesIsNoCeiling) {
+  const double quarter = 0.5 * 3.14159265358979;
+  std::vector<OpeningInPlace> frame;
+  for (const double y_m : {0.0, 4.5}) {
+    for (int k = 0; k < 3; ++k) frame.push_back(panel(0.8 + 1.5 * k, y_m, 3.0, 0.0, 1.5, 0.1));
+  }
+  for (const double x_m : {0.0, 4.6}) {
+    for (int k = 0; k < 3; ++k) frame.push_back(panel(x_m, 0.75 + 1.5 * k, 3.0, quarter, 1.5, 0.1));
+  }
+  EXPECT_THAT(joined_openings(frame), IsEmpty());
+  std::vector<OpeningInPlace> small_tiles;
+  for (int k = 0; k < 64; ++k) {
+    small_tiles.push_back(panel(0.2 * (k % 8), 0.2 * (k / 8), 3.0, 0.0, 0.2, 0.2));
+  }
+  EXPECT_THAT(joined_openings(small_tiles), SizeIs(1)) << "narrow, and side by side";
+}
+
 }  // namespace
 }  // namespace calc::joined_openings_test
