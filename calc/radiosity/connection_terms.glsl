@@ -27,11 +27,11 @@ TERM REAL response_times_distance(KERNEL kernel, VEC3 axis, VEC3 w) {
 // coordinates are so large that rounding would take that away.
 TERM REAL lift_at(VEC3 place, REAL near_m) {
   const REAL of_coordinate = REAL(2.0e-6);
-  REAL largest = REAL(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const REAL coordinate = place[axis] < REAL(0) ? -place[axis] : place[axis];
-    if (coordinate > largest) largest = coordinate;
-  }
+  const REAL x = place.x < REAL(0) ? -place.x : place.x;
+  const REAL y = place.y < REAL(0) ? -place.y : place.y;
+  const REAL z = place.z < REAL(0) ? -place.z : place.z;
+  const REAL across = x > y ? x : y;
+  const REAL largest = across > z ? across : z;
   const REAL far_m = of_coordinate * largest;
   return far_m > near_m ? far_m : near_m;
 }

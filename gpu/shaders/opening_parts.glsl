@@ -167,11 +167,10 @@ void fit(Lamp lamp, Point point, inout Patch part) {
     const dvec3 middle = dvec3(lx[0], curve(lx[3], lx[0], lx[4]));
     const dvec3 east = dvec3(lx[2], curve(lx[7], lx[2], lx[8]));
     part.c0 = middle;
-    for (int k = 0; k < 3; ++k) {
-      const dvec2 x = curve(west[k], middle[k], east[k]);
-      part.c1[k] = x.x;
-      part.c2[k] = x.y;
-    }
+    const dvec2 x0 = curve(west.x, middle.x, east.x), x1 = curve(west.y, middle.y, east.y),
+                x2 = curve(west.z, middle.z, east.z);
+    part.c1 = dvec3(x0.x, x1.x, x2.x);
+    part.c2 = dvec3(x0.y, x1.y, x2.y);
   } else {
     const dvec2 x = curve(lx[1], lx[0], lx[2]), y = curve(lx[3], lx[0], lx[4]);
     part.c0.yz = y;
@@ -215,7 +214,7 @@ struct View {
   double outline_m2;  // of a body; 0: it shows nothing, and counts as a point
   double size_m, distance_m;  // of the whole opening
   // Where the first coordinate passes from one face of a body to the next: the ends of its pieces.
-  dvec4 piece_end;
+  double piece_end[4];
   int pieces;
 };
 
@@ -224,8 +223,7 @@ dvec3 in_lamp(Lamp lamp, dvec3 world) {
 }
 
 double outline_of(Lamp lamp, dvec3 local_direction) {
-  const dvec4 shown = shown_m2(lamp.shape, lamp.half_m, local_direction);
-  return shown.x + shown.y + shown.z + shown.w;
+  return total_of(shown_m2(lamp.shape, lamp.half_m, local_direction));
 }
 
 View view_from(Lamp lamp, dvec3 point_m) {
@@ -237,12 +235,12 @@ View view_from(Lamp lamp, dvec3 point_m) {
   view.size_m = DBL(2.0) * length(lamp.half_m);
   view.distance_m = distance_m;
   view.outline_m2 = DBL(0.0);
-  view.piece_end = dvec4(DBL(1.0));
+  view.piece_end = double[4](DBL(1.0), DBL(1.0), DBL(1.0), DBL(1.0));
   view.pieces = 1;
   if (lamp.shape < SHAPE_BOX) return view;
   view.outline_m2 = outline_of(lamp, view.local_towards);
   if (!(view.outline_m2 > DBL(0.0))) return view;
-  const dvec4 shown = shown_m2(lamp.shape, lamp.half_m, view.local_towards);
+  const double shown[4] = shown_m2(lamp.shape, lamp.half_m, view.local_towards);
   double sum_m2 = DBL(0.0);
   view.pieces = 0;
   for (int face = 0; face < 4; ++face) {
