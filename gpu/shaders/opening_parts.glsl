@@ -293,7 +293,7 @@ double opening_lx(Lamp lamp, View view, Point point, double s, double t, out vec
   if (lamp.shape < SHAPE_BOX) {
     to_m = vec3(lifted_source_m(lamp, source.position_m, point.position_m));
   } else {
-    lx *= view_weight(lamp, view, source, normalize(point.position_m - source.position_m));
+    lx *= view_weight(lamp, view, source, unit_of(point.position_m - source.position_m));
     to_m = vec3(source.position_m + offset_of_rays_m() * source.normal);
   }
   return lx;

@@ -17,6 +17,9 @@ dvec2 unit_disk(double s, double t) {
 dvec3 axis_first(dvec3 v, int axis) { return axis == 0 ? v : (axis == 1 ? v.yzx : v.zxy); }
 dvec3 axis_back(dvec3 v, int axis) { return axis == 0 ? v : (axis == 1 ? v.zxy : v.yzx); }
 
+// As glm has it; what drivers call normalize() may know single precision alone.
+dvec3 unit_of(dvec3 v) { return v * (DBL(1.0) / sqrt(dot(v, v))); }
+
 int cylinder_axis(uint shape) {
   return shape == SHAPE_CYLINDER_C0 ? 0 : (shape == SHAPE_CYLINDER_C90 ? 1 : 2);
 }
@@ -65,23 +68,23 @@ OpeningPoint cylinder_side(int axis, dvec3 half_m, dvec3 direction, double s, do
                            middle.y * cosine + middle.x * sine);
   OpeningPoint point;
   point.position_m = half_m * axis_back(unit, axis);
-  point.normal = normalize(axis_back(dvec3(DBL(0.0), unit.yz * half_first_m.zy), axis));
+  point.normal = unit_of(axis_back(dvec3(DBL(0.0), unit.yz * half_first_m.zy), axis));
   return point;
 }
 
 // Parallel projections keep even densities: on the unit sphere that the ellipsoid is an image of.
 OpeningPoint ellipsoid_point(dvec3 half_m, dvec3 direction, double s, double t) {
   const dvec3 across_m2 = dvec3(half_m.y * half_m.z, half_m.z * half_m.x, half_m.x * half_m.y);
-  const dvec3 m = normalize(direction * across_m2);
+  const dvec3 m = unit_of(direction * across_m2);
   const dvec3 aside = abs(m.x) < DBL(0.9) ? dvec3(DBL(1.0), DBL(0.0), DBL(0.0))
                                           : dvec3(DBL(0.0), DBL(1.0), DBL(0.0));
-  const dvec3 x = normalize(cross(m, aside));
+  const dvec3 x = unit_of(cross(m, aside));
   const dvec2 disk = unit_disk(s, t);
   const dvec3 unit = disk.x * x + disk.y * cross(m, x) +
                      sqrt(max(DBL(0.0), DBL(1.0) - dot(disk, disk))) * m;
   OpeningPoint point;
   point.position_m = half_m * unit;
-  point.normal = normalize(unit * across_m2);
+  point.normal = unit_of(unit * across_m2);
   return point;
 }
 
