@@ -23,7 +23,7 @@ enum class BudgetOf {
 inline constexpr std::size_t kBudgets = 5;
 
 struct Budget {
-  std::array<double, kBudgets> most{1.0e6, 1.0e7, 1.0e7, 8.0 * (1 << 30), 4.0 * (1 << 30)};
+  std::array<double, kBudgets> most{2.5e5, 1.0e7, 1.0e7, 8.0 * (1 << 30), 4.0 * (1 << 30)};
 
   double operator[](BudgetOf of) const { return most[static_cast<std::size_t>(of)]; }
   double& operator[](BudgetOf of) { return most[static_cast<std::size_t>(of)]; }

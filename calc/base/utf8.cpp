@@ -9,22 +9,6 @@ constexpr std::string_view kUtf8ByteOrderMark = "\xEF\xBB\xBF";
 
 char byte_of(char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); }
 
-// Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
-// the two code points XML does not allow.
-bool is_control(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
-         (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
-}
-
-// "##", "##vso", "##teamcity": with a '[' behind it a CI runner takes it for a command.
-bool ends_with_command(std::string_view text) {
-  const std::size_t end = text.size();
-  std::size_t begin = end;
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  while (begin > 0 && is_letter(text[begin - 1])) --begin;
-  return text.substr(0, begin).ends_with("##");
-}
-
 }  // namespace
 
 std::string_view without_byte_order_mark(std::string_view bytes) {
@@ -67,6 +51,19 @@ std::string utf8_from_code_point(char32_t code) {
   if (code < 0x800u) return {byte_of(0xC0u | (code >> 6u)), tail(0)};
   if (code < 0x10000u) return {byte_of(0xE0u | (code >> 12u)), tail(6), tail(0)};
   return {byte_of(0xF0u | (code >> 18u)), tail(12), tail(6), tail(0)};
+}
+
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
+}
+
+bool ends_with_command(std::string_view text) {
+  const std::size_t end = text.size();
+  std::size_t begin = end;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  while (begin > 0 && is_letter(text[begin - 1])) --begin;
+  return text.substr(0, begin).ends_with("##");
 }
 
 std::string printable(std::string_view text) {

@@ -32,6 +32,12 @@ std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 // code: up to 0x10FFFF.
 std::string utf8_from_code_point(char32_t code);
 
+// Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
+// the two code points XML does not allow.
+bool is_control(char32_t code);
+// "##", "##vso", "##teamcity": with a '[' behind it a CI runner takes it for a command.
+bool ends_with_command(std::string_view text);
+
 // Names from files made safe to show: they may hold anything. The text as valid UTF-8 on one line:
 // broken sequences become U+FFFD, control characters (line ends, tabs, terminal escapes, what turns
 // the direction of writing) a blank. "##[", "##vso[" and "##teamcity[", which CI runners take for

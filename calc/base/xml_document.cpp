@@ -25,28 +25,39 @@ constexpr unsigned int kParseFlags = pugi::parse_cdata | pugi::parse_comments |
                                      pugi::parse_declaration | pugi::parse_doctype |
                                      pugi::parse_fragment;
 
-// Lines and columns of a buffer in which pugixml may overwrite single ASCII characters later.
+// Lines and columns of a buffer in which pugixml may overwrite single ASCII characters later, ends
+// of lines, too. Takes an eighth of it, however many lines there are: some files are nothing else.
 class Locator {
  public:
-  Locator(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-    line_start_.push_back(bytes.size() - without_byte_order_mark(bytes).size());
+  Locator(std::string_view bytes, std::string file)
+      : bytes_(bytes),
+        file_(std::move(file)),
+        begin_(bytes.size() - without_byte_order_mark(bytes).size()),
+        line_ends_(bytes.size() / kWord + 1),
+        at_(begin_) {
+    int lines = 1;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-      if (bytes[i] == '\n') line_start_.push_back(i + 1);
+      if (i % kBlock == 0) line_of_block_.push_back(lines);
+      if (bytes[i] != '\n') continue;
+      line_ends_[i / kWord] |= std::uint64_t{1} << (i % kWord);
+      ++lines;
     }
   }
 
+  // Places come mostly in file order: counting goes on from the last one, so that long lines cost no
+  // more.
   SourceLocation at(std::size_t offset) {
-    const auto after = std::upper_bound(line_start_.begin() + 1, line_start_.end(), offset);
-    // Places come mostly in file order: counting goes on from the last one, so that long lines cost
-    // no more.
-    if (last_offset_ > offset || last_offset_ < *(after - 1)) {
-      last_offset_ = *(after - 1);
-      last_column_ = 1;
+    offset = std::min(offset, bytes_.size());
+    if (offset < at_ || offset - at_ > 2 * kBlock) go_to_line_of(offset);
+    for (; at_ < offset; ++at_) {
+      if (is_line_end(at_)) {
+        ++line_;
+        column_ = 1;
+      } else if (!is_utf8_continuation(bytes_[at_])) {
+        ++column_;
+      }
     }
-    for (; last_offset_ < offset && last_offset_ < bytes_.size(); ++last_offset_) {
-      if (!is_utf8_continuation(bytes_[last_offset_])) ++last_column_;
-    }
-    return {file_, static_cast<int>(after - line_start_.begin()), last_column_};
+    return {file_, line_, column_};
   }
   SourceLocation at(const char* place) {
     const std::less<const char*> before;
@@ -56,11 +67,33 @@ class Locator {
   }
 
  private:
+  static constexpr std::size_t kWord = 64, kBlock = 64 * kWord;
+
+  bool is_line_end(std::size_t i) const { return (line_ends_[i / kWord] >> (i % kWord) & 1u) != 0; }
+
+  void go_to_line_of(std::size_t offset) {
+    std::size_t start = offset;
+    while (start > begin_ && !is_line_end(start - 1)) {
+      const bool is_word_empty = start % kWord == 0 && line_ends_[start / kWord - 1] == 0;
+      start -= is_word_empty && start >= begin_ + kWord ? kWord : 1;
+    }
+    start = std::max(start, begin_);
+    // Of a long line that has been counted in part the rest is enough.
+    if (start <= at_ && at_ <= offset) return;
+    at_ = start;
+    column_ = 1;
+    const std::size_t block = start / kBlock;
+    line_ = block < line_of_block_.size() ? line_of_block_[block] : 1;
+    for (std::size_t i = block * kBlock; i < start; ++i) line_ += is_line_end(i) ? 1 : 0;
+  }
+
   std::string_view bytes_;
   std::string file_;
-  std::vector<std::size_t> line_start_;
-  std::size_t last_offset_ = 0;
-  int last_column_ = 1;
+  std::size_t begin_;                     // behind a byte order mark
+  std::vector<std::uint64_t> line_ends_;  // a bit for each byte
+  std::vector<int> line_of_block_;        // at the begin of every kBlock bytes
+  std::size_t at_;
+  int line_ = 1, column_ = 1;
 };
 
 bool is_xml_character(std::uint32_t code) {

@@ -2,10 +2,12 @@
 
 #include "calc/base/text.h"
 #include "calc/base/units.h"
+#include "calc/photometry/web_measures.h"
 #include "calc/project/room_inside.h"
 #include "calc/project/warning_words.h"
 #include "calc/scene/box_shelf.h"
 #include "calc/scene/housing.h"
+#include "calc/scene/joined_openings.h"
 #include "calc/scene/luminaire_sums.h"
 #include "calc/scene/opening_fit.h"
 #include "calc/scene/polygon.h"
@@ -282,36 +284,64 @@ bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminai
           (a.group == b.group && have_about_same_light(project, a.type, b.type)));
 }
 
+// Of what is nearer than a cell's size a place is in its own cell or one beside it.
+class Cells {
+ public:
+  using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
+  explicit Cells(double size_m) : size_m_(size_m) {}
+  Cell of(const glm::dvec3& p) const {
+    const auto index = [&](double x_m) { return std::llround(x_m / size_m_); };
+    return {index(p.x), index(p.y), index(p.z)};
+  }
+  template <class Visit>
+  void for_each_near(const glm::dvec3& p, Visit visit) const {
+    const Cell centre = of(p);
+    for (int k = 0; k < 27; ++k) {
+      visit(Cell{std::get<0>(centre) + k % 3 - 1, std::get<1>(centre) + k / 3 % 3 - 1,
+                 std::get<2>(centre) + k / 9 - 1});
+    }
+  }
+
+ private:
+  double size_m_;
+};
+
 // Looks luminaires up by place, in cells of the largest distance that counts as none.
 class Places {
  public:
   explicit Places(const Project& project) : project_(project) {}
 
   const Luminaire* like(const Luminaire& luminaire) const {
-    const Cell centre = cell_of(luminaire);
-    for (int k = 0; k < 27; ++k) {
-      const auto found =
-          in_cell_.find({std::get<0>(centre) + k % 3 - 1, std::get<1>(centre) + k / 3 % 3 - 1,
-                         std::get<2>(centre) + k / 9 - 1});
-      if (found == in_cell_.end()) continue;
+    const Luminaire* like = nullptr;
+    cells_.for_each_near(luminaire.position_m, [&](const Cells::Cell& cell) {
+      const auto found = in_cell_.find(cell);
+      if (like != nullptr || found == in_cell_.end()) return;
       for (const Luminaire* other : found->second) {
-        if (is_same_luminaire(project_, *other, luminaire)) return other;
+        if (like == nullptr && is_same_luminaire(project_, *other, luminaire)) like = other;
       }
-    }
-    return nullptr;
+    });
+    return like;
   }
-  void add(const Luminaire& luminaire) { in_cell_[cell_of(luminaire)].push_back(&luminaire); }
+  void add(const Luminaire& luminaire) {
+    in_cell_[cells_.of(luminaire.position_m)].push_back(&luminaire);
+  }
 
  private:
-  using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
-  static Cell cell_of(const Luminaire& luminaire) {
-    const auto index = [](double x_m) { return std::llround(x_m / kMostSamePlace_m); };
-    const glm::dvec3& p = luminaire.position_m;
-    return {index(p.x), index(p.y), index(p.z)};
-  }
   const Project& project_;
-  std::map<Cell, std::vector<const Luminaire*>> in_cell_;
+  const Cells cells_{kMostSamePlace_m};
+  std::map<Cells::Cell, std::vector<const Luminaire*>> in_cell_;
 };
+
+std::string place_words(const Luminaire& first, const Luminaire& second) {
+  return first.where.file == second.where.file
+             ? fmt::format("line {}", first.where.line)
+             : fmt::format("{}:{}", first.where.file, first.where.line);
+}
+
+std::string likewise_words(std::size_t others) {
+  if (others == 0) return {};
+  return fmt::format(" ({})", and_more(others, "luminaires of this space likewise"));
+}
 
 void warn_coincident_luminaires(const Project& project, const Space& space,
                                 Diagnostics& diagnostics) {
@@ -332,15 +362,98 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
     }
   }
   if (pasted == nullptr) return;
-  const std::string place = first->where.file == pasted->where.file
-                                ? fmt::format("line {}", first->where.line)
-                                : fmt::format("{}:{}", first->where.file, first->where.line);
   diagnostics.report(
       DiagnosticId::luminaires_coincide, pasted->where, luminaire_words(*pasted),
-      luminaire_words(*first), place,
+      luminaire_words(*first), place_words(*first, *pasted),
       1.0e3 * std::max(kSamePlace_m, glm::distance(first->position_m, pasted->position_m)),
-      others == 0 ? std::string()
-                  : fmt::format(" ({})", and_more(others, "luminaires of this space likewise")));
+      likewise_words(others));
+}
+
+// Whether the light of both may count where one covers the other. Another light at one place is the
+// other part of one luminaire, and so is what looks the other way; a small one in a large one may be
+// a spot in a panel.
+bool may_be_two_parts(const Project& project, const Luminaire& a, const Luminaire& b) {
+  const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
+  const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
+  if (have_same_light(project, a.type, b.type)) return false;
+  if (a.group != b.group) return true;
+  if (have_about_same_light(project, a.type, b.type)) return false;
+  const auto area_m2 = [](const PhotometricWeb& web) {
+    const glm::dvec3 size_m = web.opening().size_m();
+    return size_m.x * size_m.y;
+  };
+  const double smaller_m2 = std::min(area_m2(one), area_m2(other));
+  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) ||
+         (downward_share(one) > 0.5) != (downward_share(other) > 0.5) ||
+         smaller_m2 < 0.25 * std::max(area_m2(one), area_m2(other));
+}
+
+// Panels that lie in one another, turned or beside each other: a grid that was pasted and turned, or
+// light that no ceiling has room for.
+void warn_overlapping_luminaires(const Project& project, const Space& space,
+                                 Diagnostics& diagnostics) {
+  constexpr double kRims = 0.1;  // openings are stated with their frames
+  struct Found {
+    const Luminaire *first = nullptr, *second = nullptr;
+    double share = 0.0;
+  } found;
+  std::size_t others = 0;
+  const auto in_place = [&](const Luminaire& luminaire) {
+    return OpeningInPlace{luminaire.position_m, luminaire.world_from_luminaire,
+                          project.webs[project.luminaire_types[luminaire.type].web].opening()};
+  };
+  double largest_m = 0.0;
+  std::vector<const Luminaire*> flat, large;
+  for (const Luminaire& luminaire : space.luminaires) {
+    const glm::dvec3 size_m = in_place(luminaire).opening.size_m();
+    if (!(size_m.x * size_m.y > 0.0)) continue;
+    if (!project.luminaire_types[luminaire.type].counts_as_luminaire()) continue;
+    // Few are: they are compared with all.
+    constexpr double kLarge_m = 4.0;
+    const double across_m = glm::length(size_m);
+    flat.push_back(&luminaire);
+    if (across_m > kLarge_m) {
+      large.push_back(&luminaire);
+    } else {
+      largest_m = std::max(largest_m, across_m);
+    }
+  }
+  const Cells cells(largest_m + kOneBehind_m);
+  std::map<Cells::Cell, std::vector<const Luminaire*>> in_cell;
+  for (const Luminaire* luminaire : flat) {
+    const auto covers = [&](const Luminaire* other) {
+      if (may_be_two_parts(project, *other, *luminaire)) return false;
+      if (is_same_luminaire(project, *other, *luminaire)) return false;  // told of as pasted
+      const double share = overlap_share(in_place(*other), in_place(*luminaire));
+      if (share < kRims) return false;
+      if (found.second == nullptr) {
+        found = {other, luminaire, share};
+      } else {
+        ++others;
+      }
+      return true;
+    };
+    const bool is_large = std::find(large.begin(), large.end(), luminaire) != large.end();
+    const auto before = [&](const Luminaire* other) { return other < luminaire; };  // of one vector
+    bool is_over_another = false;
+    const auto look_at = [&](const std::vector<const Luminaire*>& others_here) {
+      for (const Luminaire* other : others_here) {
+        if (is_over_another || !before(other)) continue;
+        is_over_another = covers(other);
+      }
+    };
+    look_at(is_large ? flat : large);
+    if (is_large) continue;
+    cells.for_each_near(luminaire->position_m, [&](const Cells::Cell& cell) {
+      if (const auto here = in_cell.find(cell); here != in_cell.end()) look_at(here->second);
+    });
+    in_cell[cells.of(luminaire->position_m)].push_back(luminaire);
+  }
+  if (found.second == nullptr) return;
+  diagnostics.report(DiagnosticId::luminaires_overlap, found.second->where,
+                     luminaire_words(*found.second), 100.0 * found.share,
+                     luminaire_words(*found.first), place_words(*found.first, *found.second),
+                     likewise_words(others));
 }
 
 void warn_lamp_tilts(const Project& project, const Space& space, Diagnostics& diagnostics) {
@@ -426,6 +539,7 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
   warn_luminaires_in_solids(project, space, diagnostics);
   warn_luminaires_partly_in_solids(project, space, diagnostics);
   warn_coincident_luminaires(project, space, diagnostics);
+  warn_overlapping_luminaires(project, space, diagnostics);
   warn_lamp_tilts(project, space, diagnostics);
   warn_cut_openings(project, space, diagnostics);
 }

@@ -1,5 +1,8 @@
 #include "calc/scene/joined_openings.h"
 
+#include "calc/base/units.h"
+#include "calc/scene/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,6 +77,51 @@ bool is_of_lines(const std::vector<std::size_t>& members,
   return true;
 }
 
+// As seen along the axes of a luminaire; corners in order.
+using Outline = std::vector<glm::dvec2>;
+
+// Floodlights of a mast stand at one place and look this little apart at least. What looks up or
+// down is no such.
+bool look_alike(const glm::dvec3& a, const glm::dvec3& b) {
+  constexpr double kOneDegree = 0.99985, kSteep = 0.966;  // cosines of 1 and 15 degrees
+  if (std::abs(a.z) > kSteep && std::abs(b.z) > kSteep) return a.z * b.z > 0.0;
+  return glm::dot(a, b) > kOneDegree;
+}
+
+Outline outline_of(const OpeningInPlace& opening, const OpeningInPlace& seen_from) {
+  const bool is_round = opening.opening.shape == OpeningShape::disk ||
+                        opening.opening.shape == OpeningShape::cylinder ||
+                        opening.opening.shape == OpeningShape::ellipsoid;
+  const double share = is_round ? std::sqrt(kPi) / 4.0 : 0.5;
+  const glm::dvec3 size_m = opening.opening.size_m();
+  const glm::dvec3 u = share * size_m.x * opening.axes[0], v = share * size_m.y * opening.axes[1];
+  Outline corners;
+  for (const glm::dvec3& way : {-u - v, u - v, u + v, v - u}) {
+    const glm::dvec3 at = opening.position_m + way - seen_from.position_m;
+    corners.emplace_back(glm::dot(at, seen_from.axes[0]), glm::dot(at, seen_from.axes[1]));
+  }
+  return corners;
+}
+
+// What of a convex outline lies in another one that turns left (Sutherland and Hodgman 1974).
+Outline clipped(Outline outline, const Outline& by) {
+  for (std::size_t k = 0; k < by.size() && !outline.empty(); ++k) {
+    const glm::dvec2 from = by[k], along = by[(k + 1) % by.size()] - from;
+    const auto side = [&](const glm::dvec2& p) {
+      return along.x * (p.y - from.y) - along.y * (p.x - from.x);
+    };
+    Outline rest;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec2 p = outline[i], q = outline[(i + 1) % outline.size()];
+      const double at_p = side(p), at_q = side(q);
+      if (at_p >= 0.0) rest.push_back(p);
+      if ((at_p >= 0.0) != (at_q >= 0.0)) rest.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    outline = std::move(rest);
+  }
+  return outline;
+}
+
 }  // namespace
 
 std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings) {
@@ -121,6 +169,18 @@ std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openi
     }
   }
   return found;
+}
+
+double overlap_share(const OpeningInPlace& a, const OpeningInPlace& b) {
+  if (!look_alike(a.axes[2], b.axes[2])) return 0.0;
+  if (std::abs(glm::dot(b.position_m - a.position_m, a.axes[2])) > kOneBehind_m) return 0.0;
+  const Outline one = outline_of(a, a);
+  Outline other = outline_of(b, a);
+  if (signed_area(other) < 0.0) std::reverse(other.begin(), other.end());
+  const double smaller_m2 = std::min(signed_area(one), signed_area(other));
+  if (!(smaller_m2 > 0.0)) return 0.0;
+  const Outline both = clipped(other, one);
+  return both.size() < 3 ? 0.0 : std::min(1.0, signed_area(both) / smaller_m2);
 }
 
 }  // namespace calc

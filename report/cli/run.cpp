@@ -16,6 +16,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -69,6 +70,9 @@ int run_program(int argc, const char* const* argv) {
       return print_result(parsed.out) ? parsed.exit_code : kNotJudged;
     }
     return run(*parsed.command, environment, commands);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "luxgate: error[not-enough-memory]: this machine has not enough memory\n");
+    return kNotJudged;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "luxgate: error[internal-error]: %s\n", error.what());
     return kNotJudged;

@@ -90,6 +90,9 @@ struct ChangedResult {
   calc::Estimate gain;
   // Replicate by replicate: what both share by the same random numbers is not in the interval.
   bool is_paired = false;
+  // Worse, and passes: no more is lost than the lower maintenance factor of all luminaires takes.
+  // Who assumes less light than before asks more of the design.
+  bool is_of_maintenance = false;
 };
 
 struct ChangedQuestion {
@@ -137,6 +140,8 @@ struct Revision {
   std::size_t known_failures = 0;  // that count, and failed before
   // Of `same`: the interval of the difference holds a loss of more than is allowed.
   std::size_t untold = 0;
+  // HEAD compared with itself: nothing can have become worse, whatever the projects say.
+  bool is_of_itself = false;
   std::vector<ChangedQuestion> questions;
   std::vector<ChangedInput> inputs;
   std::vector<ChangedPlane> planes;

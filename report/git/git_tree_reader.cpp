@@ -44,6 +44,8 @@ std::vector<std::string> parts_reversed(const std::string& path) {
 }  // namespace
 
 struct GitTreeReader::State {
+  using Wanted = GitTreeReader::Wanted;
+
   std::mutex mutex;  // of read()
   Library library;   // before all that is freed by it
   Repository repository;
@@ -228,18 +230,47 @@ struct GitTreeReader::State {
     return (fs::path(common) / named).string();
   }
 
-  void add_files(const git_oid& folder, const std::string& path, const std::string& end,
+  bool is_unchanged_head() const {
+    std::string no_head;
+    const auto head = find_commit(repository.get(), "HEAD", root, no_head);
+    if (!head || git_oid_equal(&*head, &commit_id) == 0) return false;
+    const Tree tree = tree_of(tree_id);
+    git_index* index = nullptr;
+    if (tree == nullptr || git_repository_index(&index, repository.get()) != 0) return false;
+    const Index staged(index);
+    git_diff* diff = nullptr;
+    if (git_diff_tree_to_index(&diff, repository.get(), tree.get(), index, nullptr) != 0) {
+      return false;
+    }
+    return git_diff_num_deltas(Diff(diff).get()) == 0;
+  }
+
+  // false: there is more than may be listed.
+  bool add_files(const git_oid& folder, const std::string& path, const Wanted& is_file_wanted,
+                 const Wanted& is_folder_wanted, std::size_t& listed,
                  std::vector<std::string>& files) const {
-    if (path.size() > kMostPathBytes) return;
+    if (path.size() > kMostPathBytes) return true;
     const Tree tree = tree_of(folder);
     for (std::size_t k = 0; tree != nullptr && k < git_tree_entrycount(tree.get()); ++k) {
+      if (++listed > kMostListed) return false;
       const git_tree_entry* entry = git_tree_entry_byindex(tree.get(), k);
-      const std::string name = path + git_tree_entry_name(entry);
-      const git_filemode_t mode = git_tree_entry_filemode(entry);
-      if (mode == GIT_FILEMODE_TREE) add_files(*git_tree_entry_id(entry), name + "/", end, files);
-      const bool is_file = mode == GIT_FILEMODE_BLOB || mode == GIT_FILEMODE_BLOB_EXECUTABLE;
-      if (is_file && name.ends_with(end)) files.push_back(name);
+      const std::string name = git_tree_entry_name(entry);
+      switch (git_tree_entry_filemode(entry)) {
+        case GIT_FILEMODE_TREE:
+          if (is_folder_wanted(name) && !add_files(*git_tree_entry_id(entry), path + name + "/",
+                                                   is_file_wanted, is_folder_wanted, listed, files)) {
+            return false;
+          }
+          break;
+        case GIT_FILEMODE_BLOB:
+        case GIT_FILEMODE_BLOB_EXECUTABLE:
+          if (is_file_wanted(name)) files.push_back(path + name);
+          break;
+        default:
+          break;
+      }
     }
+    return true;
   }
 };
 
@@ -322,9 +353,18 @@ std::vector<std::string> GitTreeReader::names_in(const std::string& folder) cons
   return names;
 }
 
-std::vector<std::string> GitTreeReader::files_ending(const std::string& end) const {
+std::optional<std::vector<std::string>> GitTreeReader::files_in(
+    const std::string& folder, const Wanted& is_file_wanted, const Wanted& is_folder_wanted) const {
   std::vector<std::string> files;
-  state_->add_files(state_->tree_id, "", end, files);
+  const std::optional<std::string> inside = path_in_repository(folder);
+  if (!inside) return files;
+  const Found found = state_->find(*inside);
+  if (found.kind != Found::Kind::folder) return files;
+  std::size_t listed = 0;
+  const std::string start = found.path.empty() ? "" : found.path + "/";
+  if (!state_->add_files(found.id, start, is_file_wanted, is_folder_wanted, listed, files)) {
+    return std::nullopt;
+  }
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -352,6 +392,7 @@ std::optional<std::string> GitTreeReader::path_in_repository(const std::string& 
 
 const std::string& GitTreeReader::root() const { return state_->root; }
 const std::string& GitTreeReader::commit() const { return state_->commit; }
+bool GitTreeReader::is_unchanged_head() const { return state_->is_unchanged_head(); }
 std::size_t GitTreeReader::failures() const { return state_->failures; }
 
 }  // namespace git

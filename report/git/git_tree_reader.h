@@ -6,6 +6,7 @@
 #include "report/git/git_places.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,8 +38,16 @@ class GitTreeReader : public calc::FileReader {
   bool has(const std::string& path) const;
   // What a folder holds, names alone, in order; empty where there is no such folder.
   std::vector<std::string> names_in(const std::string& folder) const;
-  // Every file of the revision whose name ends so, as a path from `root`, in order.
-  std::vector<std::string> files_ending(const std::string& end) const;
+  // Files of a folder and below whose names are wanted, as paths from `root`, in order. Folders
+  // whose names are not wanted are not looked into. Empty: the folder has more than kMostListed
+  // files and folders, which a few bytes of a repository can say.
+  static constexpr std::size_t kMostListed = 1'000'000;
+  using Wanted = std::function<bool(const std::string& name)>;
+  std::optional<std::vector<std::string>> files_in(const std::string& folder,
+                                                   const Wanted& is_file_wanted,
+                                                   const Wanted& is_folder_wanted) const;
+  // It is what HEAD names, and nothing is staged for the next commit.
+  bool is_unchanged_head() const;
 
   // From the root of the repository; empty: outside of its work tree.
   std::optional<std::string> path_in_repository(const std::string& path) const;

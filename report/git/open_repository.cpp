@@ -5,9 +5,13 @@
 #include <fmt/format.h>
 #include <git2/sys/repository.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace git {
 namespace {
@@ -109,7 +113,7 @@ std::string unknown_revision(git_repository* repository, int error, const std::s
     return fmt::format("'{}' is short for several objects of {}: give more digits", revision, root);
   }
   const std::string words = said();
-  const std::string remote = "origin/" + revision;
+  const std::string remote = "refs/remotes/origin/" + revision;
   git_object* found = nullptr;
   if (git_revparse_single(&found, repository, remote.c_str()) == 0) {
     const Object owned(found);
@@ -120,21 +124,83 @@ std::string unknown_revision(git_repository* repository, int error, const std::s
                      shallow_advice(repository), words);
 }
 
+std::optional<git_oid> commit_of(git_object* object) {
+  git_object* commit = nullptr;
+  if (git_object_peel(&commit, object, GIT_OBJECT_COMMIT) != 0) return std::nullopt;
+  return *git_object_id(Object(commit).get());
+}
+
+std::optional<git_oid> commit_of_reference(git_repository* repository, const std::string& name) {
+  git_reference* reference = nullptr;
+  if (git_reference_lookup(&reference, repository, name.c_str()) != 0) return std::nullopt;
+  const Reference owned(reference);
+  git_object* object = nullptr;
+  if (git_reference_peel(&object, reference, GIT_OBJECT_COMMIT) != 0) return std::nullopt;
+  return commit_of(Object(object).get());
+}
+
+bool is_hexadecimal(std::string_view text) {
+  return text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+}
+
+// Git takes the first of several that have a name, a tag before a remote's branch: who may push tags
+// could choose what a design is compared with. "" or why the name is refused.
+std::string problem_with_name(git_repository* repository, const std::string& revision,
+                              const std::string& root) {
+  std::size_t end = std::min(revision.find_first_of("~^:"), revision.find("@{"));
+  const std::string name = revision.substr(0, end);
+  if (name.empty() || name == "HEAD" || name == "@") return "";
+  const bool is_id = name.size() == GIT_OID_HEXSZ && is_hexadecimal(name);
+  std::vector<std::pair<std::string, git_oid>> found;
+  if (name.size() >= GIT_OID_MINPREFIXLEN && name.size() <= GIT_OID_HEXSZ && is_hexadecimal(name)) {
+    git_oid prefix;
+    git_object* object = nullptr;
+    if (git_oid_fromstrn(&prefix, name.c_str(), name.size()) == 0 &&
+        git_object_lookup_prefix(&object, repository, &prefix, name.size(), GIT_OBJECT_ANY) == 0) {
+      const Object owned(object);
+      if (const auto id = commit_of(object)) found.emplace_back("the commit " + hex_of(*id), *id);
+    }
+    if (is_id && found.empty()) return fmt::format("{} has no commit {}", root, name);
+  }
+  const bool is_full = name.starts_with("refs/");
+  const auto own = commit_of_reference(repository, name);
+  if (is_full && own) return "";
+  if (is_full) return fmt::format("{} has no '{}'", root, name);
+  if (is_id) return "";
+  for (const char* place : {"refs/", "refs/tags/", "refs/heads/", "refs/remotes/"}) {
+    const std::string full = place + name;
+    if (const auto id = commit_of_reference(repository, full)) {
+      found.emplace_back(fmt::format("'{}' ({:.10})", full, hex_of(*id)), *id);
+    }
+  }
+  const auto is_other = [&](const auto& one) {
+    return git_oid_equal(&one.second, &found.front().second) == 0;
+  };
+  const auto other = std::find_if(found.begin(), found.end(), is_other);
+  if (other == found.end()) return "";
+  return fmt::format("'{}' is the name of several commits of {}: {} and {}; write the whole name",
+                     name, root, found.front().first, other->first);
+}
+
 std::optional<git_oid> find_named(git_repository* repository, const std::string& revision,
                                   const std::string& root, std::string& problem) {
+  problem = problem_with_name(repository, revision, root);
+  if (!problem.empty()) {
+    problem += shallow_advice(repository);
+    return std::nullopt;
+  }
   git_object* found = nullptr;
   if (const int error = git_revparse_single(&found, repository, revision.c_str()); error != 0) {
     problem = unknown_revision(repository, error, revision, root);
     return std::nullopt;
   }
   const Object named(found);
-  git_object* commit = nullptr;
-  if (git_object_peel(&commit, found, GIT_OBJECT_COMMIT) != 0) {
+  const auto commit = commit_of(found);
+  if (!commit) {
     problem = fmt::format("'{}' leads to no commit, it is a {}; allowed is {}", revision,
                           git_object_type2string(git_object_type(found)), kAllowed);
-    return std::nullopt;
   }
-  return *git_object_id(Object(commit).get());
+  return commit;
 }
 
 }  // namespace

@@ -514,7 +514,9 @@ std::string checked_day(const Document& document) {
   if (day.empty() && !hangs_on_the_day(document)) return day;
   if (!calc::is_day(day)) refuse_place(place, "judged_on", "a day, YYYY-MM-DD, is needed");
   const std::string& timestamp = document.provenance.timestamp;
-  if (!timestamp.empty() && !timestamp.starts_with(day)) {
+  // Under a policy the clock's day counts, whatever the reports are dated.
+  const bool is_by_clock = !document.provenance.policy.empty();
+  if (!timestamp.empty() && !is_by_clock && !timestamp.starts_with(day)) {
     refuse_place(place, "judged_on", "it is not the day of the timestamp");
   }
   return day;

@@ -2,6 +2,7 @@
 
 #include "calc/base/encoding.h"
 #include "calc/base/file_kind.h"
+#include "calc/base/utf8.h"
 #include "report/result_file/contradiction.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
@@ -13,6 +14,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -183,6 +187,27 @@ void complete(const SpacePart& space, PlanePart& plane) {
   settle_estimates(plane);
 }
 
+// Of a key that stands twice the last one would count, whatever people read before it.
+class KeysOnce {
+ public:
+  bool operator()(int /*depth*/, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) open_.emplace_back();
+    if (event == Event::object_end) open_.pop_back();
+    if (event != Event::key) return true;
+    std::vector<std::string>& keys = open_.back();
+    std::string key = parsed.get<std::string>();
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
+      throw BadJson(fmt::format("the key '{}' stands twice in one object", calc::printable(key)));
+    }
+    keys.push_back(std::move(key));
+    return true;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> open_;
+};
+
 }  // namespace
 
 std::optional<Document> read_json(std::string_view bytes, std::string& problem) {
@@ -195,7 +220,7 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem) 
       problem = text.problem;
       return std::nullopt;
     }
-    const nlohmann::json json = nlohmann::json::parse(text.utf8);
+    const nlohmann::json json = nlohmann::json::parse(text.utf8, KeysOnce());
     Document document;
     read(JsonCursor(json), document, {});
     for (ProjectPart& project : document.projects) {

@@ -51,6 +51,10 @@ void describe(auto& v, Is<ChangedResult> auto& result) {
   v.field("is_paired", result.is_paired,
           {.words = "The interval is that of the differences of single replicates, which share "
                     "random numbers; else the two are taken for independent."});
+  v.field("is_of_maintenance", result.is_of_maintenance,
+          {.words = "Worse, and passes: no more is lost than the lower maintenance factor of all "
+                    "luminaires takes. A gate of regressions does not stop at it.",
+           .presence = only_if(result.is_of_maintenance)});
 }
 
 void describe(auto& v, Is<ChangedQuestion> auto& question) {
@@ -115,6 +119,10 @@ void describe(auto& v, Is<Revision> auto& revision) {
   v.field("untold", revision.untold,
           {.words = "Of them: a loss of more than allowed_worse is not excluded.",
            .presence = kSinceLater});
+  v.field("is_of_itself", revision.is_of_itself,
+          {.words = "The git revision is HEAD, and no file that was read differs from it: a gate of "
+                    "regressions has judged nothing.",
+           .presence = only_if(revision.is_of_itself)});
   v.field("known_failures", revision.known_failures,
           {.words = "That count, and failed in the baseline, too."});
   v.field("questions", revision.questions, {.words = "What is asked otherwise, weaker first."});

@@ -17,7 +17,7 @@ bool stops(const ChangedResult& result, const Gate& gate) {
     case ResultChange::new_failing:
       return true;
     case ResultChange::worse:
-      return is_worse_than_allowed(result, gate);
+      return !result.is_of_maintenance && is_worse_than_allowed(result, gate);
     default:
       return false;
   }
@@ -78,6 +78,7 @@ rules::Outcome gate_outcome(const Document& document) {
   const rules::Outcome outcome = outcome_of(document);
   if (!document.revision || document.revision->gate.mode == GateMode::all) return outcome;
   if (outcome == rules::Outcome::not_judged || outcome == rules::Outcome::warned) return outcome;
+  if (document.revision->is_of_itself) return rules::Outcome::not_judged;
   if (!reasons_of(*document.revision).empty()) return rules::Outcome::fail;
   if (outcome != rules::Outcome::fail) return outcome;
   const rules::Outcome others = outcome_beside_failures(document);

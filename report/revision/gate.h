@@ -26,7 +26,7 @@ bool is_judged_otherwise(const Revision& revision);
 
 // What the exit code tells. Without a revision, and at GateMode::all: outcome_of(). At
 // GateMode::regression failures that were there before do not count; what is undecided or could not
-// be judged does.
+// be judged does, and a revision beside itself is not judged.
 rules::Outcome gate_outcome(const Document& document);
 
 }  // namespace report

@@ -115,6 +115,10 @@ class Reviser {
     if (fails && result.verdict_before == rules::Verdict::fail && !result.is_waived_before) {
       ++revision_.known_failures;
     }
+    result.is_of_maintenance =
+        result.change == ResultChange::worse && result.verdict_after == rules::Verdict::pass &&
+        dimmer_ < 1.0 &&
+        result.gain.high >= dimmer_ * (1.0 - allowed_loss(revision_.gate, result)) - 1.0;
     if (result.change == ResultChange::same) {
       ++revision_.same;
       if (result.counts && may_have_lost_more(revision_.gate, result)) ++revision_.untold;
@@ -202,6 +206,7 @@ class Reviser {
       }
     }
     const bool is_there = pair.before != nullptr && pair.after != nullptr;
+    dimmer_ = share_of_maintenance(was, is);
     renamed_rooms_.clear();
     renamed_planes_.clear();
     for (const PartPair<SpacePart>& room : match_rooms(was, is)) add_room(room, place, is_there);
@@ -221,6 +226,19 @@ class Reviser {
         });
     for (const AggregatePair& aggregate : aggregates) add_aggregate(aggregate, place, is_there);
     if (is_there && was.is_judged && said() == said_before) note_files(was, is, place);
+  }
+
+  // Maintenance factors now beside those before: the least change of all types. 1 where one is as
+  // it was, or not known.
+  static double share_of_maintenance(const ProjectPart& before, const ProjectPart& after) {
+    double share = 0.0;
+    for (const LuminaireRow& row : after.luminaires) {
+      const auto was = std::find_if(before.luminaires.begin(), before.luminaires.end(),
+                                    [&](const auto& other) { return other.type_id == row.type_id; });
+      if (was == before.luminaires.end() || !(was->maintenance_factor > 0.0)) return 1.0;
+      share = std::max(share, row.maintenance_factor / was->maintenance_factor);
+    }
+    return share > 0.0 ? std::min(share, 1.0) : 1.0;
   }
 
   // How much is said so far; results that are the same are not.
@@ -338,7 +356,8 @@ class Reviser {
   const Document& before_;
   const Document& after_;
   Revision& revision_;
-  Renamed renamed_rooms_, renamed_planes_;  // of the project
+  Renamed renamed_rooms_, renamed_planes_;
+  double dimmer_ = 1.0;  // of the project at hand, see share_of_maintenance()  // of the project
 };
 
 }  // namespace

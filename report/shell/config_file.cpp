@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sys/stat.h>
 #include <toml++/toml.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +74,14 @@ std::string closest_config(const ConfigPlaces& places, const fs::path& folder) {
 std::string folder_of(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   return folder.empty() ? "." : folder.string();
+}
+
+// As in /tmp: nobody has asked for such a file.
+bool is_of_a_stranger(const std::string& path) {
+  struct stat file {}, folder {};
+  if (lstat(path.c_str(), &file) != 0) return false;
+  if (stat(folder_of(path).c_str(), &folder) != 0) return false;
+  return file.st_uid != 0 && file.st_uid != geteuid() && (folder.st_mode & S_IWOTH) != 0;
 }
 
 // From the current folder. Links stay as they are: where they lead is looked at when it is read.
@@ -231,6 +241,12 @@ ConfigPlaces config_on_disk() {
             return fs::exists(fs::symlink_status(path, ignored));
           },
           [](const std::string& path) {
+            if (is_of_a_stranger(path)) {
+              return calc::FileContent{{},
+                                       "it belongs to another user and lies in a folder that "
+                                       "everybody may write into; name it by --config, or give "
+                                       "--no-config"};
+            }
             return calc::DiskFileReader().read_within(folder_of(path), path);
           }};
 }

@@ -328,6 +328,12 @@ class RoomPages {
 std::string pages_problem(const std::string& index, const std::vector<OutputFormat>& planned,
                           const std::vector<std::string>& inputs) {
   const fs::path folder = rooms_folder(index);
+  std::error_code ignored;
+  if (fs::is_symlink(folder, ignored)) {
+    return fmt::format("'{}' is a link: pages of '{}' need a folder of their own, in which old ones "
+                       "are removed; delete the link",
+                       folder.string(), index);
+  }
   for (const std::string& input : inputs) {
     if (is_page_of(folder, input))
       return fmt::format("'{}' is an input and could be overwritten by a page of '{}'", input,

@@ -12,14 +12,19 @@ inline constexpr const char* kStandardInput = "-";
 
 bool is_folder(const std::string& project);
 
-// The name of the first element of an XML file's text; "" if that cannot be told: no XML, another
-// encoding than UTF-8, or too long a way to it.
-std::string_view root_element(std::string_view text);
+// Whether files of this name are taken for projects in a folder: "*.xml", large letters or small.
+bool has_project_name(std::string_view name);
 
-// In place of each folder all projects in it and below, in the order of their paths: files "*.xml"
-// but those whose root is certainly another element (rule packs, policies, gbXML). Files and
-// folders whose names begin with a point are left alone, as are links to folders. "", or what is
-// wrong: a folder that cannot be read, or has no project, or a link to a file outside of it.
+// Whether that may be one by what it begins with: its root is <luxgate>, in whatever letters, or
+// cannot be told, as of another encoding or behind very long comments. What is a rule pack, a policy
+// or gbXML is none.
+bool may_be_project(std::string_view text);
+
+// In place of each folder all that may be a project in it and below, in the order of their paths.
+// Files and folders whose names begin with a point are left alone. What cannot be read stands among
+// them, so that it is told of and nothing is left out in silence: links to nothing, links to files
+// outside, and links to folders outside in which there are projects. "", or what is wrong: a folder
+// that cannot be read, or has no project.
 std::string expand_folders(std::vector<std::string>& projects);
 
 }  // namespace cli

@@ -1,8 +1,14 @@
 #include "report/text/json_layout.h"
 
+#include "calc/base/utf8.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 namespace report {
@@ -19,8 +25,30 @@ bool is_flat(const Json& json) {
                       [](const Json& part) { return part.is_structured() || part.is_binary(); });
 }
 
+// What terminals and CI runners would obey, as escapes of the same text: "##vso[" is
+// "##vso\u005b".
+std::string escaped(std::string_view text) {
+  std::string safe;
+  while (!text.empty()) {
+    const calc::Utf8Character point = calc::first_character(text);
+    const bool is_order = point.code == '[' && calc::ends_with_command(safe);
+    const std::size_t length = std::max<std::size_t>(1, point.length);
+    if (calc::is_control(point.code) || is_order) {
+      safe += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(point.code));
+    } else {
+      safe += text.substr(0, length);
+    }
+    text.remove_prefix(length);
+  }
+  return safe;
+}
+
 std::string scalar(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!json.is_string()) return text;
+  const bool is_plain = text.find('[') == std::string::npos &&
+                        std::all_of(text.begin(), text.end(), [](char c) { return c >= ' '; });
+  return is_plain ? text : escaped(text);
 }
 
 // Collects a layout; gaps are binary values, which JSON has not.

@@ -19,7 +19,7 @@ void apply_waiver(Finding& finding, std::string_view today) {
   finding.reason += finding.reason.empty() ? "" : "; ";
   finding.reason +=
       finding.is_waived
-          ? calc::say<calc::Sentence::waived_by>(waiver->owner, waiver->until, waiver->reason)
+          ? calc::say<calc::Sentence::waived_on>(waiver->owner, waiver->until, today, waiver->reason)
           : calc::say<calc::Sentence::waiver_ended>(waiver->owner, waiver->until, waiver->reason);
 }
 

@@ -70,12 +70,13 @@ write("cubic.xml", LAMP + PLANE, HEAD + "".join(f'<luminaire-type id="c{i}" phot
 refused = [("points.xml", (), "takes 40000000 calculation points; at most 10000000 are allowed, see --limit points"),
            ("two-planes.xml", ("--limit", "points=19999"), "takes 20000 calculation points; at most 19999 are allowed"),
            ("two-planes.xml", ("--limit", "memory=70M"), "MiB of memory; at most 70 MiB are allowed, see --limit memory"),
-           ("boxes.xml", (), "at most 8 GiB are allowed, see --limit memory"),
+           ("boxes.xml", ("--limit", "objects=1M"), "at most 8 GiB are allowed, see --limit memory"),
+           ("luminaires.xml", (), "objects and luminaires; at most 250000 are allowed, see --limit objects"),
            ("boxes.xml", ("--limit", "objects=1000"), "'b' brings the model to 799201 objects and luminaires; at most 1000 are allowed, see --limit objects"),
-           ("boxes.xml", ("--limit", "triangles=1M"), "triangles; at most 1000000 are allowed, see --limit triangles"),
-           ("boxes.xml", ("--limit", "memory=200M"), "GiB of memory; at most 200 MiB are allowed"),
-           ("luminaires.xml", ("--limit", "memory=512M"), "of memory; at most 512 MiB are allowed"),
-           ("elements.xml", ("--limit", "memory=128M"), "its elements take"),
+           ("boxes.xml", ("--limit", "objects=1M", "--limit", "triangles=1M"), "triangles; at most 1000000 are allowed, see --limit triangles"),
+           ("boxes.xml", ("--limit", "objects=1M", "--limit", "memory=200M"), "GiB of memory; at most 200 MiB are allowed"),
+           ("luminaires.xml", ("--limit", "objects=1M", "--limit", "memory=512M"), "of memory; at most 512 MiB are allowed"),
+           ("elements.xml", ("--limit", "objects=1M", "--limit", "memory=128M"), "its elements take"),
            ("good.xml", ("--limit", "points=3"), "takes 4 calculation points; at most 3 are allowed")]
 for name, words, said in refused:
     others = () if name == "good.xml" else ("good.xml",)

@@ -3,6 +3,7 @@
     config.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
 """
 import json
+import os
 import pathlib
 import shlex
 import shutil
@@ -198,6 +199,18 @@ for text, says in (
 (top / "luxgate.toml").symlink_to("/etc/hostname")
 check("a.xml", code=2, says="../luxgate.toml: error[file-not-readable]: cannot read '../luxgate.toml'")
 (top / "luxgate.toml").unlink()
+# Of somebody else, in a folder where everybody may have put it: nobody has asked for that.
+if os.geteuid() == 0:
+    config("seed = 7\n")
+    os.chown(top / "luxgate.toml", 12345, -1)
+    check("a.xml", code=0)
+    top.chmod(0o1777)
+    for words in (["a.xml"], ["a.xml", "--strict"]):
+        check(*words, code=2, says="belongs to another user")
+    check("a.xml", "--no-config", code=0)
+    check("a.xml", "--config", "../luxgate.toml", code=0)
+    top.chmod(0o755)
+    (top / "luxgate.toml").unlink()
 check("a.xml", "--config", "none.toml", code=2, says="--config: 'none.toml' is no file")
 check("a.xml", "--config", "a.xml", "--no-config", code=2, says="--no-config")
 

@@ -217,6 +217,10 @@ def reports():
     raises(TypeError, lambda: result.render("html", seed=1), "seed")
     (WORK / "out/folder").mkdir()
     raises(OSError, lambda: result.write("json", "out/folder"), "out/folder")
+    for read in ("d/a.xml", "d/spot.ies", "d/../d/spot.ies"):
+        kept = (WORK / read).read_bytes()
+        raises(OSError, lambda: result.write("json", read), read, "was read as an input")
+        expect((WORK / read).read_bytes() == kept, f"{read} was overwritten")
     again = luxgate.read("out/json")
     expect(again.to_json() == result.to_json() and again.verdict == result.verdict, "read")
     expect(pickle.loads(pickle.dumps(result)).to_json() == result.to_json(), "a pickled result")

@@ -196,7 +196,7 @@ team.commit()
 team.git("clone", "-q", "--depth", "1", f"file://{team.folder}", WORK / "shallow")
 expect("shallow", check(WORK / "shallow", ONE, "--against", "HEAD~1"), 2, "shallow clone", "fetch-depth: 0", "GIT_DEPTH")
 expect("shallow, branch", check(WORK / "shallow", ONE, "--against", "origin/main..."), 2, "shallow clone")
-expect("shallow, there", check(WORK / "shallow", ONE, "--against", "HEAD", *GATE), 0)
+expect("shallow, there", check(WORK / "shallow", ONE, "--against", "HEAD"), 1, "HEAD")
 subprocess.run(["git", "init", "-q", "--object-format=sha256", WORK / "sha256"], check=True, env=VARIABLES)
 expect("SHA-256", check(WORK, small_designs.write(WORK / "sha256/project.xml"), "--against", "HEAD"), 2, "SHA-256")
 
@@ -212,7 +212,7 @@ expect("LFS pointer", check(odd.folder, design, "--against", "HEAD"), 2, "HEAD:p
 contents = odd.folder / f".git/lfs/objects/{digest[:2]}/{digest[2:4]}/{digest}"
 contents.parent.mkdir(parents=True)
 contents.write_bytes(light)
-expect("LFS contents", check(odd.folder, design, "--against", "HEAD", *GATE), 0, "nothing became worse")
+expect("LFS contents", check(odd.folder, design, "--against", "HEAD"), 0, "nothing became worse")
 contents.write_bytes(light[:-1] + b" ")
 expect("other LFS contents", check(odd.folder, design, "--against", "HEAD"), 2, "another hash")
 (odd.folder / "spot.ies").unlink()
@@ -224,7 +224,7 @@ expect("link out", check(odd.folder, design, "--against", "HEAD"), 2, "HEAD:proj
 (odd.folder / "light/real.ies").write_bytes(light)
 (odd.folder / "spot.ies").symlink_to("light/real.ies")
 odd.commit()
-expect("link inside", check(odd.folder, design, "--against", "HEAD", *GATE), 0, "nothing became worse")
+expect("link inside", check(odd.folder, design, "--against", "HEAD"), 0, "nothing became worse")
 blob = odd.git("rev-parse", "HEAD:light/real.ies")
 damaged = odd.folder / f".git/objects/{blob[:2]}/{blob[2:]}"
 damaged.chmod(0o644)
@@ -235,7 +235,7 @@ odd.git("-c", "protocol.file.allow=always", "submodule", "add", "-q", WORK / "ba
 (odd.folder / "spot.ies").symlink_to("lib/designs/d0/spot.ies")
 odd.commit()
 expect("submodule", check(odd.folder, design, "--against", "HEAD"), 2, "HEAD:project.xml:3", "the submodule 'lib'")
-expect("project in a submodule", check(odd.folder, "lib/designs/d0/project.xml", "--against", "HEAD", *GATE), 0, first[:10])
+expect("project in a submodule", check(odd.folder, "lib/designs/d0/project.xml", "--against", "HEAD"), 1, first[:10])
 if os.geteuid() == 0:
     for file in [other.folder, *other.folder.rglob("*")]:
         os.chown(file, 12345, -1)
@@ -257,12 +257,14 @@ for folder in ("designs", "designs/", ".", fewer.folder):
 fewer.git("checkout", "-q", "HEAD", "--", "designs/b.xml")
 text = (fewer.folder / "designs/b.xml").read_text()
 for name, change in (("another root", lambda file: file.write_text(text.replace("luxgate", "luxgatex"))),
-                     ("another ending", lambda file: file.rename(file.with_suffix(".XML"))),
                      ("hidden", lambda file: file.rename(file.with_name(".b.xml"))),
                      ("elsewhere", lambda file: file.rename(fewer.folder / "b.xml"))):
     (fewer.folder / "designs/b.xml").write_text(text)
     change(fewer.folder / "designs/b.xml")
     expect(f"no project any more: {name}", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/b.xml", "is a project at HEAD, and not now")
+(fewer.folder / "designs/b.xml").rename(fewer.folder / "designs/b.XML")
+expect("large letters", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 0, "b.XML is compared with HEAD:designs/b.xml")
+(fewer.folder / "designs/b.XML").unlink()
 (fewer.folder / "designs/b.xml").write_text("")
 expect("no project any more: empty", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 2, "designs/b.xml")
 (fewer.folder / "designs/b.xml").unlink()
@@ -283,6 +285,58 @@ expect("a file in place of the folder", check(fewer.folder, "designs", "--agains
 (fewer.folder / "designs").unlink()
 (fewer.folder / "before").rename(fewer.folder / "designs")
 expect("others are named", check(fewer.folder, "designs/a.xml", "--against", "HEAD", *GATE), 0, without=("b.xml",))
+
+# A few bytes of a commit say that there are 10^10 files: those beside the designs are not listed, and those in place of them are an error.
+bomb = git_repository.Repository(WORK / "bomb", VARIABLES)
+small_designs.write(bomb.folder / "designs/a.xml", far=False)
+bomb.commit()
+blob = bomb.git("hash-object", "-w", "designs/a.xml")
+tree = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=True, capture_output=True, text=True,
+                      input="".join(f"100644 blob {blob}\tf{k:02}.xml\n" for k in range(50))).stdout.strip()
+for _ in range(5):
+    tree = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=True, capture_output=True, text=True,
+                          input="".join(f"040000 tree {tree}\tt{k:02}\n" for k in range(50))).stdout.strip()
+for where, code, words in (("beside", 1, ["≥ 90 lx"]), ("designs", 2, ["has more than 1000000 files in this revision"])):
+    top = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=True, capture_output=True, text=True,
+                         input="".join(f"{line}\n" for line in bomb.git("ls-tree", "HEAD").splitlines() if where != "designs")
+                         + f"040000 tree {tree}\t{where}\n").stdout.strip()
+    commit = bomb.git("commit-tree", top, "-m", where)
+    small_designs.write(bomb.folder / "designs/a.xml", far=False, limit="90")
+    begin = time.monotonic()
+    expect(f"many files {where}", check(bomb.folder, "designs", "--against", commit, *GATE), code, *words)
+    if time.monotonic() - begin > 20:
+        problems.append(f"many files {where}: {time.monotonic() - begin:.0f} s")
+
+# Who can push tags must not choose what a design is compared with.
+named = git_repository.Repository(WORK / "named", VARIABLES)
+design = small_designs.write(named.folder / "a.xml", far=False)
+old = named.commit()
+named.git("update-ref", "refs/remotes/origin/main", old)
+small_designs.write(named.folder / "a.xml", far=False, limit="5")
+new = named.commit()
+for tag in ("origin/main", "refs/remotes/origin/main", "refs/remotes/origin/none", old[:8], "9" * 40):
+    named.git("update-ref", f"refs/tags/{tag}", new)
+FULL = "refs/remotes/origin/main"
+for name, code, words in ((FULL, 1, "≥ 5 lx"), (f"{FULL}...", 1, "≥ 5 lx"), (old, 1, "≥ 5 lx"), ("origin/main", 2, "several commits"),
+                          ("origin/main...", 2, "several commits"), ("origin/main~0", 2, "several commits"), (old[:8], 2, "several commits"),
+                          ("refs/remotes/origin/none", 2, "has no 'refs/remotes/origin/none'"), ("9" * 40, 2, "has no commit 9999")):
+    expect(f"tagged, {name}", check(named.folder, "a.xml", "--against", name, *GATE), code, words)
+named.git("update-ref", "refs/tags/same", new)
+named.git("branch", "same")
+small_designs.write(named.folder / "a.xml", far=False, limit="4")
+expect("two names of one commit", check(named.folder, "a.xml", "--against", "same", *GATE), 1, "≥ 4 lx")
+
+# HEAD beside itself: nothing can be worse, and the gate says so instead of "nothing became worse". What is staged is compared.
+named.git("checkout", "-q", "--", ".")
+for name in ("HEAD", "main", "main...", new):
+    expect(f"itself, {name}", check(named.folder, "a.xml", "--against", name, *GATE), 2, "is HEAD, and no file differs from it")
+    expect(f"itself, {name}, no gate", check(named.folder, "a.xml", "--against", name), 0, "is HEAD, and no file differs from it")
+for form in ("json", "csv", "markdown", "junit", "sarif", "github", "gitlab", "html", "text"):
+    done = check(named.folder, "a.xml", "--against", "HEAD", *GATE, "-q", "--format", form)
+    expect(f"itself, {form}", done, 2, *([] if form == "csv" else ["no file differs from it"]))
+(named.folder / "notes.txt").write_text("text")
+named.git("add", "notes.txt")
+expect("something is staged", check(named.folder, "a.xml", "--against", "HEAD", *GATE), 0, "nothing became worse")
 
 # Somebody let a failure go up to a day that is over: it is broken now, as beside a baseline, and not one that was there before.
 ended = git_repository.Repository(WORK / "ended", VARIABLES)

@@ -135,10 +135,19 @@ class Result:
             raise SettingError(f"format '{format}': this is no text; write() writes it") from None
 
     def write(self, format, path, **style):
-        """Writes a report, whole or not at all; format is one of formats(). OSError where it cannot be written."""
+        """Writes a report, whole or not at all; format is one of formats(). OSError where it cannot be written, or was read for the result."""
+        if os.path.exists(path) and any(os.path.exists(file) and os.path.samefile(path, file) for file in self._inputs()):
+            raise OSError(f"'{path}' was read as an input and is not overwritten")
         problem = _luxgate.write(_path(path), self._bytes("write", format, style))
         if problem:
             raise OSError(f"cannot write '{path}': {problem}")
+
+    def _inputs(self):
+        """Files that were read, as far as they are known: names are the project's own, from its folder."""
+        for project in self.projects:
+            yield project.path
+            for file in project.inputs:
+                yield os.path.join(os.path.dirname(project.path), file.path)
 
     def to_json(self):
         """The result file, to the byte what `luxgate check --format json` writes."""

@@ -11,14 +11,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace cli {
 namespace {
-
-constexpr const char* kProjectEnd = ".xml";
 
 bool is_there(const std::string& path) {
   std::error_code ignored;
@@ -33,9 +30,9 @@ std::string named_like(const std::string& example, const std::string& path) {
   return error ? path : std::filesystem::path(path).lexically_relative(here).string();
 }
 
-// As folders are read: names that begin with a point are left alone.
-bool is_hidden(const std::string& path) {
-  return path.starts_with('.') || path.find("/.") != path.npos;
+std::string too_many_files(const std::string& folder) {
+  return fmt::format("'{}' has more than {} files in this revision, too many to be looked through",
+                     folder, git::GitTreeReader::kMostListed);
 }
 
 // A guess that is cheap: what is no project would not be like one either.
@@ -89,8 +86,12 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
     state.projects_.push_back(std::move(project));
   }
   if (!problems.empty()) return std::nullopt;
-  state.find_moved(now);
-  state.find_gone(folders);
+  std::string problem = state.find_moved(now);
+  if (problem.empty()) problem = state.find_gone(folders);
+  if (!problem.empty()) {
+    print_error(calc::DiagnosticId::revision_not_available, revision, problem);
+    return std::nullopt;
+  }
   for (const Project& project : state.projects_) {
     if (!project.was_there && project.is_there_now) {
       state.notes_.push_back(
@@ -121,7 +122,7 @@ const git::GitTreeReader* OldState::open(const std::string& project, const git::
 
 // A project that is new may be one that is gone, by another name: what it asks less would not be
 // seen otherwise.
-void OldState::find_moved(const calc::FileReader& now) {
+std::string OldState::find_moved(const calc::FileReader& now) {
   for (const auto& repository : repositories_) {
     std::vector<Project*> added;
     std::vector<std::string> texts_now;
@@ -133,8 +134,11 @@ void OldState::find_moved(const calc::FileReader& now) {
       texts_now.push_back(std::move(content.bytes));
     }
     if (added.empty()) continue;
+    const auto files = repository->files_in(repository->root(), has_project_name,
+                                            [](const std::string&) { return true; });
+    if (!files) return too_many_files(repository->root());
     std::vector<std::string> gone, texts_gone;
-    for (const std::string& inside : repository->files_ending(kProjectEnd)) {
+    for (const std::string& inside : *files) {
       const std::string path = repository->root() + "/" + inside;
       if (is_there(path)) continue;
       calc::FileContent content = repository->read(path);
@@ -149,11 +153,12 @@ void OldState::find_moved(const calc::FileReader& now) {
       added[k]->was_there = true;
     }
   }
+  return "";
 }
 
 // Who asks for a folder asks for what was in it: a design that is deleted asks for nothing any
 // more.
-void OldState::find_gone(const std::vector<std::string>& folders) {
+std::string OldState::find_gone(const std::vector<std::string>& folders) {
   std::set<std::string> known;
   for (const Project& project : projects_) {
     for (const std::string& path : {project.path, project.path_then}) {
@@ -163,25 +168,26 @@ void OldState::find_gone(const std::vector<std::string>& folders) {
   }
   for (const std::string& folder : folders) {
     for (const auto& repository : repositories_) {
-      const std::optional<std::string> top = repository->path_in_repository(folder);
-      if (!top) continue;
-      const std::string start = top->empty() || *top == "." ? "" : *top + "/";
-      for (const std::string& inside : repository->files_ending(kProjectEnd)) {
+      // As folders are read: names that begin with a point are left alone.
+      const auto is_shown = [](const std::string& name) { return !name.starts_with('.'); };
+      const auto is_wanted = [&](const std::string& name) {
+        return is_shown(name) && has_project_name(name);
+      };
+      const auto files = repository->files_in(folder, is_wanted, is_shown);
+      if (!files) return too_many_files(folder);
+      for (const std::string& inside : *files) {
         const std::string path = repository->root() + "/" + inside;
         // A file that is there, but is no project any more, is gone as well.
-        if (!inside.starts_with(start) || is_hidden(inside.substr(start.size())) ||
-            !known.insert(path).second) {
-          continue;
-        }
+        if (!known.insert(path).second) continue;
         const calc::FileContent content = repository->read(path);
         // What cannot be told counts: nothing is lost by a word too many.
-        const std::string_view root = root_element(content.bytes);
-        if (content.ok() && !root.empty() && root != "luxgate") continue;
+        if (content.ok() && !may_be_project(content.bytes)) continue;
         const std::string name = named_like(folder, path);
         projects_.push_back({name, name, repository.get(), false, true, true});
       }
     }
   }
+  return "";
 }
 
 // Those in a repository are questions of the revision, too; others are as they are now.
@@ -264,6 +270,18 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
   print_error(calc::DiagnosticId::revision_not_available, revision_,
               "what stands above is in this revision and cannot be read: nothing was compared");
   return std::nullopt;
+}
+
+bool OldState::is_unchanged_head(const calc::FileReader& now) const {
+  const auto is_same = [&](const std::string& path) {
+    const git::GitTreeReader* repository = repository_of(path);
+    if (repository == nullptr) return true;
+    const calc::FileContent then = repository->read(path), today = now.read(path);
+    return then.ok() && today.ok() && then.bytes == today.bytes;
+  };
+  return std::all_of(repositories_.begin(), repositories_.end(),
+                     [](const auto& repository) { return repository->is_unchanged_head(); }) &&
+         std::all_of(rule_files_.begin(), rule_files_.end(), is_same);
 }
 
 std::size_t OldState::project_count() const {

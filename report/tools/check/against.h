@@ -38,6 +38,9 @@ class OldState {
   std::optional<std::vector<report::ProjectPart>> check(const CheckOne& check_one,
                                                         const check::Crew& crew,
                                                         const std::function<bool()>& go_on) const;
+  // Whether it is HEAD, with nothing staged, and has the same rule files: what was read for the
+  // projects may still differ.
+  bool is_unchanged_head(const calc::FileReader& now) const;
   // That check() will call check_one for.
   std::size_t project_count() const;
 
@@ -59,8 +62,9 @@ class OldState {
   std::size_t failures() const;
   const git::GitTreeReader* open(const std::string& project, const git::GitPlaces& places,
                                  std::string& problem);
-  void find_moved(const calc::FileReader& now);
-  void find_gone(const std::vector<std::string>& folders);
+  // "" or what is too much to be looked through.
+  std::string find_moved(const calc::FileReader& now);
+  std::string find_gone(const std::vector<std::string>& folders);
   void find_rules(const std::vector<std::string>& paths);
   const git::GitTreeReader* repository_of(const std::string& path) const;
   std::string shown(const std::string& file, const git::GitTreeReader* files) const;

@@ -1,5 +1,6 @@
 #include "report/tools/check/check.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "calc/store/entry_folder.h"
@@ -39,6 +40,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
@@ -218,15 +220,35 @@ ExitCode told_of_interrupt(const CheckOptions& options) {
   return kInterrupted;
 }
 
-// Nothing but a store of luxgate has been made there. False: it stays, which has been printed.
+// Nothing but a store of luxgate has been made there. False: it stays, which has been printed. Its
+// mark goes last: a run that is ended meanwhile leaves a store, with which the next one goes on.
 bool remove_resume_store(const std::string& folder) {
   std::error_code failure;
-  std::filesystem::remove_all(folder, failure);
+  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (entry->path().filename() != calc::kStoreMark) {
+      std::filesystem::remove_all(entry->path(), failure);
+    }
+  }
+  if (!failure) std::filesystem::remove_all(folder, failure);
   if (!failure) return true;
   print_error(calc::DiagnosticId::output_not_possible,
               fmt::format("cannot remove '{}', which is not needed any more: {}", folder,
                           failure.message()));
   return false;
+}
+
+// Whether every project was there then, and all that was read for it has the same bytes.
+bool have_same_inputs(const report::Document& before, const report::Document& after) {
+  const auto is_same = [](const report::ProjectPart& a, const report::ProjectPart& b) {
+    return a.path == b.path &&
+           std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
+                      [](const calc::InputFile& one, const calc::InputFile& other) {
+                        return one.sha256 == other.sha256;
+                      });
+  };
+  return std::equal(before.projects.begin(), before.projects.end(), after.projects.begin(),
+                    after.projects.end(), is_same);
 }
 
 // What is wrong with the projects may be for a setting that does not hold yet.
@@ -280,6 +302,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (!options.policy.empty()) {
     policy = read_policy_or_print(options.policy, files);
     if (!policy || !is_allowed_or_print(*policy, options)) return kNotJudged;
+    // Whoever changes designs may set SOURCE_DATE_EPOCH, and must not revive a waiver by it.
+    options.settings.today = check::day_or_today("");
     const std::vector<calc::DiagnosticId>& fatal = policy->fatal_warnings;
     options.strict.ids.insert(options.strict.ids.end(), fatal.begin(), fatal.end());
     options.strict.all = options.strict.all || policy->are_all_warnings_fatal;
@@ -353,6 +377,12 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
       revision.commits = old_state->commits();
       const std::vector<std::string>& notes = old_state->notes();
       revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
+      revision.is_of_itself = options.input.config.changed.empty() &&
+                              have_same_inputs(*baseline, document) &&
+                              old_state->is_unchanged_head(files);
+      if (revision.is_of_itself) {
+        revision.notes.push_back(calc::say<calc::Sentence::revision_of_itself>(options.against));
+      }
     }
     return revision;
   };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <new>
 
 namespace cli {
 namespace {
@@ -28,6 +29,13 @@ report::ProjectPart check_safely(const std::string& path, const check::Context& 
     return check::check_project(path, context);
   } catch (const calc::BackendFailure& failure) {
     return failed_project(path, calc::DiagnosticId::backend_failed, failure.what());
+  } catch (const std::bad_alloc&) {
+    calc::Diagnostics diagnostics;
+    diagnostics.report(calc::DiagnosticId::not_enough_memory, {path, 0, 0});
+    report::ProjectPart part;
+    part.path = path;
+    part.diagnostics = diagnostics.all();
+    return part;
   } catch (const std::exception& error) {
     return failed_project(path, calc::DiagnosticId::internal_error, error.what());
   }

@@ -18,6 +18,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <string>
@@ -116,6 +117,8 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
                                     nullptr, &store, setup->crew.most_begun});
     } catch (const calc::BackendFailure& failure) {
       told[p].report(calc::DiagnosticId::backend_failed, {own[p].path, 0, 0}, failure.what());
+    } catch (const std::bad_alloc&) {
+      told[p].report(calc::DiagnosticId::not_enough_memory, {own[p].path, 0, 0});
     } catch (const std::exception& error) {
       told[p].report(calc::DiagnosticId::internal_error, {own[p].path, 0, 0}, error.what());
     }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace calc::xml_document_test {
 namespace {
@@ -19,6 +22,33 @@ TEST(XmlDocument, TellsLineAndColumnOfElementsAndAttributes) {
   EXPECT_EQ(b.find("x")->where.column, 7);
   EXPECT_EQ(b.find("y")->where.line, 3);
   EXPECT_EQ(b.find("y")->where.column, 6);
+}
+
+// The parser ends names by writing over what follows them, which may be the end of a line.
+TEST(XmlDocument, TellsPlacesInLongFilesAndLongLines) {
+  std::string text = "<a>";
+  std::vector<SourceLocation> expected;
+  int line = 1, column = 4;
+  for (int k = 0; k < 6000; ++k) {
+    expected.push_back({"f.xml", line, column});
+    const bool is_broken = k % 7 == 0, is_row_end = k % 1500 == 1499;
+    text += is_broken ? "<b\nx='\xC3\xA4'/>" : "<b x='\xC3\xA4'/>";
+    line += is_broken ? 1 : 0;
+    column = is_broken ? 8 : column + 10;
+    if (!is_row_end) continue;
+    text += std::string(9000, '\n');
+    line += 9000;
+    column = 1;
+  }
+  Diagnostics diagnostics;
+  const auto root = parse_xml(text + "</a>", "f.xml", diagnostics);
+  ASSERT_TRUE(root);
+  ASSERT_EQ(root->children.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const SourceLocation& where = root->children[k].where;
+    ASSERT_EQ(std::pair(where.line, where.column), std::pair(expected[k].line, expected[k].column))
+        << k;
+  }
 }
 
 TEST(XmlDocument, CountsCharactersNotBytesAndSkipsTheByteOrderMark) {

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Optional;
 
 // A repository in a folder of its own, made by git without anybody's settings.
 class GitTreeReaderTest : public testing::Test {
@@ -100,7 +101,15 @@ TEST_F(GitTreeReaderTest, ListsFiles) {
   ASSERT_NE(reader, nullptr) << problem_;
   EXPECT_THAT(reader->names_in(path("sub")), ElementsAre("b.xml", "c.ies"));
   EXPECT_THAT(reader->names_in(path("none")), IsEmpty());
-  EXPECT_THAT(reader->files_ending(".xml"), ElementsAre("a.xml", "sub/b.xml"));
+  const auto is_xml = [](const std::string& name) { return name.ends_with(".xml"); };
+  const auto any = [](const std::string&) { return true; };
+  EXPECT_THAT(reader->files_in(root_.string(), is_xml, any),
+              Optional(ElementsAre("a.xml", "sub/b.xml")));
+  EXPECT_THAT(reader->files_in(path("sub"), any, any),
+              Optional(ElementsAre("sub/b.xml", "sub/c.ies")));
+  EXPECT_THAT(reader->files_in(root_.string(), is_xml, [](const auto& n) { return n != "sub"; }),
+              Optional(ElementsAre("a.xml")));
+  EXPECT_THAT(reader->files_in(path("none"), any, any), Optional(IsEmpty()));
   EXPECT_TRUE(reader->has(path("sub")));
   EXPECT_FALSE(reader->has(path("c.ies")));
   EXPECT_EQ(reader->root(), root_.string());
@@ -119,6 +128,45 @@ TEST_F(GitTreeReaderTest, TakesEveryNameOfACommit) {
                                   id.substr(0, 8), std::string("HEAD^")}) {
     EXPECT_EQ(read(name, "a.xml"), "one") << name;
   }
+}
+
+// Git would take the tag: whoever can push one could choose what a design is compared with.
+TEST_F(GitTreeReaderTest, RefusesNamesThatSeveralCommitsHave) {
+  write("a.xml", "one");
+  commit();
+  git("update-ref refs/remotes/origin/main HEAD");
+  const std::string old = open("HEAD")->commit();
+  write("a.xml", "two");
+  commit();
+  git("update-ref refs/tags/origin/main HEAD");
+  git("update-ref refs/tags/" + old.substr(0, 8) + " HEAD");
+  git("update-ref refs/tags/refs/remotes/origin/gone HEAD");
+  git("update-ref refs/tags/main HEAD");
+  EXPECT_THAT(read("origin/main", "a.xml"),
+              HasSubstr("'origin/main' is the name of several commits of"));
+  EXPECT_THAT(problem_, HasSubstr("'refs/tags/origin/main' ("));
+  EXPECT_THAT(problem_, HasSubstr("write the whole name"));
+  EXPECT_THAT(read("origin/main...", "a.xml"), HasSubstr("several commits"));
+  EXPECT_THAT(read("origin/main~0^{commit}", "a.xml"), HasSubstr("several commits"));
+  EXPECT_THAT(read(old.substr(0, 8), "a.xml"), HasSubstr("several commits"));
+  EXPECT_THAT(read("refs/remotes/origin/gone", "a.xml"), HasSubstr("has no 'refs/remotes/origin"));
+  EXPECT_EQ(read("refs/remotes/origin/main", "a.xml"), "one");
+  EXPECT_EQ(read("refs/remotes/origin/main...", "a.xml"), "one");
+  EXPECT_EQ(read(old, "a.xml"), "one");
+  EXPECT_EQ(read("main", "a.xml"), "two") << "both lead to one commit";
+}
+
+TEST_F(GitTreeReaderTest, KnowsHeadWithNothingStaged) {
+  write("a.xml", "one");
+  commit();
+  EXPECT_TRUE(open("HEAD")->is_unchanged_head());
+  EXPECT_TRUE(open("main...")->is_unchanged_head());
+  write("a.xml", "two");
+  EXPECT_TRUE(open("HEAD")->is_unchanged_head()) << "what is read is compared elsewhere";
+  git("add a.xml");
+  EXPECT_FALSE(open("HEAD")->is_unchanged_head());
+  commit();
+  EXPECT_FALSE(open("HEAD~1")->is_unchanged_head());
 }
 
 TEST_F(GitTreeReaderTest, FindsWhereHeadLeftABranch) {
@@ -145,7 +193,7 @@ TEST_F(GitTreeReaderTest, SaysWhatIsNoCommit) {
   git("update-ref refs/remotes/origin/topic HEAD");
   EXPECT_THAT(read("none", "a.xml"),
               HasSubstr("knows no commit 'none'; allowed is a branch, a tag"));
-  EXPECT_THAT(read("topic", "a.xml"), HasSubstr("but 'origin/topic': say --against origin/topic"));
+  EXPECT_THAT(read("topic", "a.xml"), HasSubstr("say --against refs/remotes/origin/topic"));
   EXPECT_THAT(read("HEAD:a.xml", "a.xml"), HasSubstr("leads to no commit, it is a blob; allowed"));
   EXPECT_THAT(read("HEAD^{tree}", "a.xml"), HasSubstr("leads to no commit, it is a tree"));
 }

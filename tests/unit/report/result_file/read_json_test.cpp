@@ -397,6 +397,16 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
 }
 
 // A result is a stranger's file, too.
+TEST(ReadJson, AKeyThatStandsTwiceIsNoResult) {
+  std::string problem;
+  EXPECT_EQ(read_json(R"({"luxgate_result": 1, "outcome": "fail", "outcome": "pass"})", problem),
+            std::nullopt);
+  EXPECT_THAT(problem, testing::HasSubstr("the key 'outcome' stands twice in one object"));
+  EXPECT_EQ(read_json(R"({"a": [{"b": 1}, {"b": 2}], "c": {"a": {}, "b": 1}})", problem),
+            std::nullopt);
+  EXPECT_THAT(problem, testing::Not(testing::HasSubstr("twice")));
+}
+
 TEST(ReadJson, ALogoIsCheckedAgain) {
   const auto problem_with = [](const char* key, const char* value) {
     json changed = json::parse(render_json(rich_document()));

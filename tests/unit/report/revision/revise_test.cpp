@@ -697,6 +697,41 @@ TEST(Gate, LetsValuesFallByWhatIsAllowed) {
             rules::Outcome::pass);
 }
 
+TEST(Gate, HeadBesideItselfIsNotJudged) {
+  Document same = with_revision(pass_all, [](Document&) {}, kRegression);
+  EXPECT_EQ(gate_outcome(same), rules::Outcome::pass);
+  same.revision->is_of_itself = true;
+  EXPECT_EQ(gate_outcome(same), rules::Outcome::not_judged);
+  same.revision->gate.mode = GateMode::all;
+  EXPECT_EQ(gate_outcome(same), rules::Outcome::pass);
+}
+
+// Who assumes less light asks more of a design: a loss of as much is let through, and no more.
+TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
+  const auto fall = [](double share, double dimmer, std::size_t types) {
+    return [=](Document& d) {
+      auto& rows = d.projects[0].luminaires;
+      for (std::size_t k = 0; k < std::min(types, rows.size()); ++k) {
+        rows[k].maintenance_factor *= dimmer;
+      }
+      set_measured(finding(d), estimate(share * finding(d).measured.value, 0.0));
+    };
+  };
+  const auto exact = [](Document& d) {
+    pass_all(d);
+    const double limit = finding(d).requirement.limit;
+    set_measured(finding(d), estimate(2.0 * limit, 0.0));
+  };
+  const auto outcome = [&](double share, double dimmer, std::size_t types = 9) {
+    return gate_outcome(with_revision(exact, fall(share, dimmer, types), kRegression));
+  };
+  EXPECT_EQ(outcome(0.875, 0.875), rules::Outcome::pass);
+  EXPECT_EQ(outcome(0.85, 0.875), rules::Outcome::fail) << "something else was taken away, too";
+  EXPECT_EQ(outcome(0.875, 1.0), rules::Outcome::fail);
+  EXPECT_EQ(outcome(0.875, 0.875, 1), rules::Outcome::fail) << "another type is as it was";
+  EXPECT_EQ(outcome(0.45, 0.45), rules::Outcome::fail) << "it does not pass any more";
+}
+
 TEST(Gate, WhatWaitsForAJudgementIsNoPass) {
   const auto open = [](Document& d) {
     rules::Finding& of = finding(d);

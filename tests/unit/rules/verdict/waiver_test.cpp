@@ -24,7 +24,8 @@ TEST(Waiver, HoldsUpToItsLastDay) {
   const Finding last_day = applied(finding_of(Verdict::fail), "2027-06-30");
   EXPECT_TRUE(last_day.is_waived);
   EXPECT_EQ(last_day.verdict, Verdict::fail);
-  EXPECT_EQ(last_day.reason, "waived by J. Doe until 2027-06-30: wall moves in May");
+  EXPECT_EQ(last_day.reason,
+            "waived by J. Doe until 2027-06-30, as of 2027-06-30: wall moves in May");
   const Finding day_after = applied(finding_of(Verdict::fail), "2027-07-01");
   EXPECT_FALSE(day_after.is_waived);
   EXPECT_EQ(day_after.reason, "the waiver by J. Doe ended on 2027-06-30: wall moves in May");
@@ -36,7 +37,8 @@ TEST(Waiver, IsForWhatFailsOrIsOpen) {
   EXPECT_FALSE(applied(finding_of(Verdict::not_judged), "2027-01-01").is_waived);
   const Finding open = applied(finding_of(Verdict::undecided, "too wide"), "2027-01-01");
   EXPECT_TRUE(open.is_waived);
-  EXPECT_EQ(open.reason, "too wide; waived by J. Doe until 2027-06-30: wall moves in May");
+  EXPECT_EQ(open.reason,
+            "too wide; waived by J. Doe until 2027-06-30, as of 2027-01-01: wall moves in May");
 }
 
 TEST(Waiver, WithoutOneNothingChanges) {
