@@ -29,9 +29,18 @@ void throw_embree_error(void* /*user*/, RTCError code, const char* text) {
   throw std::runtime_error(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
 }
 
-struct ReleaseDevice {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
+// One for the whole process, which is never released: where memory ends, threads that open and
+// release devices wait for each other for ever (Embree 3.13 and 4.3).
+RTCDevice embree_device() {
+  static const RTCDevice device = [] {
+    const RTCDevice opened = rtcNewDevice(embree_instruction_set().c_str());
+    if (opened == nullptr) throw std::runtime_error("Embree gives no device");
+    rtcSetDeviceErrorFunction(opened, throw_embree_error, nullptr);
+    return opened;
+  }();
+  return device;
+}
+
 struct ReleaseTree {
   void operator()(RTCBVH tree) const { rtcReleaseBVH(tree); }
 };
@@ -51,11 +60,8 @@ class TriangleTree::Builder {
   explicit Builder(TriangleTree& tree) : tree_(tree) {}
 
   void build() {
-    const std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device(
-        rtcNewDevice(embree_instruction_set().c_str()));
-    if (device == nullptr) throw std::runtime_error("Embree gives no device");
-    rtcSetDeviceErrorFunction(device.get(), throw_embree_error, nullptr);
-    const std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseTree> tree(rtcNewBVH(device.get()));
+    const std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseTree> tree(
+        rtcNewBVH(embree_device()));
     if (tree == nullptr) throw std::runtime_error("Embree gives no tree");
 
     std::vector<RTCBuildPrimitive> primitives;

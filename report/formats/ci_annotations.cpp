@@ -129,6 +129,7 @@ class GithubWriter : public FormatWriter {
     }
     for (const CiFinding& entry : findings_.of(project)) {
       if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
+      if (std::string_view(command_for(entry)) == "error") ++errors_;
       problems_.write(github_line(
           command_for(entry), entry.where,
           fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
@@ -157,12 +158,19 @@ class GithubWriter : public FormatWriter {
     text += "luxgate: " + printable(summary_words(end.totals)) + "\n";
     if (const std::string words = provenance_remarks(end.provenance); !words.empty())
       text += "luxgate: " + words + "\n";
+    constexpr std::size_t kMostShown = 10;  // of each kind and step
+    if (errors_ > kMostShown) {
+      text += fmt::format("luxgate: {} errors, of which GitHub shows {} beside the files; all are "
+                          "in this log and in the other reports\n",
+                          errors_, kMostShown);
+    }
     sink.write(text);
   }
 
  private:
   const DocumentFrame& frame_;
   CiFindings findings_;
+  std::size_t errors_ = 0;
   Spill messages_, problems_;  // of all projects
 };
 

@@ -183,7 +183,11 @@ class MarkdownWriter : public FormatWriter {
       about_ = about_line(t_, project.about);
       title_ = title_of(project);
     }
-    if (projects_++ < kMostProjects) project_lines_ += project_line(t_, project);
+    // Of many the passing ones are folded: what is left to do must not be looked for.
+    const bool is_folded =
+        frame_.paths.size() > kMostListed && outcome_of(project) == rules::Outcome::pass;
+    Lines& lines = is_folded ? folded_lines_ : project_lines_;
+    if (lines.count++ < kMostProjects) lines.text += project_line(t_, project);
     advice_.write(advice_markdown(t_, project));
     warnings_.write(warnings(t_, project));
     notes_.write(notes(t_, project));
@@ -192,15 +196,24 @@ class MarkdownWriter : public FormatWriter {
   void finish(const DocumentEnd& end, Sink& sink) override;
 
  private:
-  static constexpr std::size_t kMostProjects = 50;
+  static constexpr std::size_t kMostListed = 10, kMostProjects = 50;
+  // Of the first ones.
+  struct Lines {
+    std::string text;
+    std::size_t count = 0;
+
+    std::string with_rest(const Texts& t) const {
+      if (count <= kMostProjects) return text;
+      return text + "\n" + t.say<Text::more_left_out>(count - kMostProjects) + "\n";
+    }
+  };
   bool has_projects() const { return frame_.paths.size() > 1; }
 
   const DocumentFrame& frame_;
   Texts t_;
   CiFindings findings_;
   Table passed_, others_;
-  std::size_t projects_ = 0;
-  std::string project_lines_;        // of the first ones
+  Lines project_lines_, folded_lines_;
   std::string title_, about_;        // of the only one
   Spill advice_, warnings_, notes_;  // of all projects
 };
@@ -220,10 +233,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
-  if (has_projects()) text += "\n" + project_lines_;
-  if (projects_ > kMostProjects) {
-    text += "\n" + t_.say<Text::more_left_out>(projects_ - kMostProjects) + "\n";
-  }
+  if (has_projects() && project_lines_.count > 0) text += "\n" + project_lines_.with_rest(t_);
   if (others_.count() > 0) text += "\n" + others_.text();
   sink.write(text);
   advice_.copy_to(sink);
@@ -231,8 +241,10 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   notes_.copy_to(sink);
   text.clear();
   if (passed_.count() > 0) {
-    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
-                        t_.say<Text::passed>(passed_.count()), passed_.text());
+    const std::string folded =
+        folded_lines_.count > 0 ? folded_lines_.with_rest(t_) + "\n" : std::string();
+    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}{}\n</details>\n",
+                        t_.say<Text::passed>(passed_.count()), folded, passed_.text());
   }
   if (const std::string words = provenance_remarks(remarked, t_); !words.empty())
     text += "\n" + words + "\n";

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iterator>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -74,10 +75,25 @@ struct GitTreeReader::State {
       return fmt::format("its object {} is damaged: 'git fsck' tells more{}", hex_of(id), words);
     }
     const std::string advice =
-        !setting("extensions.partialclone").empty()
+        is_partial()
             ? fmt::format("; this is a partial clone: 'git show {}:{}' brings it", commit, path)
             : shallow_advice(repository.get());
     return fmt::format("the repository's objects do not hold it{}{}", advice, words);
+  }
+
+  // By the extension, or by a remote that promises what is lacking: git 2.39 writes this alone.
+  bool is_partial() const {
+    if (!setting("extensions.partialclone").empty()) return true;
+    git_config* config = nullptr;
+    if (git_repository_config_snapshot(&config, repository.get()) != 0) return false;
+    const Config owned(config);
+    bool found = false;
+    const auto note = [](const git_config_entry* entry, void* is_found) {
+      *static_cast<bool*>(is_found) = std::string_view(entry->value) == "true";
+      return *static_cast<bool*>(is_found) ? 1 : 0;
+    };
+    git_config_foreach_match(config, "^remote\\..*\\.promisor$", note, &found);
+    return found;
   }
 
   bool is_too_large(const git_oid& id) const {
