@@ -44,8 +44,8 @@ class Locator {
     }
   }
 
-  // Places come mostly in file order: counting goes on from the last one, so that long lines cost no
-  // more.
+  // Places come mostly in file order: counting goes on from the last one, so that long lines cost
+  // no more.
   SourceLocation at(std::size_t offset) {
     offset = std::min(offset, bytes_.size());
     if (offset < at_ || offset - at_ > 2 * kBlock) go_to_line_of(offset);

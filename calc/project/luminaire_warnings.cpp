@@ -370,8 +370,8 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
 }
 
 // Whether the light of both may count where one covers the other. Another light at one place is the
-// other part of one luminaire, and so is what looks the other way; a small one in a large one may be
-// a spot in a panel.
+// other part of one luminaire, and so is what looks the other way; a small one in a large one may
+// be a spot in a panel.
 bool may_be_two_parts(const Project& project, const Luminaire& a, const Luminaire& b) {
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
   const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
@@ -388,8 +388,8 @@ bool may_be_two_parts(const Project& project, const Luminaire& a, const Luminair
          smaller_m2 < 0.25 * std::max(area_m2(one), area_m2(other));
 }
 
-// Panels that lie in one another, turned or beside each other: a grid that was pasted and turned, or
-// light that no ceiling has room for.
+// Panels that lie in one another, turned or beside each other: a grid that was pasted and turned,
+// or light that no ceiling has room for.
 void warn_overlapping_luminaires(const Project& project, const Space& space,
                                  Diagnostics& diagnostics) {
   constexpr double kRims = 0.1;  // openings are stated with their frames

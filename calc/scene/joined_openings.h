@@ -27,12 +27,13 @@ struct JoinedOpening {
 // Luminaires in a line, as tables of glare are made for, are as wide as this, and no ceiling.
 inline constexpr double kWidestLine_m = 0.35;
 
-// Those wider than a line, but for lines that meet, as in a frame along the walls. Points and what has no size in one direction join nothing.
+// Those wider than a line, but for lines that meet, as in a frame along the walls. Points and what
+// has no size in one direction join nothing.
 std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings);
 
 // How much of the smaller outline lies in the other one, seen along the axis of `a`: 0 to 1. 0 of
-// points and lines, of openings that look another way, and of planes farther apart than kOneBehind_m,
-// where one may hang below the other. Disks count as squares of their area.
+// points and lines, of openings that look another way, and of planes farther apart than
+// kOneBehind_m, where one may hang below the other. Disks count as squares of their area.
 inline constexpr double kOneBehind_m = 0.15;
 double overlap_share(const OpeningInPlace& a, const OpeningInPlace& b);
 

@@ -160,9 +160,10 @@ class GithubWriter : public FormatWriter {
       text += "luxgate: " + words + "\n";
     constexpr std::size_t kMostShown = 10;  // of each kind and step
     if (errors_ > kMostShown) {
-      text += fmt::format("luxgate: {} errors, of which GitHub shows {} beside the files; all are "
-                          "in this log and in the other reports\n",
-                          errors_, kMostShown);
+      text += fmt::format(
+          "luxgate: {} errors, of which GitHub shows {} beside the files; all are "
+          "in this log and in the other reports\n",
+          errors_, kMostShown);
     }
     sink.write(text);
   }

@@ -273,8 +273,9 @@ struct GitTreeReader::State {
       const std::string name = git_tree_entry_name(entry);
       switch (git_tree_entry_filemode(entry)) {
         case GIT_FILEMODE_TREE:
-          if (is_folder_wanted(name) && !add_files(*git_tree_entry_id(entry), path + name + "/",
-                                                   is_file_wanted, is_folder_wanted, listed, files)) {
+          if (is_folder_wanted(name) &&
+              !add_files(*git_tree_entry_id(entry), path + name + "/", is_file_wanted,
+                         is_folder_wanted, listed, files)) {
             return false;
           }
           break;

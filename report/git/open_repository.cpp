@@ -143,8 +143,8 @@ bool is_hexadecimal(std::string_view text) {
   return text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
 }
 
-// Git takes the first of several that have a name, a tag before a remote's branch: who may push tags
-// could choose what a design is compared with. "" or why the name is refused.
+// Git takes the first of several that have a name, a tag before a remote's branch: who may push
+// tags could choose what a design is compared with. "" or why the name is refused.
 std::string problem_with_name(git_repository* repository, const std::string& revision,
                               const std::string& root) {
   std::size_t end = std::min(revision.find_first_of("~^:"), revision.find("@{"));

@@ -119,10 +119,11 @@ void describe(auto& v, Is<Revision> auto& revision) {
   v.field("untold", revision.untold,
           {.words = "Of them: a loss of more than allowed_worse is not excluded.",
            .presence = kSinceLater});
-  v.field("is_of_itself", revision.is_of_itself,
-          {.words = "The git revision is HEAD, and no file that was read differs from it: a gate of "
-                    "regressions has judged nothing.",
-           .presence = only_if(revision.is_of_itself)});
+  v.field(
+      "is_of_itself", revision.is_of_itself,
+      {.words = "The git revision is HEAD, and no file that was read differs from it: a gate of "
+                "regressions has judged nothing.",
+       .presence = only_if(revision.is_of_itself)});
   v.field("known_failures", revision.known_failures,
           {.words = "That count, and failed in the baseline, too."});
   v.field("questions", revision.questions, {.words = "What is asked otherwise, weaker first."});

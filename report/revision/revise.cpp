@@ -233,8 +233,9 @@ class Reviser {
   static double share_of_maintenance(const ProjectPart& before, const ProjectPart& after) {
     double share = 0.0;
     for (const LuminaireRow& row : after.luminaires) {
-      const auto was = std::find_if(before.luminaires.begin(), before.luminaires.end(),
-                                    [&](const auto& other) { return other.type_id == row.type_id; });
+      const auto was =
+          std::find_if(before.luminaires.begin(), before.luminaires.end(),
+                       [&](const auto& other) { return other.type_id == row.type_id; });
       if (was == before.luminaires.end() || !(was->maintenance_factor > 0.0)) return 1.0;
       share = std::max(share, row.maintenance_factor / was->maintenance_factor);
     }

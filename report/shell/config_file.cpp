@@ -78,7 +78,8 @@ std::string folder_of(const std::string& path) {
 
 // As in /tmp: nobody has asked for such a file.
 bool is_of_a_stranger(const std::string& path) {
-  struct stat file {}, folder {};
+  struct stat file {
+  }, folder{};
   if (lstat(path.c_str(), &file) != 0) return false;
   if (stat(folder_of(path).c_str(), &folder) != 0) return false;
   return file.st_uid != 0 && file.st_uid != geteuid() && (folder.st_mode & S_IWOTH) != 0;

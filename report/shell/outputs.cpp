@@ -330,9 +330,10 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
   const fs::path folder = rooms_folder(index);
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) {
-    return fmt::format("'{}' is a link: pages of '{}' need a folder of their own, in which old ones "
-                       "are removed; delete the link",
-                       folder.string(), index);
+    return fmt::format(
+        "'{}' is a link: pages of '{}' need a folder of their own, in which old ones "
+        "are removed; delete the link",
+        folder.string(), index);
   }
   for (const std::string& input : inputs) {
     if (is_page_of(folder, input))

@@ -16,8 +16,8 @@ bool is_folder(const std::string& project);
 bool has_project_name(std::string_view name);
 
 // Whether that may be one by what it begins with: its root is <luxgate>, in whatever letters, or
-// cannot be told, as of another encoding or behind very long comments. What is a rule pack, a policy
-// or gbXML is none.
+// cannot be told, as of another encoding or behind very long comments. What is a rule pack, a
+// policy or gbXML is none.
 bool may_be_project(std::string_view text);
 
 // In place of each folder all that may be a project in it and below, in the order of their paths.

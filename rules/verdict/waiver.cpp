@@ -17,10 +17,10 @@ void apply_waiver(Finding& finding, std::string_view today) {
   if (!can_be_waived(finding.verdict)) return;
   finding.is_waived = waiver->holds_on(today);
   finding.reason += finding.reason.empty() ? "" : "; ";
-  finding.reason +=
-      finding.is_waived
-          ? calc::say<calc::Sentence::waived_on>(waiver->owner, waiver->until, today, waiver->reason)
-          : calc::say<calc::Sentence::waiver_ended>(waiver->owner, waiver->until, waiver->reason);
+  finding.reason += finding.is_waived ? calc::say<calc::Sentence::waived_on>(
+                                            waiver->owner, waiver->until, today, waiver->reason)
+                                      : calc::say<calc::Sentence::waiver_ended>(
+                                            waiver->owner, waiver->until, waiver->reason);
 }
 
 }  // namespace rules

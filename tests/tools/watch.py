@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -123,6 +124,24 @@ for wrong, code in ((f"http://127.0.0.1:{port}/", 404), (f"http://127.0.0.1:{por
         problems.append(f"{wrong}: {get(wrong)[0]}")
 if get(url + "report", host=f"attacker.example:{port}")[0] != 403:
     problems.append("another host's name is let in")
+# Who sends a request byte by byte, or without an end, keeps nobody else from the page.
+slow = [socket.create_connection(("127.0.0.1", int(port))) for _ in range(64)]
+for one in slow:
+    one.send(b"G")
+begin = time.monotonic()
+if get(url)[0] != 200 or time.monotonic() - begin > 6:
+    problems.append(f"64 slow connections: {time.monotonic() - begin:.1f} s")
+with socket.create_connection(("127.0.0.1", int(port))) as endless:
+    begin = time.monotonic()
+    try:
+        endless.sendall(b"GET / HTTP/1.1\r\n")
+        while time.monotonic() - begin < 10:
+            endless.sendall(b"X: " + b"y" * 4000 + b"\r\n")
+        problems.append("headers without an end are read for 10 s")
+    except OSError:
+        pass
+for one in slow:
+    one.close()
 news = []
 
 

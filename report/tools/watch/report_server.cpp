@@ -14,8 +14,10 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <random>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -42,18 +44,60 @@ new EventSource("news?seen={1}").onmessage = () => {{
 </script></body></html>
 )";
 
-// Ends what this process has open with browsers at that port of its own. Who sends a request byte
-// by byte would otherwise keep a thread for as long as it likes.
-void cut_connections(int port) {
+// What this process has open with browsers at that port of its own: calls visit(socket, the
+// browser's port).
+template <class Visit>
+void for_each_connection(int port, Visit visit) {
   const long most = sysconf(_SC_OPEN_MAX);
-  constexpr long kMostLooked = 65536;
+  constexpr long kMostLooked = 4096;
   for (int socket = 0; socket < std::min(most, kMostLooked); ++socket) {
-    sockaddr_in name{};
-    socklen_t size = sizeof name;
+    sockaddr_in name{}, browser{};
+    socklen_t size = sizeof name, browser_size = sizeof browser;
     if (getsockname(socket, reinterpret_cast<sockaddr*>(&name), &size) != 0) continue;
-    if (name.sin_family == AF_INET && ntohs(name.sin_port) == port) shutdown(socket, SHUT_RDWR);
+    if (name.sin_family != AF_INET || ntohs(name.sin_port) != port) continue;
+    if (getpeername(socket, reinterpret_cast<sockaddr*>(&browser), &browser_size) != 0) continue;
+    visit(socket, static_cast<int>(ntohs(browser.sin_port)));
   }
 }
+
+// Who sends a request byte by byte would otherwise keep a thread for as long as it likes.
+void cut_connections(int port) {
+  for_each_connection(port, [](int socket, int) { shutdown(socket, SHUT_RDWR); });
+}
+
+// Of connections those whose whole request has come; the others are cut after a while. Any page of
+// the web may open as many as it likes, and send headers without end.
+class Guests {
+ public:
+  void welcome(int browser_port) {
+    const std::lock_guard lock(mutex_);
+    known_.insert(browser_port);
+  }
+
+  void cut_strangers(int port) {
+    constexpr std::chrono::milliseconds kAtMost{1000};
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    std::map<int, std::chrono::steady_clock::time_point> waiting;
+    std::set<int> known;
+    for_each_connection(port, [&](int socket, int browser_port) {
+      if (known_.contains(browser_port)) {
+        known.insert(browser_port);
+        return;
+      }
+      const auto since = waiting_.find(browser_port);
+      waiting[browser_port] = since == waiting_.end() ? now : since->second;
+      if (now - waiting[browser_port] > kAtMost) shutdown(socket, SHUT_RDWR);
+    });
+    known_ = std::move(known);
+    waiting_ = std::move(waiting);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<int> known_;                                           // ports of browsers
+  std::map<int, std::chrono::steady_clock::time_point> waiting_;  // since when
+};
 
 std::string random_words() {
   std::random_device random;
@@ -80,7 +124,8 @@ struct ReportServer::Parts {
   bool is_ending = false;
   int port = 0;
   std::atomic<bool> has_ended{false};
-  std::thread thread;
+  std::thread thread, doorkeeper;
+  Guests guests;
 
   // Waits for another report than that of `seen`; false: the server ends.
   bool wait_for_news(std::uint64_t& seen, bool& is_new) {
@@ -104,8 +149,10 @@ struct ReportServer::Parts {
     // A page of another name that leads here asks with that name.
     server.set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& response) {
-          if (request.get_header_value("Host") == host)
+          if (request.get_header_value("Host") == host) {
+            if (request.path.starts_with("/" + token + "/")) guests.welcome(request.remote_port);
             return httplib::Server::HandlerResponse::Unhandled;
+          }
           response.status = 403;
           return httplib::Server::HandlerResponse::Handled;
         });
@@ -155,6 +202,12 @@ std::unique_ptr<ReportServer> ReportServer::start(std::string& problem) {
     parts.server.listen_after_bind();
     parts.has_ended = true;
   });
+  parts.doorkeeper = std::thread([&parts] {
+    while (!parts.has_ended) {
+      parts.guests.cut_strangers(parts.port);
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+  });
   // One that does not run yet cannot be stopped.
   constexpr int kMostWaits = 1000;
   for (int k = 0; k < kMostWaits && !parts.server.is_running(); ++k) {
@@ -176,6 +229,7 @@ ReportServer::~ReportServer() {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   parts_->thread.join();
+  parts_->doorkeeper.join();
 }
 
 const std::string& ReportServer::address() const { return parts_->address; }

@@ -116,7 +116,8 @@ TEST(ProjectWarnings, OneHousingIsNotTwoLuminairesOfAlmostTheSameLight) {
 TEST(ProjectWarnings, PanelsInOneAnotherAreNamed) {
   const auto second = [](const std::string& rest) {
     return messages_in_room(R"(<luminaire id="k" type="panel" position="1.5 1.5 2.4"/>
-<luminaire id="m" )" + rest + R"(/></room>
+<luminaire id="m" )" + rest +
+                            R"(/></room>
 <luminaire-type id="half" photometry="panel.ies" flux-lm="114"/>
 <room id="z" origin="90 0 0" size="4 3 2.5" ceiling="white" walls="white" floor="white">)");
   };
@@ -124,23 +125,26 @@ TEST(ProjectWarnings, PanelsInOneAnotherAreNamed) {
   for (const char* rest :
        {R"(type="panel" position="1.5 1.5 2.4" rotation="2")",
         R"(type="panel" position="1.5 1.5 2.4" rotation="90")",
-        R"(type="panel" position="1.6 1.5 2.4")", R"(type="panel" position="1.5 1.6 2.4")",
-        R"(type="panel" position="1.5 1.5 2.3")", R"(type="half" position="1.6 1.5 2.4")",
+        R"(type="panel" position="1.7 1.5 2.4")", R"(type="panel" position="1.5 1.7 2.4")",
+        R"(type="panel" position="1.7 1.5 2.3")", R"(type="half" position="1.7 1.5 2.4")",
         R"(type="panel" position="1.5 1.5 2.4" aim="1.7 1.5 0")"}) {
     EXPECT_THAT(second(rest), overlaps) << rest;
   }
   for (const char* rest :
-       {R"(type="panel" position="2.1 1.5 2.4")",               // beside
-        R"(type="panel" position="1.5 1.5 2.2")",               // below
+       {R"(type="panel" position="2.1 1.5 2.4")",                  // beside
+        R"(type="panel" position="1.5 1.5 2.2")",                  // below
         R"(type="panel" position="1.5 1.5 2.4" aim="1.5 1.5 9")",  // the other way
-        R"(type="half" position="1.5 1.5 2.4" rotation="90")",  // the other part of one
-        R"(type="half" position="1.6 1.5 2.4" group="warm")"}) {
+        R"(type="half" position="1.5 1.5 2.4" rotation="90")",     // the other part of one
+        R"(type="half" position="1.7 1.5 2.4" group="warm")"}) {
     EXPECT_THAT(second(rest), Not(HasSubstr("luminaires-overlap"))) << rest;
   }
-  const std::string grid =
-      R"(<luminaire-grid id="g" type="panel" origin="0 0 2.4" size="4 3" rows="2" columns="3"/>)";
-  EXPECT_THAT(messages_in_room(grid + "\n<!-- -->" + grid.substr(0, 20) + "h" + grid.substr(21, 18) +
-                               R"(rotation="90" )" + grid.substr(39)),
+  const auto grid = [](const char* id, const char* turn) {
+    return fmt::format(
+        "<luminaire-grid id=\"{}\" type=\"panel\" origin=\"0 0 2.4\" size=\"4 3\" "
+        "rows=\"2\" columns=\"3\" rotation=\"{}\"/>\n",
+        id, turn);
+  };
+  EXPECT_THAT(messages_in_room(grid("g", "0") + grid("h", "90")),
               HasSubstr("luminaires of this space likewise): two cannot hang there"));
 }
 

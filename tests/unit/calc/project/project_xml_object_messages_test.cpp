@@ -91,7 +91,7 @@ const std::vector<MessageCase> kCases{
     {"TooManyInstances",
      in_room(R"(<box id="b" size="1 1 1" material="white" repeat="2000 2000 1" step="1 1 0"/>)"),
      "dir/p.xml:5:1: error[beyond-limit]: 'b' brings the model to 4000000 objects and "
-     "luminaires; at most 1000000 are allowed, see --limit objects"},
+     "luminaires; at most 250000 are allowed, see --limit objects"},
     {"FlatQuad", in_room(R"(<quad id="q" origin="0 0 1" u="1 0 0" v="-2 0 0" material="white"/>)"),
      "dir/p.xml:5:29: error[parallel-vectors]: attributes 'u' and 'v' of <quad> must span an area, "
      "but they are parallel or zero"},

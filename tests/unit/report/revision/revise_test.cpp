@@ -698,7 +698,8 @@ TEST(Gate, LetsValuesFallByWhatIsAllowed) {
 }
 
 TEST(Gate, HeadBesideItselfIsNotJudged) {
-  Document same = with_revision(pass_all, [](Document&) {}, kRegression);
+  Document same = with_revision(
+      pass_all, [](Document&) {}, kRegression);
   EXPECT_EQ(gate_outcome(same), rules::Outcome::pass);
   same.revision->is_of_itself = true;
   EXPECT_EQ(gate_outcome(same), rules::Outcome::not_judged);
@@ -719,6 +720,9 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
   };
   const auto exact = [](Document& d) {
     pass_all(d);
+    auto& rows = d.projects[0].luminaires;
+    if (rows.size() < 2) rows.push_back(rows[0]);
+    rows[1].type_id = "another";
     const double limit = finding(d).requirement.limit;
     set_measured(finding(d), estimate(2.0 * limit, 0.0));
   };

@@ -81,9 +81,9 @@ TEST(ProjectFolder, LeavesNoDesignOutInSilence) {
   std::vector<std::string> projects{folder.string()};
   EXPECT_EQ(expand_folders(projects), "");
   const std::string here = folder.string();
-  EXPECT_THAT(projects, ElementsAre(here + "/dangling.xml", here + "/other.xml", here + "/out.xml",
-                                    here + "/own/OFFICE.XML", here + "/storey",
-                                    here + "/unmarked.xml"));
+  EXPECT_THAT(projects,
+              ElementsAre(here + "/dangling.xml", here + "/other.xml", here + "/out.xml",
+                          here + "/own/OFFICE.XML", here + "/storey", here + "/unmarked.xml"));
 }
 
 }  // namespace
