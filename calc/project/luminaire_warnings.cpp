@@ -268,18 +268,23 @@ bool have_about_same_light(const Project& project, std::size_t a, std::size_t b)
          is_about(size_m.x, other_size_m.x) && is_about(size_m.y, other_size_m.y);
 }
 
+// Of what shines alike all around a turn says nothing.
+bool is_symmetric(const PhotometricWeb& web) {
+  return web.is_axial() && web.opening().shape == OpeningShape::point;
+}
+
 // Other light at one place is the direct and the indirect part of one luminaire, other aims or
 // turns are the heads of one mast, and light that is about the same in another group is another
 // colour of one luminaire.
 bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
-  constexpr double kSameAim = 0.99985;  // cosine of 1 degree
+  constexpr double kSameAim = 0.99985, kSameTurn = 0.966;  // cosines of 1 and 15 degrees
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
   const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
-  const auto is_alike = [&](glm::length_t axis) {
-    return glm::dot(a.world_from_luminaire[axis], b.world_from_luminaire[axis]) > kSameAim;
+  const auto cosine = [&](glm::length_t axis) {
+    return glm::dot(a.world_from_luminaire[axis], b.world_from_luminaire[axis]);
   };
-  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) && is_alike(2) &&
-         is_alike(0) &&
+  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) &&
+         cosine(2) > kSameAim && (cosine(0) > kSameTurn || is_symmetric(one)) &&
          (have_same_light(project, a.type, b.type) ||
           (a.group == b.group && have_about_same_light(project, a.type, b.type)));
 }
@@ -369,12 +374,20 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
       likewise_words(others));
 }
 
+// Two heads of one mast, which is one place in a plan.
+bool are_back_to_back(const Luminaire& a, const Luminaire& b) {
+  constexpr double kOtherWay = -0.966;  // cosine of 165 degrees
+  return glm::distance(a.position_m, b.position_m) < kSamePlace_m &&
+         glm::dot(a.world_from_luminaire[0], b.world_from_luminaire[0]) < kOtherWay;
+}
+
 // Whether the light of both may count where one covers the other. Another light at one place is the
 // other part of one luminaire, and so is what looks the other way; a small one in a large one may
 // be a spot in a panel.
 bool may_be_two_parts(const Project& project, const Luminaire& a, const Luminaire& b) {
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
   const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
+  if (are_back_to_back(a, b)) return true;
   if (have_same_light(project, a.type, b.type)) return false;
   if (a.group != b.group) return true;
   if (have_about_same_light(project, a.type, b.type)) return false;

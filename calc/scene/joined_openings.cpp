@@ -83,7 +83,7 @@ using Outline = std::vector<glm::dvec2>;
 // Floodlights of a mast stand at one place and look this little apart at least. What looks up or
 // down is no such.
 bool look_alike(const glm::dvec3& a, const glm::dvec3& b) {
-  constexpr double kOneDegree = 0.99985, kSteep = 0.966;  // cosines of 1 and 15 degrees
+  constexpr double kOneDegree = 0.99985, kSteep = 0.9962;  // cosines of 1 and 5 degrees
   if (std::abs(a.z) > kSteep && std::abs(b.z) > kSteep) return a.z * b.z > 0.0;
   return glm::dot(a, b) > kOneDegree;
 }

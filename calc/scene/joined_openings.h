@@ -34,7 +34,7 @@ std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openi
 // How much of the smaller outline lies in the other one, seen along the axis of `a`: 0 to 1. 0 of
 // points and lines, of openings that look another way, and of planes farther apart than
 // kOneBehind_m, where one may hang below the other. Disks count as squares of their area.
-inline constexpr double kOneBehind_m = 0.15;
+inline constexpr double kOneBehind_m = 0.05;
 double overlap_share(const OpeningInPlace& a, const OpeningInPlace& b);
 
 }  // namespace calc

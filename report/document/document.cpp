@@ -253,12 +253,22 @@ DocumentFrame frame_of(const Document& document) {
   return frame;
 }
 
-DocumentEnd end_of(const Document& document) { return {document.provenance, totals_of(document)}; }
+DocumentEnd end_of(const Document& document) {
+  DocumentEnd end{document.provenance, totals_of(document)};
+  const std::optional<Revision>& revision = document.revision;
+  if (revision && revision->is_of_itself && revision->gate.mode == GateMode::regression) {
+    end.own_revision = revision->baseline;
+  }
+  return end;
+}
 
 std::vector<calc::Diagnostic> document_errors(const DocumentEnd& end) {
   calc::Diagnostics errors;
   if (end.totals.is_selection_empty()) {
     errors.report(calc::DiagnosticId::selection_empty, {}, end.provenance.selection);
+  }
+  if (!end.own_revision.empty()) {
+    errors.report(calc::DiagnosticId::revision_is_head, {}, end.own_revision);
   }
   return errors.all();
 }

@@ -383,6 +383,7 @@ struct DocumentFrame {             // what is known before the first of them
 struct DocumentEnd {  // what is known after the last one
   Provenance provenance;
   Totals totals;
+  std::string own_revision = {};  // with which a gate of regressions compared HEAD itself; else ""
 };
 // Of one that is there as a whole, which the frame refers to.
 DocumentFrame frame_of(const Document& document);

@@ -20,6 +20,7 @@ using Blob = std::unique_ptr<git_blob, Freeing<git_blob, git_blob_free>>;
 using Reference = std::unique_ptr<git_reference, Freeing<git_reference, git_reference_free>>;
 using Config = std::unique_ptr<git_config, Freeing<git_config, git_config_free>>;
 using ObjectStore = std::unique_ptr<git_odb, Freeing<git_odb, git_odb_free>>;
+using TreeEntry = std::unique_ptr<git_tree_entry, Freeing<git_tree_entry, git_tree_entry_free>>;
 using Diff = std::unique_ptr<git_diff, Freeing<git_diff, git_diff_free>>;
 using Index = std::unique_ptr<git_index, Freeing<git_index, git_index_free>>;
 

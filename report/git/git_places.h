@@ -9,6 +9,7 @@ namespace git {
 struct GitPlaces {
   std::string git_dir;
   std::string work_tree;  // only with git_dir; "" = the repository's own, or the current folder
+  std::string index_file = {};  // of the next commit, in hooks
 };
 
 }  // namespace git

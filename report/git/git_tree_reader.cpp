@@ -53,7 +53,7 @@ struct GitTreeReader::State {
   Repository bare;  // the same without work tree and index
   git_oid commit_id{};
   git_oid tree_id{};
-  std::string root, commit;
+  std::string root, commit, index_file;
   mutable std::size_t failures = 0;
 
   // Null: the caller says unreadable().
@@ -252,11 +252,13 @@ struct GitTreeReader::State {
     if (!head || git_oid_equal(&*head, &commit_id) == 0) return false;
     const Tree tree = tree_of(tree_id);
     git_index* index = nullptr;
-    if (tree == nullptr || git_repository_index(&index, repository.get()) != 0) return false;
+    const int error = index_file.empty() ? git_repository_index(&index, repository.get())
+                                         : git_index_open(&index, index_file.c_str());
     const Index staged(index);
     git_diff* diff = nullptr;
-    if (git_diff_tree_to_index(&diff, repository.get(), tree.get(), index, nullptr) != 0) {
-      return false;
+    if (tree == nullptr || error != 0 || git_index_entrycount(index) == 0 ||
+        git_diff_tree_to_index(&diff, repository.get(), tree.get(), index, nullptr) != 0) {
+      return true;
     }
     return git_diff_num_deltas(Diff(diff).get()) == 0;
   }
@@ -281,6 +283,7 @@ struct GitTreeReader::State {
           break;
         case GIT_FILEMODE_BLOB:
         case GIT_FILEMODE_BLOB_EXECUTABLE:
+        case GIT_FILEMODE_LINK:  // to a project, or to nothing
           if (is_file_wanted(name)) files.push_back(path + name);
           break;
         default:
@@ -299,6 +302,7 @@ std::unique_ptr<GitTreeReader> GitTreeReader::open(const std::string& file,
   if (!opened) return nullptr;
   state->repository = std::move(opened->repository);
   state->root = std::move(opened->root);
+  state->index_file = places.index_file;
   const auto id = find_commit(state->repository.get(), revision, state->root, problem);
   if (!id) return nullptr;
   state->commit_id = *id;
@@ -356,6 +360,11 @@ bool GitTreeReader::has(const std::string& path) const {
   return found.kind != Found::Kind::none || !found.error.empty();
 }
 
+bool GitTreeReader::has_file(const std::string& path) const {
+  const std::optional<std::string> inside = path_in_repository(path);
+  return inside && state_->find(*inside).kind == Found::Kind::file;
+}
+
 std::vector<std::string> GitTreeReader::names_in(const std::string& folder) const {
   std::vector<std::string> names;
   const std::optional<std::string> inside = path_in_repository(folder);
@@ -378,12 +387,61 @@ std::optional<std::vector<std::string>> GitTreeReader::files_in(
   const Found found = state_->find(*inside);
   if (found.kind != Found::Kind::folder) return files;
   std::size_t listed = 0;
-  const std::string start = found.path.empty() ? "" : found.path + "/";
+  // As it was asked for: a link may lead to it.
+  const std::string start = inside->empty() ? "" : *inside + "/";
   if (!state_->add_files(found.id, start, is_file_wanted, is_folder_wanted, listed, files)) {
     return std::nullopt;
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::string GitTreeReader::submodule_commit(const std::string& path) const {
+  const std::optional<std::string> inside = path_in_repository(path);
+  git_tree_entry* entry = nullptr;
+  const Tree tree = state_->tree_of(state_->tree_id);
+  if (!inside || tree == nullptr ||
+      git_tree_entry_bypath(&entry, tree.get(), inside->c_str()) != 0) {
+    return "";
+  }
+  const TreeEntry owned(entry);
+  return git_tree_entry_filemode(entry) == GIT_FILEMODE_COMMIT ? hex_of(*git_tree_entry_id(entry))
+                                                               : "";
+}
+
+std::vector<std::string> GitTreeReader::submodules_in(const std::string& folder) const {
+  std::vector<std::string> paths;
+  const std::optional<std::string> inside = path_in_repository(folder);
+  const Tree tree = state_->tree_of(state_->tree_id);
+  if (!inside || tree == nullptr) return paths;
+  struct Walk {
+    std::string start;
+    std::vector<std::string>& paths;
+    std::size_t looked = 0;
+  } walk{inside->empty() ? "" : *inside + "/", paths};
+  const auto visit = [](const char* above, const git_tree_entry* entry, void* given) {
+    Walk& own = *static_cast<Walk*>(given);
+    const std::string path = std::string(above) + git_tree_entry_name(entry);
+    if (++own.looked > kMostListed) return -1;
+    if (git_tree_entry_filemode(entry) == GIT_FILEMODE_COMMIT && path.starts_with(own.start)) {
+      own.paths.push_back(path);
+    }
+    // 1: not into what lies beside.
+    const std::string as_folder = path + "/";
+    const bool is_near = as_folder.starts_with(own.start) || own.start.starts_with(as_folder);
+    return is_near ? 0 : 1;
+  };
+  git_tree_walk(tree.get(), GIT_TREEWALK_PRE, visit, &walk);
+  return paths;
+}
+
+std::string GitTreeReader::staged_submodule_commit(const std::string& path) const {
+  const std::optional<std::string> inside = path_in_repository(path);
+  git_index* index = nullptr;
+  if (!inside || git_repository_index(&index, state_->repository.get()) != 0) return "";
+  const Index staged(index);
+  const git_index_entry* entry = git_index_get_bypath(index, inside->c_str(), 0);
+  return entry != nullptr && entry->mode == GIT_FILEMODE_COMMIT ? hex_of(entry->id) : "";
 }
 
 std::optional<std::string> GitTreeReader::path_in_repository(const std::string& path) const {

@@ -36,6 +36,8 @@ class GitTreeReader : public calc::FileReader {
   calc::FileContent read_within(const std::string& folder, const std::string& path) const override;
   // Whether there is something of this name, of any kind.
   bool has(const std::string& path) const;
+  // Whether there is a file of this name that can be had.
+  bool has_file(const std::string& path) const;
   // What a folder holds, names alone, in order; empty where there is no such folder.
   std::vector<std::string> names_in(const std::string& folder) const;
   // Files of a folder and below whose names are wanted, as paths from `root`, in order. Folders
@@ -46,8 +48,17 @@ class GitTreeReader : public calc::FileReader {
   std::optional<std::vector<std::string>> files_in(const std::string& folder,
                                                    const Wanted& is_file_wanted,
                                                    const Wanted& is_folder_wanted) const;
-  // It is what HEAD names, and nothing is staged for the next commit.
+  // It is what HEAD names, and nothing is staged for the next commit, as far as that can be told:
+  // of an index that cannot be read nothing is.
   bool is_unchanged_head() const;
+
+  // Of submodules: the commit of theirs that this revision names, in hexadecimal; "" where there
+  // was none at that path.
+  std::string submodule_commit(const std::string& path) const;
+  // Paths of all submodules in a folder and below, from the folder `root`.
+  std::vector<std::string> submodules_in(const std::string& folder) const;
+  // The same of the next commit, as it is staged.
+  std::string staged_submodule_commit(const std::string& path) const;
 
   // From the root of the repository; empty: outside of its work tree.
   std::optional<std::string> path_in_repository(const std::string& path) const;

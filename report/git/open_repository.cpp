@@ -167,8 +167,8 @@ std::string problem_with_name(git_repository* repository, const std::string& rev
   if (is_full && own) return "";
   if (is_full) return fmt::format("{} has no '{}'", root, name);
   if (is_id) return "";
-  for (const char* place : {"refs/", "refs/tags/", "refs/heads/", "refs/remotes/"}) {
-    const std::string full = place + name;
+  for (const std::string& full : {"refs/" + name, "refs/tags/" + name, "refs/heads/" + name,
+                                  "refs/remotes/" + name, "refs/remotes/" + name + "/HEAD"}) {
     if (const auto id = commit_of_reference(repository, full)) {
       found.emplace_back(fmt::format("'{}' ({:.10})", full, hex_of(*id)), *id);
     }

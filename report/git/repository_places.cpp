@@ -125,6 +125,14 @@ std::vector<std::string> repository_places(const std::string& file, const GitPla
   const int failure = git_repository_config_snapshot(&config, repository);
   const Config owned(failure == 0 ? config : nullptr);
   add_settings(owned.get(), common, all);
+  // Of a submodule the repository around it says which commit it was.
+  std::optional<OpenedRepository> around;
+  if (places.git_dir.empty()) around = open_repository(opened->root, places, problem);
+  if (around && around->root != opened->root) {
+    for (std::string& place : repository_places(opened->root, places)) {
+      all.push_back(std::move(place));
+    }
+  }
   return all;
 }
 

@@ -408,6 +408,20 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
   return all;
 }
 
+double share_of_maintenance(const ProjectPart& before, const ProjectPart& after) {
+  double share = 0.0;
+  std::set<std::string> known;
+  for (const auto& [was, is] : paired_luminaires(before, after)) {
+    if (!(was->maintenance_factor > 0.0)) return 1.0;
+    share = std::max(share, is->maintenance_factor / was->maintenance_factor);
+    known.insert(is->type_id);
+  }
+  for (const LuminaireRow& row : after.luminaires) {
+    if (row.count > 0 && !known.contains(row.type_id)) return 1.0;
+  }
+  return known.empty() ? 1.0 : std::min(share, 1.0);
+}
+
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place) {
   QuestionList questions(place);

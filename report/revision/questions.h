@@ -30,4 +30,8 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
 // Whether two planes have one place and outline.
 bool is_same_area(const PlanePart& before, const PlanePart& after);
 
+// Maintenance factors now beside those before: the least change of all luminaires that hang, by
+// name, photometry and place. 1 where one is as it was, or nothing was before it.
+double share_of_maintenance(const ProjectPart& before, const ProjectPart& after);
+
 }  // namespace report

@@ -115,10 +115,6 @@ class Reviser {
     if (fails && result.verdict_before == rules::Verdict::fail && !result.is_waived_before) {
       ++revision_.known_failures;
     }
-    result.is_of_maintenance =
-        result.change == ResultChange::worse && result.verdict_after == rules::Verdict::pass &&
-        dimmer_ < 1.0 &&
-        result.gain.high >= dimmer_ * (1.0 - allowed_loss(revision_.gate, result)) - 1.0;
     if (result.change == ResultChange::same) {
       ++revision_.same;
       if (result.counts && may_have_lost_more(revision_.gate, result)) ++revision_.untold;
@@ -228,20 +224,6 @@ class Reviser {
     if (is_there && was.is_judged && said() == said_before) note_files(was, is, place);
   }
 
-  // Maintenance factors now beside those before: the least change of all types. 1 where one is as
-  // it was, or not known.
-  static double share_of_maintenance(const ProjectPart& before, const ProjectPart& after) {
-    double share = 0.0;
-    for (const LuminaireRow& row : after.luminaires) {
-      const auto was =
-          std::find_if(before.luminaires.begin(), before.luminaires.end(),
-                       [&](const auto& other) { return other.type_id == row.type_id; });
-      if (was == before.luminaires.end() || !(was->maintenance_factor > 0.0)) return 1.0;
-      share = std::max(share, row.maintenance_factor / was->maintenance_factor);
-    }
-    return share > 0.0 ? std::min(share, 1.0) : 1.0;
-  }
-
   // How much is said so far; results that are the same are not.
   std::size_t said() const {
     return revision_.results.size() + revision_.questions.size() + revision_.inputs.size() +
@@ -304,6 +286,18 @@ class Reviser {
     }
   }
 
+  // What a maintenance factor scales, and no more lost than it takes.
+  bool is_of_maintenance(const ChangedResult& result, const rules::Requirement& requirement) const {
+    const bool is_scaled = requirement.metric == rules::Metric::average ||
+                           requirement.metric == rules::Metric::minimum ||
+                           requirement.metric == rules::Metric::percentile;
+    return dimmer_ < 1.0 && is_scaled && result.unit == "lx" &&
+           requirement.state == rules::LightState::maintained &&
+           rules::is_lower_limit(requirement.comparison) && result.change == ResultChange::worse &&
+           result.verdict_after == rules::Verdict::pass &&
+           result.gain.high >= dimmer_ * (1.0 - allowed_loss(revision_.gate, result)) - 1.0;
+  }
+
   static int last_look(const PlanePart& plane) {
     return std::max(0, static_cast<int>(plane.counters.active_points.size()) - 1);
   }
@@ -314,7 +308,9 @@ class Reviser {
         pair.after != nullptr ? pair.after->requirement : pair.before->requirement;
     place.item = any.id;
     place.where = any.where;
-    add(compare_results(pair.before, pair.after, confidence, place));
+    ChangedResult result = compare_results(pair.before, pair.after, confidence, place);
+    result.is_of_maintenance = is_of_maintenance(result, any);
+    add(std::move(result));
     if (pair.before != nullptr && pair.after != nullptr) {
       note_renaming("requirement", pair.before->requirement.id, any.id, place);
       return add(compare_requirement(pair.before->requirement, pair.after->requirement, place));

@@ -259,7 +259,7 @@ ConfigPlaces config_in_revision(const std::string& revision, const Environment& 
                                {environment.git_dir, environment.git_work_tree}, problem);
   if (files == nullptr) return {};
   return {[files](const std::string& path) {
-            return files->path_in_repository(path).has_value() && files->has(path);
+            return files->path_in_repository(path).has_value() && files->has_file(path);
           },
           [files](const std::string& path) { return files->read_within(folder_of(path), path); },
           false};

@@ -65,6 +65,7 @@ Environment read_environment() {
   environment.program_folder = program_folder();
   environment.git_dir = variable("GIT_DIR");
   environment.git_work_tree = variable("GIT_WORK_TREE");
+  environment.git_index_file = variable("GIT_INDEX_FILE");
   environment.chromium = variable("LUXGATE_CHROMIUM");
   environment.search_path = variable("PATH");
   environment.store = variable("LUXGATE_STORE");

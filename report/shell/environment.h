@@ -13,7 +13,7 @@ struct Environment {
   // or
   // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
   std::string program_folder;
-  std::string git_dir, git_work_tree;  // GIT_DIR and GIT_WORK_TREE, see git::GitPlaces
+  std::string git_dir, git_work_tree, git_index_file;  // GIT_DIR and so on, see git::GitPlaces
   // Of who prints: LUXGATE_CHROMIUM and PATH, see find_chromium().
   std::string chromium, search_path;
   std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it

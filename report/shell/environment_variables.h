@@ -38,6 +38,7 @@ inline constexpr auto kEnvironmentVariables = std::to_array<EnvironmentVariable>
      "--paper"},
     {"GIT_DIR", "The git repository of --against, as for git", "--against"},
     {"GIT_WORK_TREE", "Its work tree, as for git", "--against"},
+    {"GIT_INDEX_FILE", "What is staged for the next commit, as git tells hooks", "--against"},
     {"LUXGATE_PROGRAM_CACHE",
      "Folder in which compiled OpenGL programs are kept; 'off': none. Default luxgate/programs in "
      "XDG_CACHE_HOME, else in ~/.cache",

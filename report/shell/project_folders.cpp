@@ -86,8 +86,17 @@ bool may_hold_projects(const fs::path& folder) {
 bool counts_as_project(const fs::directory_entry& entry, const std::string& folder) {
   std::error_code ignored;
   const bool is_link = entry.is_symlink(ignored);
+  if (is_link && entry.is_directory(ignored) && !leads_out(entry.path(), folder)) {
+    // What it leads to is looked through by its own name, unless that is hidden.
+    const fs::path top = fs::weakly_canonical(folder, ignored);
+    const fs::path within = fs::weakly_canonical(entry.path(), ignored).lexically_relative(top);
+    const bool is_seen = std::none_of(within.begin(), within.end(), [](const fs::path& part) {
+      return part.string().starts_with('.') && part != ".";
+    });
+    return !is_seen && may_hold_projects(entry.path());
+  }
   if (is_link && entry.is_directory(ignored)) {
-    return leads_out(entry.path(), folder) && may_hold_projects(entry.path());
+    return may_hold_projects(entry.path());
   }
   if (!has_project_name(entry.path().filename().string())) return false;
   if (is_link && (!entry.exists(ignored) || leads_out(entry.path(), folder))) return true;

@@ -23,7 +23,7 @@ def expect(is_so, words):
         problems.append(words)
 
 
-def luxgate(*words, mebibytes=1024):
+def luxgate(*words, mebibytes=1152):
     """With so much memory at the most; also the seconds that it took."""
     def limit():
         if "ASAN_OPTIONS" not in os.environ:  # a sanitizer's own memory is terabytes

@@ -60,7 +60,7 @@ branch("renamed", {name: dict(plane="table", was_plane=' was="desk"', name="Othe
                    for k, name in enumerate(DESIGNS) if k % 3 == 0})
 branch("better", {"designs/room-05.xml": dict(columns=7)})
 branch("unreadable", {"designs/room-02.xml": dict(limit="none")})
-branch("dimmer", {"designs/room-06.xml": dict(candela=small_designs.CANDELA.replace("00", "0"))})
+branch("dimmer", {"designs/room-11.xml": dict(candela="500 480 430 350 240 120 0")})  # the photometry of all, which is written last
 team.git("checkout", "-q", "-B", "deleted", "start")
 write()
 (team.folder / "designs/room-09.xml").unlink()
@@ -89,7 +89,7 @@ REQUESTS = {
     "deleted": ("main", 1, ["room-09.xml"]),
     "unreadable": ("main", 2, ["room-02.xml"]),
     "forged": ("main", 2, ["out is in git"]),
-    "dimmer": ("main", 1, ["room-06.xml", "✗ broken"]),
+    "dimmer": ("main", 1, ["room-11.xml", "✗ broken"]),
 }
 
 
@@ -151,9 +151,9 @@ class GitHub:
     def play(self, name, target, label=False):
         """target: None for a push to `name`. Exit code, log, summary, folder."""
         machine = Machine(f"github-{name}", self.checkout["with"].get("fetch-depth", 1))
-        machine.git("checkout", "-q", "--detach", f"origin/{target or name}")
+        machine.git("checkout", "-q", "--detach", f"refs/remotes/origin/{target or name}")
         if target:
-            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"origin/{name}")
+            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"refs/remotes/origin/{name}")
         machine.hand_over()
         summary = WORK / f"github-{name}.md"
         variables = {"GITHUB_WORKSPACE": str(machine.folder), "GITHUB_STEP_SUMMARY": str(summary)}
@@ -181,9 +181,9 @@ class GitHubAction(GitHub):
 
     def play(self, name, target, label=False):
         machine = Machine(f"action-{name}", 0)
-        machine.git("checkout", "-q", "--detach", f"origin/{target or name}")
+        machine.git("checkout", "-q", "--detach", f"refs/remotes/origin/{target or name}")
         if target:
-            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"origin/{name}")
+            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"refs/remotes/origin/{name}")
         machine.hand_over()
         summary, output = WORK / f"action-{name}.md", WORK / f"action-{name}.out"
         inputs = {key: row["default"] for key, row in self.action["inputs"].items()}
@@ -212,7 +212,7 @@ class GitLab:
     def play(self, name, target, label=False):
         """As GitHub.play; a request is its branch, not a merge."""
         machine = Machine(f"{type(self).__name__.lower()}-{name}", int(self.job["variables"].get("GIT_DEPTH", 20)))
-        machine.git("checkout", "-q", "--detach", f"origin/{name}")
+        machine.git("checkout", "-q", "--detach", f"refs/remotes/origin/{name}")
         machine.hand_over()
         variables = {"CI_PROJECT_DIR": str(machine.folder), **self.job["variables"]}
         if target:

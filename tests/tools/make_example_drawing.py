@@ -119,7 +119,7 @@ def drawing():
         text("A-AREA-IDEN", x + 200, y + 200, name)
     for x in (1400, 4200):
         for y in (3000, 4250, 5500):
-            insert("PENDANT", "E-LITE", x, y, HEIGHT="2300", GROUP="office")
+            insert("PENDANT", "E-LITE", x, y, 90, HEIGHT="2300", GROUP="office")
     for x in (7150, 9150):
         for y in (3125, 5375):
             insert("PANEL", "E-LITE", x, y, HEIGHT="2790", GROUP="meeting")

@@ -3,6 +3,7 @@
 #include "calc/base/diagnostics.h"
 #include "report/check/load_rules.h"
 #include "report/git/moved_files.h"
+#include "report/shell/config_file.h"
 #include "report/shell/print.h"
 #include "report/shell/project_folders.h"
 
@@ -28,6 +29,20 @@ std::string named_like(const std::string& example, const std::string& path) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::current_path(error);
   return error ? path : std::filesystem::path(path).lexically_relative(here).string();
+}
+
+// The submodule in which a file lies, if it is one of a repository around it: what it was in a
+// revision of that one tells the revision's own tree. Its own branches do not, for its HEAD has
+// left them nowhere. "" = none.
+std::string submodule_of(const std::string& file, const git::GitPlaces& places) {
+  std::string ignored;
+  const auto inner = git::GitTreeReader::open(file, "HEAD", places, ignored);
+  if (inner == nullptr) return "";
+  const auto outer = git::GitTreeReader::open(inner->root(), "HEAD", places, ignored);
+  if (outer == nullptr || outer->root() == inner->root()) return "";
+  const bool is_one = !outer->staged_submodule_commit(inner->root()).empty() ||
+                      !outer->submodule_commit(inner->root()).empty();
+  return is_one ? inner->root() : "";
 }
 
 std::string too_many_files(const std::string& folder) {
@@ -87,6 +102,7 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
   }
   if (!problems.empty()) return std::nullopt;
   std::string problem = state.find_moved(now);
+  if (problem.empty()) problem = state.problem_with_settings(input.config);
   if (problem.empty()) problem = state.find_gone(folders);
   if (!problem.empty()) {
     print_error(calc::DiagnosticId::revision_not_available, revision, problem);
@@ -112,6 +128,13 @@ const git::GitTreeReader* OldState::open(const std::string& project, const git::
                                          std::string& problem) {
   std::unique_ptr<git::GitTreeReader> reader =
       git::GitTreeReader::open(project, revision_, places, problem);
+  if (const std::string own = submodule_of(project, places); !own.empty()) {
+    const git::GitTreeReader* outer = open(own, places, problem);
+    if (outer == nullptr) return nullptr;
+    const std::string commit = outer->submodule_commit(own);
+    if (commit.empty()) return outer;  // it is new, with all that is in it
+    reader = git::GitTreeReader::open(project, commit, places, problem);
+  }
   if (reader == nullptr) return nullptr;
   const auto known =
       std::find_if(repositories_.begin(), repositories_.end(),
@@ -156,6 +179,32 @@ std::string OldState::find_moved(const calc::FileReader& now) {
   return "";
 }
 
+// Both sides are judged by the settings of where the projects lie now, as they were then. Who moves
+// a design must not leave strict ones behind.
+std::string OldState::problem_with_settings(const ConfigChoice& choice) const {
+  if (choice.is_off || !choice.file.empty()) return "";
+  for (const Project& project : projects_) {
+    if (project.path_then == project.path || !project.is_there_now) continue;
+    const git::GitTreeReader& files = *project.files;
+    const ConfigPlaces places{[&files](const std::string& path) {
+                                return files.path_in_repository(path).has_value() &&
+                                       files.has_file(path);
+                              },
+                              {},
+                              false};
+    std::string ignored;
+    const std::string now = find_config(places, {project.path}, ignored);
+    const std::string then = find_config(places, {project.path_then}, ignored);
+    if (now == then) continue;
+    const auto named = [](const std::string& file) { return file.empty() ? "none" : file; };
+    return fmt::format(
+        "'{}' was '{}', whose settings were other ones ({} then, {} where it is "
+        "now): give --config FILE or --no-config",
+        project.path, project.path_then, named(then), named(now));
+  }
+  return "";
+}
+
 // Who asks for a folder asks for what was in it: a design that is deleted asks for nothing any
 // more.
 std::string OldState::find_gone(const std::vector<std::string>& folders) {
@@ -166,8 +215,13 @@ std::string OldState::find_gone(const std::vector<std::string>& folders) {
       if (inside) known.insert(project.files->root() + "/" + *inside);
     }
   }
-  for (const std::string& folder : folders) {
+  std::string problem = open_submodules(folders);
+  if (!problem.empty()) return problem;
+  for (const std::string& asked : folders) {
     for (const auto& repository : repositories_) {
+      // All of a repository that lies in the folder.
+      const std::string whole = std::filesystem::weakly_canonical(asked).string() + "/";
+      const std::string folder = repository->root().starts_with(whole) ? repository->root() : asked;
       // As folders are read: names that begin with a point are left alone.
       const auto is_shown = [](const std::string& name) { return !name.starts_with('.'); };
       const auto is_wanted = [&](const std::string& name) {
@@ -184,6 +238,31 @@ std::string OldState::find_gone(const std::vector<std::string>& folders) {
         if (content.ok() && !may_be_project(content.bytes)) continue;
         const std::string name = named_like(folder, path);
         projects_.push_back({name, name, repository.get(), false, true, true});
+      }
+    }
+  }
+  return "";
+}
+
+// A submodule that has no project any more, or is gone, may have had some.
+std::string OldState::open_submodules(const std::vector<std::string>& folders) {
+  for (std::size_t k = 0; k < repositories_.size(); ++k) {
+    for (const std::string& folder : folders) {
+      for (const std::string& inside : repositories_[k]->submodules_in(folder)) {
+        const std::string path = repositories_[k]->root() + "/" + inside;
+        const auto is_known = [&](const auto& one) { return one->root() == path; };
+        if (std::any_of(repositories_.begin(), repositories_.end(), is_known)) continue;
+        const std::string commit = repositories_[k]->submodule_commit(path);
+        if (commit == repositories_[k]->staged_submodule_commit(path)) continue;  // as it was
+        std::string why;
+        auto reader = git::GitTreeReader::open(path + "/-", commit, {}, why);
+        if (reader == nullptr || reader->root() != path) {
+          return fmt::format(
+              "the submodule '{}' of this revision cannot be looked into, and may "
+              "have had projects: bring it back, or name the projects one by one",
+              inside);
+        }
+        repositories_.push_back(std::move(reader));
       }
     }
   }

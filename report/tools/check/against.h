@@ -65,6 +65,8 @@ class OldState {
   // "" or what is too much to be looked through.
   std::string find_moved(const calc::FileReader& now);
   std::string find_gone(const std::vector<std::string>& folders);
+  std::string problem_with_settings(const ConfigChoice& choice) const;
+  std::string open_submodules(const std::vector<std::string>& folders);
   void find_rules(const std::vector<std::string>& paths);
   const git::GitTreeReader* repository_of(const std::string& path) const;
   std::string shown(const std::string& file, const git::GitTreeReader* files) const;

@@ -317,8 +317,9 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (!options.against.empty()) {
     warn_of_changed_settings(options);
     const Environment& environment = context.environment;
-    old_state = OldState::open_or_print(options.input, options.against,
-                                        {environment.git_dir, environment.git_work_tree}, files);
+    old_state = OldState::open_or_print(
+        options.input, options.against,
+        {environment.git_dir, environment.git_work_tree, environment.git_index_file}, files);
     if (!old_state) return kNotJudged;
   }
   std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
@@ -380,7 +381,10 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
       revision.is_of_itself = options.input.config.changed.empty() &&
                               have_same_inputs(*baseline, document) &&
                               old_state->is_unchanged_head(files);
-      if (revision.is_of_itself) {
+      const bool is_gate = options.gate.mode == report::GateMode::regression;
+      if (revision.is_of_itself && is_gate) {  // an error of every report
+        print_error(calc::DiagnosticId::revision_is_head, options.against);
+      } else if (revision.is_of_itself) {
         revision.notes.push_back(calc::say<calc::Sentence::revision_of_itself>(options.against));
       }
     }

@@ -18,6 +18,7 @@
 #include <mutex>
 #include <random>
 #include <set>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -65,6 +66,14 @@ void cut_connections(int port) {
   for_each_connection(port, [](int socket, int) { shutdown(socket, SHUT_RDWR); });
 }
 
+// A whole request waits to be read.
+bool has_asked(int socket) {
+  char bytes[8192];
+  const ssize_t size = recv(socket, bytes, sizeof bytes, MSG_PEEK | MSG_DONTWAIT);
+  return size > 0 && std::string_view(bytes, static_cast<std::size_t>(size)).find("\r\n\r\n") !=
+                         std::string_view::npos;
+}
+
 // Of connections those whose whole request has come; the others are cut after a while. Any page of
 // the web may open as many as it likes, and send headers without end.
 class Guests {
@@ -86,7 +95,8 @@ class Guests {
         return;
       }
       const auto since = waiting_.find(browser_port);
-      waiting[browser_port] = since == waiting_.end() ? now : since->second;
+      const bool is_new = since == waiting_.end() || has_asked(socket);
+      waiting[browser_port] = is_new ? now : since->second;
       if (now - waiting[browser_port] > kAtMost) shutdown(socket, SHUT_RDWR);
     });
     known_ = std::move(known);

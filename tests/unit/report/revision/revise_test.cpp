@@ -734,6 +734,20 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
   EXPECT_EQ(outcome(0.875, 1.0), rules::Outcome::fail);
   EXPECT_EQ(outcome(0.875, 0.875, 1), rules::Outcome::fail) << "another type is as it was";
   EXPECT_EQ(outcome(0.45, 0.45), rules::Outcome::fail) << "it does not pass any more";
+  // What a maintenance factor does not scale is not excused by it.
+  const auto of = [&](auto change) {
+    const auto both = [&](auto first) {
+      return [=](Document& d) {
+        first(d);
+        change(finding(d).requirement);
+      };
+    };
+    return gate_outcome(with_revision(both(exact), both(fall(0.875, 0.875, 9)), kRegression));
+  };
+  EXPECT_EQ(of([](rules::Requirement&) {}), rules::Outcome::pass);
+  EXPECT_EQ(of([](auto& r) { r.state = rules::LightState::initial; }), rules::Outcome::fail);
+  EXPECT_EQ(of([](auto& r) { r.metric = rules::Metric::uniformity_min_avg; }),
+            rules::Outcome::fail);
 }
 
 TEST(Gate, WhatWaitsForAJudgementIsNoPass) {
