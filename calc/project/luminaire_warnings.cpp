@@ -343,9 +343,14 @@ std::string place_words(const Luminaire& first, const Luminaire& second) {
              : fmt::format("{}:{}", first.where.file, first.where.line);
 }
 
+// Of so many the exact number tells nobody more.
+constexpr std::size_t kMostCounted = 1000;
+
 std::string likewise_words(std::size_t others) {
   if (others == 0) return {};
-  return fmt::format(" ({})", and_more(others, "luminaires of this space likewise"));
+  const char* whose = others < kMostCounted ? "luminaires of this space likewise"
+                                            : "luminaires of this space, or more, likewise";
+  return fmt::format(" ({})", and_more(others, whose));
 }
 
 void warn_coincident_luminaires(const Project& project, const Space& space,
@@ -434,6 +439,7 @@ void warn_overlapping_luminaires(const Project& project, const Space& space,
   const Cells cells(largest_m + kOneBehind_m);
   std::map<Cells::Cell, std::vector<const Luminaire*>> in_cell;
   for (const Luminaire* luminaire : flat) {
+    if (others >= kMostCounted) break;
     const auto covers = [&](const Luminaire* other) {
       if (may_be_two_parts(project, *other, *luminaire)) return false;
       if (is_same_luminaire(project, *other, *luminaire)) return false;  // told of as pasted
