@@ -379,11 +379,26 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
       likewise_words(others));
 }
 
+// Whether it gives other light behind than before: a head of a mast, and no panel.
+bool looks_one_way(const PhotometricWeb& web) {
+  constexpr double kNoted = 0.2;  // of the largest intensity
+  for (int c = 0; c < 12; ++c) {
+    for (int gamma = 1; gamma < 6; ++gamma) {
+      const double c_rad = c * kPi / 12.0, gamma_rad = gamma * kPi / 12.0;
+      const double before_cd = web.intensity_cd(c_rad, gamma_rad);
+      const double behind_cd = web.intensity_cd(c_rad + kPi, gamma_rad);
+      if (std::abs(before_cd - behind_cd) > kNoted * web.max_intensity_cd()) return true;
+    }
+  }
+  return false;
+}
+
 // Two heads of one mast, which is one place in a plan.
-bool are_back_to_back(const Luminaire& a, const Luminaire& b) {
+bool are_back_to_back(const PhotometricWeb& web, const Luminaire& a, const Luminaire& b) {
   constexpr double kOtherWay = -0.966;  // cosine of 165 degrees
   return glm::distance(a.position_m, b.position_m) < kSamePlace_m &&
-         glm::dot(a.world_from_luminaire[0], b.world_from_luminaire[0]) < kOtherWay;
+         glm::dot(a.world_from_luminaire[0], b.world_from_luminaire[0]) < kOtherWay &&
+         looks_one_way(web);
 }
 
 // Whether the light of both may count where one covers the other. Another light at one place is the
@@ -392,7 +407,7 @@ bool are_back_to_back(const Luminaire& a, const Luminaire& b) {
 bool may_be_two_parts(const Project& project, const Luminaire& a, const Luminaire& b) {
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
   const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
-  if (are_back_to_back(a, b)) return true;
+  if (are_back_to_back(one, a, b)) return true;
   if (have_same_light(project, a.type, b.type)) return false;
   if (a.group != b.group) return true;
   if (have_about_same_light(project, a.type, b.type)) return false;

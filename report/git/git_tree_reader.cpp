@@ -252,8 +252,12 @@ struct GitTreeReader::State {
     if (!head || git_oid_equal(&*head, &commit_id) == 0) return false;
     const Tree tree = tree_of(tree_id);
     git_index* index = nullptr;
-    const int error = index_file.empty() ? git_repository_index(&index, repository.get())
-                                         : git_index_open(&index, index_file.c_str());
+    // Git names the index of the repository whose hook it is, not of submodules.
+    const bool is_own = !index_file.empty() &&
+                        canonical_folder(fs::path(absolute_path(index_file)).parent_path()) ==
+                            canonical_folder(git_repository_path(repository.get()));
+    const int error = is_own ? git_index_open(&index, index_file.c_str())
+                             : git_repository_index(&index, repository.get());
     const Index staged(index);
     git_diff* diff = nullptr;
     if (tree == nullptr || error != 0 || git_index_entrycount(index) == 0 ||
@@ -294,9 +298,50 @@ struct GitTreeReader::State {
   }
 };
 
+// Which commit the repository of `inner`, which is a submodule of this one now, was at in this
+// revision: at its path, or at one where no submodule is any more. "" = it was not there.
+std::string GitTreeReader::former_commit(const GitTreeReader& inner) const {
+  const std::string at_path = submodule_commit(inner.root());
+  if (!at_path.empty()) return at_path;
+  for (const std::string& path : submodules_in(root())) {
+    const std::string whole = root() + "/" + path;
+    if (!staged_submodule_commit(whole).empty()) continue;
+    git_oid id;
+    git_object* object = nullptr;
+    const std::string commit = submodule_commit(whole);
+    if (git_oid_fromstr(&id, commit.c_str()) == 0 &&
+        git_object_lookup(&object, inner.state_->repository.get(), &id, GIT_OBJECT_COMMIT) == 0) {
+      const Object owned(object);
+      return commit;
+    }
+  }
+  return "";
+}
+
 std::unique_ptr<GitTreeReader> GitTreeReader::open(const std::string& file,
                                                    const std::string& revision,
                                                    const GitPlaces& places, std::string& problem) {
+  if (!places.git_dir.empty()) return open_alone(file, revision, places, problem);
+  std::string ignored;
+  const auto inner = open_alone(file, "HEAD", places, ignored);
+  const auto around =
+      inner == nullptr ? nullptr : open_alone(inner->root(), "HEAD", places, ignored);
+  if (around == nullptr || around->root() == inner->root()) {
+    return open_alone(file, revision, places, problem);
+  }
+  const bool is_submodule = !around->staged_submodule_commit(inner->root()).empty() ||
+                            !around->submodule_commit(inner->root()).empty();
+  if (!is_submodule) return open_alone(file, revision, places, problem);
+  auto outer = open(inner->root(), revision, places, problem);
+  if (outer == nullptr) return nullptr;
+  const std::string commit = outer->former_commit(*inner);
+  return commit.empty() ? std::move(outer) : open_alone(file, commit, places, problem);
+}
+
+std::unique_ptr<GitTreeReader> GitTreeReader::open_alone(const std::string& file,
+                                                         const std::string& revision,
+                                                         const GitPlaces& places,
+                                                         std::string& problem) {
   auto state = std::make_unique<State>();
   std::optional<OpenedRepository> opened = open_repository(file, places, problem);
   if (!opened) return nullptr;
@@ -418,7 +463,10 @@ std::vector<std::string> GitTreeReader::submodules_in(const std::string& folder)
     std::string start;
     std::vector<std::string>& paths;
     std::size_t looked = 0;
-  } walk{inside->empty() ? "" : *inside + "/", paths};
+  };
+  const Found found = state_->find(*inside);  // a link may lead to it
+  const std::string& folder_then = found.kind == Found::Kind::folder ? found.path : *inside;
+  Walk walk{folder_then.empty() ? "" : folder_then + "/", paths};
   const auto visit = [](const char* above, const git_tree_entry* entry, void* given) {
     Walk& own = *static_cast<Walk*>(given);
     const std::string path = std::string(above) + git_tree_entry_name(entry);

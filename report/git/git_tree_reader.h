@@ -23,9 +23,15 @@ class GitTreeReader : public calc::FileReader {
   // Of the repository in whose work tree `file` lies, which need not exist; of linked work trees
   // and submodules their own. revision: as git names a commit: branch, tag, id, HEAD~1; or
   // "main...", the commit at which HEAD has left main. Null, and `problem` says why in words that
-  // tell what is allowed.
+  // tell what is allowed. In a submodule it is the commit that the revision of the repository
+  // around it names, for its own branches do not tell what it was then; where it was not there yet,
+  // the repository around it.
   static std::unique_ptr<GitTreeReader> open(const std::string& file, const std::string& revision,
                                              const GitPlaces& places, std::string& problem);
+  // The same without a look at the repository around it.
+  static std::unique_ptr<GitTreeReader> open_alone(const std::string& file,
+                                                   const std::string& revision,
+                                                   const GitPlaces& places, std::string& problem);
   ~GitTreeReader() override;
   GitTreeReader(const GitTreeReader&) = delete;
   GitTreeReader& operator=(const GitTreeReader&) = delete;
@@ -73,6 +79,7 @@ class GitTreeReader : public calc::FileReader {
 
  private:
   struct State;
+  std::string former_commit(const GitTreeReader& inner) const;
   explicit GitTreeReader(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -254,14 +255,28 @@ ConfigPlaces config_on_disk() {
 
 ConfigPlaces config_in_revision(const std::string& revision, const Environment& environment,
                                 const std::vector<std::string>& projects, std::string& problem) {
-  const std::shared_ptr<git::GitTreeReader> files =
-      git::GitTreeReader::open(projects.empty() ? "." : projects.front(), revision,
-                               {environment.git_dir, environment.git_work_tree}, problem);
-  if (files == nullptr) return {};
-  return {[files](const std::string& path) {
-            return files->path_in_repository(path).has_value() && files->has_file(path);
+  using Reader = std::shared_ptr<git::GitTreeReader>;
+  const git::GitPlaces repository{environment.git_dir, environment.git_work_tree};
+  const auto known = std::make_shared<std::map<std::string, Reader>>();  // by folder
+  // Each in the repository in which it lies: of a submodule, that.
+  const auto reader_of = [=](const std::string& path, std::string& why) {
+    const auto [at, is_new] = known->try_emplace(folder_of(path));
+    if (is_new) at->second = git::GitTreeReader::open(path, revision, repository, why);
+    return at->second;
+  };
+  if (reader_of(projects.empty() ? "./-" : projects.front(), problem) == nullptr) return {};
+  return {[reader_of](const std::string& path) {
+            std::string ignored;
+            const Reader files = reader_of(path, ignored);
+            return files != nullptr && files->path_in_repository(path).has_value() &&
+                   files->has_file(path);
           },
-          [files](const std::string& path) { return files->read_within(folder_of(path), path); },
+          [reader_of](const std::string& path) {
+            std::string why;
+            const Reader files = reader_of(path, why);
+            return files == nullptr ? calc::FileContent{{}, why}
+                                    : files->read_within(folder_of(path), path);
+          },
           false};
 }
 

@@ -31,18 +31,23 @@ std::string named_like(const std::string& example, const std::string& path) {
   return error ? path : std::filesystem::path(path).lexically_relative(here).string();
 }
 
-// The submodule in which a file lies, if it is one of a repository around it: what it was in a
-// revision of that one tells the revision's own tree. Its own branches do not, for its HEAD has
-// left them nowhere. "" = none.
-std::string submodule_of(const std::string& file, const git::GitPlaces& places) {
+// The luxgate.toml that holds for a project of the revision; "" = none.
+std::string settings_of(const git::GitTreeReader& files, const std::string& project) {
+  const ConfigPlaces places{[&files](const std::string& path) {
+                              return files.path_in_repository(path).has_value() &&
+                                     files.has_file(path);
+                            },
+                            {},
+                            false};
   std::string ignored;
-  const auto inner = git::GitTreeReader::open(file, "HEAD", places, ignored);
-  if (inner == nullptr) return "";
-  const auto outer = git::GitTreeReader::open(inner->root(), "HEAD", places, ignored);
-  if (outer == nullptr || outer->root() == inner->root()) return "";
-  const bool is_one = !outer->staged_submodule_commit(inner->root()).empty() ||
-                      !outer->submodule_commit(inner->root()).empty();
-  return is_one ? inner->root() : "";
+  return find_config(places, {project}, ignored);
+}
+
+// The same folder, or all of a repository that lies in it.
+std::string folder_in(const git::GitTreeReader& repository, const std::string& folder) {
+  std::error_code ignored;
+  const std::string whole = std::filesystem::weakly_canonical(folder, ignored).string() + "/";
+  return repository.root().starts_with(whole) ? repository.root() : folder;
 }
 
 std::string too_many_files(const std::string& folder) {
@@ -102,8 +107,8 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
   }
   if (!problems.empty()) return std::nullopt;
   std::string problem = state.find_moved(now);
-  if (problem.empty()) problem = state.problem_with_settings(input.config);
   if (problem.empty()) problem = state.find_gone(folders);
+  if (problem.empty()) problem = state.problem_with_settings(input.config);
   if (!problem.empty()) {
     print_error(calc::DiagnosticId::revision_not_available, revision, problem);
     return std::nullopt;
@@ -120,7 +125,7 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
                                          state.shown(project.path_then, project.files)));
     }
   }
-  state.find_rules(input.rule_files);
+  state.find_rules(input.rule_files, places);
   return state;
 }
 
@@ -128,13 +133,6 @@ const git::GitTreeReader* OldState::open(const std::string& project, const git::
                                          std::string& problem) {
   std::unique_ptr<git::GitTreeReader> reader =
       git::GitTreeReader::open(project, revision_, places, problem);
-  if (const std::string own = submodule_of(project, places); !own.empty()) {
-    const git::GitTreeReader* outer = open(own, places, problem);
-    if (outer == nullptr) return nullptr;
-    const std::string commit = outer->submodule_commit(own);
-    if (commit.empty()) return outer;  // it is new, with all that is in it
-    reader = git::GitTreeReader::open(project, commit, places, problem);
-  }
   if (reader == nullptr) return nullptr;
   const auto known =
       std::find_if(repositories_.begin(), repositories_.end(),
@@ -183,24 +181,21 @@ std::string OldState::find_moved(const calc::FileReader& now) {
 // a design must not leave strict ones behind.
 std::string OldState::problem_with_settings(const ConfigChoice& choice) const {
   if (choice.is_off || !choice.file.empty()) return "";
+  const Project* first = nullptr;
   for (const Project& project : projects_) {
-    if (project.path_then == project.path || !project.is_there_now) continue;
-    const git::GitTreeReader& files = *project.files;
-    const ConfigPlaces places{[&files](const std::string& path) {
-                                return files.path_in_repository(path).has_value() &&
-                                       files.has_file(path);
-                              },
-                              {},
-                              false};
-    std::string ignored;
-    const std::string now = find_config(places, {project.path}, ignored);
-    const std::string then = find_config(places, {project.path_then}, ignored);
+    if (project.is_there_now && first == nullptr) first = &project;
+  }
+  for (const Project& project : projects_) {
+    const bool is_elsewhere = project.path_then != project.path || project.is_gone;
+    if (!project.was_there || !is_elsewhere || first == nullptr) continue;
+    const std::string now = settings_of(*first->files, first->path);
+    const std::string then = settings_of(*project.files, project.path_then);
     if (now == then) continue;
     const auto named = [](const std::string& file) { return file.empty() ? "none" : file; };
     return fmt::format(
-        "'{}' was '{}', whose settings were other ones ({} then, {} where it is "
-        "now): give --config FILE or --no-config",
-        project.path, project.path_then, named(then), named(now));
+        "the settings of '{}' were other ones than hold now ({} then, {} now): give "
+        "--config FILE or --no-config",
+        project.path_then, named(then), named(now));
   }
   return "";
 }
@@ -219,9 +214,7 @@ std::string OldState::find_gone(const std::vector<std::string>& folders) {
   if (!problem.empty()) return problem;
   for (const std::string& asked : folders) {
     for (const auto& repository : repositories_) {
-      // All of a repository that lies in the folder.
-      const std::string whole = std::filesystem::weakly_canonical(asked).string() + "/";
-      const std::string folder = repository->root().starts_with(whole) ? repository->root() : asked;
+      const std::string folder = folder_in(*repository, asked);
       // As folders are read: names that begin with a point are left alone.
       const auto is_shown = [](const std::string& name) { return !name.starts_with('.'); };
       const auto is_wanted = [&](const std::string& name) {
@@ -247,7 +240,8 @@ std::string OldState::find_gone(const std::vector<std::string>& folders) {
 // A submodule that has no project any more, or is gone, may have had some.
 std::string OldState::open_submodules(const std::vector<std::string>& folders) {
   for (std::size_t k = 0; k < repositories_.size(); ++k) {
-    for (const std::string& folder : folders) {
+    for (const std::string& asked : folders) {
+      const std::string folder = folder_in(*repositories_[k], asked);
       for (const std::string& inside : repositories_[k]->submodules_in(folder)) {
         const std::string path = repositories_[k]->root() + "/" + inside;
         const auto is_known = [&](const auto& one) { return one->root() == path; };
@@ -255,7 +249,7 @@ std::string OldState::open_submodules(const std::vector<std::string>& folders) {
         const std::string commit = repositories_[k]->submodule_commit(path);
         if (commit == repositories_[k]->staged_submodule_commit(path)) continue;  // as it was
         std::string why;
-        auto reader = git::GitTreeReader::open(path + "/-", commit, {}, why);
+        auto reader = git::GitTreeReader::open_alone(path + "/-", commit, {}, why);
         if (reader == nullptr || reader->root() != path) {
           return fmt::format(
               "the submodule '{}' of this revision cannot be looked into, and may "
@@ -270,8 +264,19 @@ std::string OldState::open_submodules(const std::vector<std::string>& folders) {
 }
 
 // Those in a repository are questions of the revision, too; others are as they are now.
-void OldState::find_rules(const std::vector<std::string>& paths) {
+void OldState::find_rules(const std::vector<std::string>& paths, const git::GitPlaces& places) {
   for (const std::string& path : paths) {
+    // Of a submodule of one of the designs' repositories: those that it had.
+    std::string ignored;
+    auto own = git::GitTreeReader::open(path, revision_, places, ignored);
+    const auto is_within = [&](const auto& one) {
+      return own->root().starts_with(one->root() + "/");
+    };
+    const auto is_same = [&](const auto& one) { return own->root() == one->root(); };
+    if (own != nullptr && std::any_of(repositories_.begin(), repositories_.end(), is_within) &&
+        std::none_of(repositories_.begin(), repositories_.end(), is_same)) {
+      repositories_.push_back(std::move(own));
+    }
     const git::GitTreeReader* repository = repository_of(path);
     if (repository == nullptr) {
       rule_files_.push_back(path);

@@ -67,7 +67,7 @@ class OldState {
   std::string find_gone(const std::vector<std::string>& folders);
   std::string problem_with_settings(const ConfigChoice& choice) const;
   std::string open_submodules(const std::vector<std::string>& folders);
-  void find_rules(const std::vector<std::string>& paths);
+  void find_rules(const std::vector<std::string>& paths, const git::GitPlaces& places);
   const git::GitTreeReader* repository_of(const std::string& path) const;
   std::string shown(const std::string& file, const git::GitTreeReader* files) const;
   void print_errors(const std::vector<calc::Diagnostic>& diagnostics) const;
