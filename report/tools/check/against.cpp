@@ -253,7 +253,7 @@ std::string OldState::open_submodules(const std::vector<std::string>& folders) {
         if (reader == nullptr || reader->root() != path) {
           return fmt::format(
               "the submodule '{}' of this revision cannot be looked into, and may "
-              "have had projects: bring it back, or name the projects one by one",
+              "have had projects: bring it back, or check without --against",
               inside);
         }
         repositories_.push_back(std::move(reader));
