@@ -46,8 +46,9 @@ std::string settings_of(const git::GitTreeReader& files, const std::string& proj
 // The same folder, or all of a repository that lies in it.
 std::string folder_in(const git::GitTreeReader& repository, const std::string& folder) {
   std::error_code ignored;
-  const std::string whole = std::filesystem::weakly_canonical(folder, ignored).string() + "/";
-  return repository.root().starts_with(whole) ? repository.root() : folder;
+  std::filesystem::path whole = std::filesystem::weakly_canonical(folder, ignored);
+  if (!whole.has_filename()) whole = whole.parent_path();  // "designs/"
+  return repository.root().starts_with(whole.string() + "/") ? repository.root() : folder;
 }
 
 std::string too_many_files(const std::string& folder) {
