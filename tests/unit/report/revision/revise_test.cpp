@@ -734,6 +734,13 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
   EXPECT_EQ(outcome(0.875, 1.0), rules::Outcome::fail);
   EXPECT_EQ(outcome(0.875, 0.875, 1), rules::Outcome::fail) << "another type is as it was";
   EXPECT_EQ(outcome(0.45, 0.45), rules::Outcome::fail) << "it does not pass any more";
+  const auto failing = [&](Document& d) {
+    exact(d);
+    set_measured(finding(d), estimate(0.9 * finding(d).requirement.limit, 0.0));
+  };
+  EXPECT_EQ(gate_outcome(with_revision(failing, fall(0.875, 0.875, 9), kRegression)),
+            rules::Outcome::fail)
+      << "what fails and becomes worse is not excused";
   // What a maintenance factor does not scale is not excused by it.
   const auto of = [&](auto change) {
     const auto both = [&](auto first) {
