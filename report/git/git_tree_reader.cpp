@@ -267,13 +267,14 @@ struct GitTreeReader::State {
     return git_diff_num_deltas(Diff(diff).get()) == 0;
   }
 
-  // false: there is more than may be listed.
+  // false: there is more than may be listed, or an object is not at hand.
   bool add_files(const git_oid& folder, const std::string& path, const Wanted& is_file_wanted,
                  const Wanted& is_folder_wanted, std::size_t& listed,
                  std::vector<std::string>& files) const {
     if (path.size() > kMostPathBytes) return true;
     const Tree tree = tree_of(folder);
-    for (std::size_t k = 0; tree != nullptr && k < git_tree_entrycount(tree.get()); ++k) {
+    if (tree == nullptr) return false;
+    for (std::size_t k = 0; k < git_tree_entrycount(tree.get()); ++k) {
       if (++listed > kMostListed) return false;
       const git_tree_entry* entry = git_tree_entry_byindex(tree.get(), k);
       const std::string name = git_tree_entry_name(entry);
@@ -303,7 +304,8 @@ struct GitTreeReader::State {
 std::string GitTreeReader::former_commit(const GitTreeReader& inner) const {
   const std::string at_path = submodule_commit(inner.root());
   if (!at_path.empty()) return at_path;
-  for (const std::string& path : submodules_in(root())) {
+  const auto submodules = submodules_in(root());
+  for (const std::string& path : submodules.value_or(std::vector<std::string>())) {
     const std::string whole = root() + "/" + path;
     if (!staged_submodule_commit(whole).empty()) continue;
     git_oid id;
@@ -454,7 +456,8 @@ std::string GitTreeReader::submodule_commit(const std::string& path) const {
                                                                : "";
 }
 
-std::vector<std::string> GitTreeReader::submodules_in(const std::string& folder) const {
+std::optional<std::vector<std::string>> GitTreeReader::submodules_in(
+    const std::string& folder) const {
   std::vector<std::string> paths;
   const std::optional<std::string> inside = path_in_repository(folder);
   const Tree tree = state_->tree_of(state_->tree_id);
@@ -479,7 +482,7 @@ std::vector<std::string> GitTreeReader::submodules_in(const std::string& folder)
     const bool is_near = as_folder.starts_with(own.start) || own.start.starts_with(as_folder);
     return is_near ? 0 : 1;
   };
-  git_tree_walk(tree.get(), GIT_TREEWALK_PRE, visit, &walk);
+  if (git_tree_walk(tree.get(), GIT_TREEWALK_PRE, visit, &walk) != 0) return std::nullopt;
   return paths;
 }
 

@@ -48,7 +48,7 @@ class GitTreeReader : public calc::FileReader {
   std::vector<std::string> names_in(const std::string& folder) const;
   // Files of a folder and below whose names are wanted, as paths from `root`, in order. Folders
   // whose names are not wanted are not looked into. Empty: the folder has more than kMostListed
-  // files and folders, which a few bytes of a repository can say.
+  // files and folders, which a few bytes of a repository can say, or some that are not at hand.
   static constexpr std::size_t kMostListed = 1'000'000;
   using Wanted = std::function<bool(const std::string& name)>;
   std::optional<std::vector<std::string>> files_in(const std::string& folder,
@@ -62,7 +62,8 @@ class GitTreeReader : public calc::FileReader {
   // was none at that path.
   std::string submodule_commit(const std::string& path) const;
   // Paths of all submodules in a folder and below, from the folder `root`.
-  std::vector<std::string> submodules_in(const std::string& folder) const;
+  // Empty as of files_in().
+  std::optional<std::vector<std::string>> submodules_in(const std::string& folder) const;
   // The same of the next commit, as it is staged.
   std::string staged_submodule_commit(const std::string& path) const;
 

@@ -296,7 +296,7 @@ tree = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=T
 for _ in range(5):
     tree = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=True, capture_output=True, text=True,
                           input="".join(f"040000 tree {tree}\tt{k:02}\n" for k in range(50))).stdout.strip()
-for where, code, words in (("beside", 1, ["≥ 90 lx"]), ("designs", 2, ["has more than 1000000 files in this revision"])):
+for where, code, words in (("beside", 1, ["≥ 90 lx"]), ("designs", 2, ["it has more than 1000000 files"])):
     top = subprocess.run(["git", "mktree"], cwd=bomb.folder, env=VARIABLES, check=True, capture_output=True, text=True,
                          input="".join(f"{line}\n" for line in bomb.git("ls-tree", "HEAD").splitlines() if where != "designs")
                          + f"040000 tree {tree}\t{where}\n").stdout.strip()
@@ -306,6 +306,17 @@ for where, code, words in (("beside", 1, ["≥ 90 lx"]), ("designs", 2, ["has mo
     expect(f"many files {where}", check(bomb.folder, "designs", "--against", commit, *GATE), code, *words)
     if time.monotonic() - begin > 20:
         problems.append(f"many files {where}: {time.monotonic() - begin:.0f} s")
+
+# A folder of then whose object is lacking may have had designs.
+lacking = git_repository.Repository(WORK / "lacking", VARIABLES)
+small_designs.write(lacking.folder / "designs/a.xml", far=False)
+small_designs.write(lacking.folder / "designs/old/b.xml", name="B", far=False)
+lacking.commit()
+tree = lacking.git("rev-parse", "HEAD:designs/old")
+lacking.git("rm", "-q", "-r", "designs/old")
+lacking.commit()
+(lacking.folder / f".git/objects/{tree[:2]}/{tree[2:]}").unlink()
+expect("a folder that is not at hand", check(lacking.folder, "designs", "--against", "HEAD~1", *GATE), 2, "not among the repository's objects")
 
 # Who can push tags must not choose what a design is compared with.
 named = git_repository.Repository(WORK / "named", VARIABLES)

@@ -52,8 +52,10 @@ std::string folder_in(const git::GitTreeReader& repository, const std::string& f
 }
 
 std::string too_many_files(const std::string& folder) {
-  return fmt::format("'{}' has more than {} files in this revision, too many to be looked through",
-                     folder, git::GitTreeReader::kMostListed);
+  return fmt::format(
+      "'{}' cannot be looked through as it was in this revision: it has more than {} "
+      "files, or folders that are not among the repository's objects",
+      folder, git::GitTreeReader::kMostListed);
 }
 
 // A guess that is cheap: what is no project would not be like one either.
@@ -243,7 +245,9 @@ std::string OldState::open_submodules(const std::vector<std::string>& folders) {
   for (std::size_t k = 0; k < repositories_.size(); ++k) {
     for (const std::string& asked : folders) {
       const std::string folder = folder_in(*repositories_[k], asked);
-      for (const std::string& inside : repositories_[k]->submodules_in(folder)) {
+      const auto submodules = repositories_[k]->submodules_in(folder);
+      if (!submodules) return too_many_files(folder);
+      for (const std::string& inside : *submodules) {
         const std::string path = repositories_[k]->root() + "/" + inside;
         const auto is_known = [&](const auto& one) { return one->root() == path; };
         if (std::any_of(repositories_.begin(), repositories_.end(), is_known)) continue;
