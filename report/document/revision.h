@@ -90,9 +90,10 @@ struct ChangedResult {
   calc::Estimate gain;
   // Replicate by replicate: what both share by the same random numbers is not in the interval.
   bool is_paired = false;
-  // Worse, and passes: no more is lost than the lower maintenance factor of all luminaires takes.
-  // Who assumes less light than before asks more of the design.
-  bool is_of_maintenance = false;
+  // Worse, and passes: what is lost, a question takes that asks more of the design than before. By
+  // the maintenance factor: no more than the lower one of all luminaires takes. By the grid: it is
+  // finer, and nothing else in the room has changed.
+  std::optional<QuestionPart> excused_by;
 };
 
 struct ChangedQuestion {
@@ -113,6 +114,12 @@ struct ChangedInput {
 struct ChangedPlane {
   RevisionPlace place;
   std::vector<double> before_lx;  // [point of the plane]: maintained, as PointRow::measured
+};
+
+// Warnings of a project that it had before, word for word.
+struct KnownWarnings {
+  std::string project;                   // its path
+  std::vector<std::size_t> diagnostics;  // which of its diagnostics, from 0
 };
 
 enum class GateMode : std::uint8_t { all, regression };
@@ -145,6 +152,7 @@ struct Revision {
   std::vector<ChangedQuestion> questions;
   std::vector<ChangedInput> inputs;
   std::vector<ChangedPlane> planes;
+  std::vector<KnownWarnings> known_warnings;  // of projects that have some
   std::vector<std::string> notes;  // why something could not be compared
 };
 

@@ -11,11 +11,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <set>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -115,7 +117,11 @@ class GithubWriter : public FormatWriter {
       : frame_(frame), findings_(frame), messages_(place), problems_(place) {}
 
   void add(const ProjectPart& project) override {
-    for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    const std::vector<std::size_t> known = known_warnings(project);
+    known_warnings_ += known.size();
+    for (std::size_t k = 0; k < project.diagnostics.size(); ++k) {
+      if (std::binary_search(known.begin(), known.end(), k)) continue;
+      const calc::Diagnostic& diagnostic = project.diagnostics[k];
       messages_.write(github_line(is_error(project, diagnostic) ? "error" : "warning",
                                   diagnostic.where,
                                   fmt::format("luxgate: {}", calc::diagnostic_name(diagnostic.id)),
@@ -158,6 +164,11 @@ class GithubWriter : public FormatWriter {
     text += "luxgate: " + printable(summary_words(end.totals)) + "\n";
     if (const std::string words = provenance_remarks(end.provenance); !words.empty())
       text += "luxgate: " + words + "\n";
+    if (known_warnings_ > 0) {
+      text += fmt::format(
+          "luxgate: warnings that were there before, and stand in the other reports: {}\n",
+          known_warnings_);
+    }
     constexpr std::size_t kMostShown = 10;  // of each kind and step
     if (errors_ > kMostShown) {
       text += fmt::format(
@@ -169,9 +180,18 @@ class GithubWriter : public FormatWriter {
   }
 
  private:
+  // Whoever reads a request has not made them, and would learn to look away.
+  std::vector<std::size_t> known_warnings(const ProjectPart& project) const {
+    if (frame_.revised == nullptr || !frame_.revised->revision) return {};
+    for (const KnownWarnings& known : frame_.revised->revision->known_warnings) {
+      if (known.project == project.path) return known.diagnostics;
+    }
+    return {};
+  }
+
   const DocumentFrame& frame_;
   CiFindings findings_;
-  std::size_t errors_ = 0;
+  std::size_t errors_ = 0, known_warnings_ = 0;
   Spill messages_, problems_;  // of all projects
 };
 

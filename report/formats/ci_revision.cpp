@@ -22,6 +22,7 @@ std::string key_of(const RevisionPlace& place, const std::string& what) {
 
 std::string full_place(const RevisionPlace& place) {
   std::string words = place.words.empty() ? place.project : place.words;
+  if (words.empty() && place.item.empty()) return Texts()[Text::revision_whole_run];
   if (!place.item.empty()) words += (words.empty() ? "" : " / ") + place.item;
   return words;
 }

@@ -51,10 +51,12 @@ void describe(auto& v, Is<ChangedResult> auto& result) {
   v.field("is_paired", result.is_paired,
           {.words = "The interval is that of the differences of single replicates, which share "
                     "random numbers; else the two are taken for independent."});
-  v.field("is_of_maintenance", result.is_of_maintenance,
-          {.words = "Worse, and passes: no more is lost than the lower maintenance factor of all "
-                    "luminaires takes. A gate of regressions does not stop at it.",
-           .presence = only_if(result.is_of_maintenance)});
+  v.field("excused_by", result.excused_by,
+          {.words = "Worse, and passes: what is lost, a stricter question takes. "
+                    "maintenance-factor: no more than the lower factor of all luminaires takes. "
+                    "grid: it is finer, and nothing else in the room has changed. A gate of "
+                    "regressions does not stop at it.",
+           .presence = only_if(result.excused_by.has_value())});
 }
 
 void describe(auto& v, Is<ChangedQuestion> auto& question) {
@@ -81,6 +83,12 @@ void describe(auto& v, Is<ChangedPlane> auto& plane) {
   v.field("place", plane.place);
   v.field("before_lx", plane.before_lx,
           {.words = "Of each point of that plane, in the order of its points."});
+}
+
+void describe(auto& v, Is<KnownWarnings> auto& known) {
+  v.is("known_warnings");
+  v.field("project", known.project, {.words = "Its path.", .holds = Holds::file});
+  v.field("diagnostics", known.diagnostics, {.words = "Which of its diagnostics, counted from 0."});
 }
 
 void describe(auto& v, Is<AllowedLoss> auto& loss) {
@@ -131,6 +139,10 @@ void describe(auto& v, Is<Revision> auto& revision) {
   v.field("planes", revision.planes,
           {.words = "Illuminances that are others than before at the same points.",
            .presence = kSinceLater});
+  v.field("known_warnings", revision.known_warnings,
+          {.words = "Warnings that were there before, word for word; none that counts like an "
+                    "error.",
+           .presence = only_if(!revision.known_warnings.empty())});
   v.field("notes", revision.notes, {.holds = Holds::prose});
 }
 

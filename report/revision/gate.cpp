@@ -17,7 +17,7 @@ bool stops(const ChangedResult& result, const Gate& gate) {
     case ResultChange::new_failing:
       return true;
     case ResultChange::worse:
-      return !result.is_of_maintenance && is_worse_than_allowed(result, gate);
+      return !result.excused_by && is_worse_than_allowed(result, gate);
     default:
       return false;
   }

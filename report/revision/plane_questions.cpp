@@ -129,6 +129,18 @@ std::string grid_words(const PlanePart& plane) {
   return fmt::format("{} x {} points", plane.grid.columns, plane.grid.rows);
 }
 
+// Of two grids of one area: more cells along one of its sides, and not fewer along the other one.
+bool has_finer_cells(const PlanePart& before, const PlanePart& after) {
+  const calc::SensorGrid &was = before.grid, &is = after.grid;
+  constexpr double kAlong = 1.0 - 1e-9;
+  const auto is_finer = [&](int columns, int rows) {
+    return is.columns >= columns && is.rows >= rows && is.columns + is.rows > columns + rows;
+  };
+  if (!has_cells(before) || !has_cells(after)) return false;
+  if (std::abs(glm::dot(was.u, is.u)) > kAlong) return is_finer(was.columns, was.rows);
+  return std::abs(glm::dot(was.u, is.v)) > kAlong && is_finer(was.rows, was.columns);
+}
+
 // Of one area and margin. Whether there is nothing to be said of them.
 bool compare_grids(QuestionList& questions, const PlanePart& before, const PlanePart& after,
                    const PointPairs& pairs) {
@@ -137,12 +149,12 @@ bool compare_grids(QuestionList& questions, const PlanePart& before, const Plane
   std::string is = grid_words(after);
   const double cells_before = count_cells(before), cells_after = count_cells(after);
   if (!is_same_number(cells_before, cells_after)) {
-    // Of lists both may be there: points that are gone, and others.
-    const bool is_one_way = has_cells(before) || pairs.gone.empty() || pairs.added.empty();
-    const bool is_fewer = cells_after < cells_before;
-    questions.add(!is_one_way ? QuestionChange::exchanged
-                  : is_fewer  ? QuestionChange::weaker
-                              : QuestionChange::stricter,
+    const bool is_list = !has_cells(before) || !has_cells(after);
+    const bool is_finer = is_list ? pairs.gone.empty() : has_finer_cells(before, after);
+    const bool is_coarser = cells_after < cells_before && (!is_list || pairs.added.empty());
+    questions.add(is_coarser ? QuestionChange::weaker
+                  : is_finer ? QuestionChange::stricter
+                             : QuestionChange::exchanged,
                   QuestionPart::grid, was, is);
     return false;
   }
@@ -184,7 +196,14 @@ bool is_same_area(const PlanePart& before, const PlanePart& after) {
   return pairs.gone.empty() && pairs.added.empty() && !pairs.both.empty();
 }
 
+bool is_finer_grid(const PlanePart& before, const PlanePart& after) {
+  return before.is_computed && after.is_computed && is_same(shape_of(before), shape_of(after)) &&
+         is_same_number(before.grid.margin_m, after.grid.margin_m) &&
+         has_finer_cells(before, after);
+}
+
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
+                                                    bool is_same_geometry,
                                                     const RevisionPlace& place) {
   QuestionList questions(place);
   questions.exchange(QuestionPart::quantity, plane_words(before), plane_words(after));
@@ -200,6 +219,7 @@ std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, con
     compare_lost(questions, before, after, pairs);
     return questions.take();
   }
+  if (is_same_geometry && is_finer_grid(before, after)) return questions.take();
   // On another grid no point is the one that was left out.
   questions.compare(QuestionPart::lost_points, static_cast<double>(before.grid.dropped.size()),
                     static_cast<double>(after.grid.dropped.size()), false,

@@ -18,7 +18,10 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place);
+// is_same_geometry: of the room, see there: then what a finer grid leaves out lies in what was in
+// the way before.
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
+                                                    bool is_same_geometry,
                                                     const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
                                                  const rules::Requirement& after,
@@ -29,6 +32,9 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
 
 // Whether two planes have one place and outline.
 bool is_same_area(const PlanePart& before, const PlanePart& after);
+
+// Whether the one area has more cells now, and not fewer along either of its sides.
+bool is_finer_grid(const PlanePart& before, const PlanePart& after);
 
 // Maintenance factors now beside those before: the least change of all luminaires that hang, by
 // name, photometry and place. 1 where one is as it was, or nothing was before it.

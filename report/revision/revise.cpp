@@ -5,6 +5,7 @@
 #include "report/revision/gate.h"
 #include "report/revision/inputs.h"
 #include "report/revision/matching.h"
+#include "report/revision/moved_rooms.h"
 #include "report/revision/questions.h"
 #include "report/revision/results.h"
 #include "report/revision/values.h"
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -140,6 +143,34 @@ class Reviser {
     if (renamed != nullptr) (*renamed)[before] = after;
   }
 
+  // Each warning of before is one of now at most.
+  void note_known_warnings(const ProjectPart& before, const ProjectPart& after) {
+    std::multiset<std::pair<calc::DiagnosticId, std::string>> left;
+    for (const calc::Diagnostic& warning : before.diagnostics) {
+      left.emplace(warning.id, warning.message);
+    }
+    KnownWarnings known{after.path, {}};
+    for (std::size_t k = 0; k < after.diagnostics.size(); ++k) {
+      const calc::Diagnostic& warning = after.diagnostics[k];
+      if (!is_warning(warning) || is_strict_warning(after, warning)) continue;
+      const auto found = left.find({warning.id, warning.message});
+      if (found == left.end()) continue;
+      left.erase(found);
+      known.diagnostics.push_back(k);
+    }
+    if (!known.diagnostics.empty()) revision_.known_warnings.push_back(std::move(known));
+  }
+
+  // Of all files but the project's own, which states the grid.
+  static bool has_same_other_files(const ProjectPart& before, const ProjectPart& after) {
+    const auto others = [](const ProjectPart& project) {
+      std::set<std::string> sums;
+      for (std::size_t k = 1; k < project.inputs.size(); ++k) sums.insert(project.inputs[k].sha256);
+      return sums;
+    };
+    return others(before) == others(after);
+  }
+
   // Of files that are not as they were, although nothing that is compared has changed.
   void note_files(const ProjectPart& before, const ProjectPart& after, const RevisionPlace& place) {
     const auto has = [](const ProjectPart& project, const std::string& sha256) {
@@ -181,6 +212,7 @@ class Reviser {
     const ProjectPart &was = pair.before != nullptr ? *pair.before : kNone,
                       &is = pair.after != nullptr ? *pair.after : kNone;
     const std::size_t said_before = said();
+    is_same_input_ = false;
     RevisionPlace place;
     place.project = pair.after != nullptr ? is.path : was.path;
     place.words = std::string(title_of(pair.after != nullptr ? is.name : was.name, place.project));
@@ -196,9 +228,12 @@ class Reviser {
       // Of what could not be read nothing is known: it is not gone. What could not be judged before
       // is new to the last failure.
       if (!is.is_judged) return;
+      note_known_warnings(was, is);
       if (was.is_judged) {
         add(compare_project_question(was, is, place));
-        add(compare_inputs(was, is, place));
+        std::vector<ChangedInput> inputs = compare_inputs(was, is, place);
+        is_same_input_ = inputs.empty() && has_same_other_files(was, is);
+        add(std::move(inputs));
       }
     }
     const bool is_there = pair.before != nullptr && pair.after != nullptr;
@@ -238,6 +273,7 @@ class Reviser {
     const SpacePart& any = pair.after != nullptr ? is : was;
     place.space = any.id;
     place.words = std::string(title_of(any.name, any.id));
+    is_same_room_ = false;
     if (pair.before == nullptr || pair.after == nullptr) {
       if (is_project_there && !any.planes.empty()) {
         add_whole(QuestionPart::room, place, pair.after == nullptr, place.words);
@@ -245,7 +281,9 @@ class Reviser {
     } else {
       note_renaming("room", was.id, is.id, place, &renamed_rooms_);
       add(compare_room_question(was, is, place));
-      add(compare_inputs(was, is, place));
+      std::vector<ChangedInput> inputs = compare_inputs(was, is, place);
+      is_same_room_ = is_same_input_ && inputs.empty() && is_same_geometry(was, is);
+      add(std::move(inputs));
     }
     const auto planes = match_renamed(
         was.planes, is.planes, [](const PlanePart& p) { return p.id; },
@@ -264,11 +302,14 @@ class Reviser {
     place.words += " / " + std::string(title_of(any.name, any.id));
     place.where = any.where;
     const bool is_room_there = room.before != nullptr && room.after != nullptr;
+    is_only_finer_ = false;
     if (pair.before == nullptr || pair.after == nullptr) {
       if (is_room_there) add_whole(QuestionPart::plane, place, pair.after == nullptr, any.id);
     } else {
       note_renaming("plane", was.id, is.id, place, &renamed_planes_);
-      add(compare_plane_question(was, is, place));
+      const bool is_same = is_room_there && is_same_geometry(*room.before, *room.after);
+      add(compare_plane_question(was, is, is_same, place));
+      is_only_finer_ = is_same_room_ && is_finer_grid(was, is);
       if (auto values = compare_values(was, is, place)) {
         revision_.planes.push_back(std::move(*values));
       }
@@ -286,6 +327,17 @@ class Reviser {
     }
   }
 
+  // By which stricter question what is lost by one that still passes.
+  std::optional<QuestionPart> excuse_of(const ChangedResult& result,
+                                        const rules::Requirement& requirement) const {
+    if (result.change != ResultChange::worse || result.verdict_after != rules::Verdict::pass) {
+      return std::nullopt;
+    }
+    if (is_only_finer_) return QuestionPart::grid;
+    if (is_of_maintenance(result, requirement)) return QuestionPart::maintenance_factor;
+    return std::nullopt;
+  }
+
   // What a maintenance factor scales, and no more lost than it takes.
   bool is_of_maintenance(const ChangedResult& result, const rules::Requirement& requirement) const {
     const bool is_scaled = requirement.metric == rules::Metric::average ||
@@ -293,8 +345,7 @@ class Reviser {
                            requirement.metric == rules::Metric::percentile;
     return dimmer_ < 1.0 && is_scaled && result.unit == "lx" &&
            requirement.state == rules::LightState::maintained &&
-           rules::is_lower_limit(requirement.comparison) && result.change == ResultChange::worse &&
-           result.verdict_after == rules::Verdict::pass &&
+           rules::is_lower_limit(requirement.comparison) &&
            result.gain.high >= dimmer_ * (1.0 - allowed_loss(revision_.gate, result)) - 1.0;
   }
 
@@ -309,7 +360,7 @@ class Reviser {
     place.item = any.id;
     place.where = any.where;
     ChangedResult result = compare_results(pair.before, pair.after, confidence, place);
-    result.is_of_maintenance = is_of_maintenance(result, any);
+    result.excused_by = excuse_of(result, any);
     add(std::move(result));
     if (pair.before != nullptr && pair.after != nullptr) {
       note_renaming("requirement", pair.before->requirement.id, any.id, place);
@@ -354,7 +405,10 @@ class Reviser {
   const Document& after_;
   Revision& revision_;
   Renamed renamed_rooms_, renamed_planes_;
-  double dimmer_ = 1.0;  // of the project at hand, see share_of_maintenance()  // of the project
+  double dimmer_ = 1.0;         // of the project at hand, see share_of_maintenance()
+  bool is_same_input_ = false;  // of the project at hand: all but the rooms themselves
+  bool is_same_room_ = false;   // of the room at hand: it, and what hangs and stands in it
+  bool is_only_finer_ = false;  // of the plane at hand: its grid is finer, and all else the same
 };
 
 }  // namespace
@@ -365,7 +419,10 @@ Revision revise(const Document& before, const Document& after, const std::string
   revision.baseline = baseline;
   revision.baseline_version = before.provenance.program_version;
   revision.gate = gate;
-  Reviser(before, after, revision).run();
+  // Rooms that moved to another project are compared like all others.
+  const std::optional<MovedRooms> moved = find_moved_rooms(before, after);
+  if (moved) revision.notes = moved->notes;
+  Reviser(moved ? moved->before : before, after, revision).run();
   return revision;
 }
 

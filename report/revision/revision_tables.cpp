@@ -169,10 +169,16 @@ void add_gate(const Document& document, const Revision& revision, const Texts& t
   if (revision.known_failures > 0) {
     remarks.push_back(t.say<Text::gate_known_failures>(revision.known_failures));
   }
-  const auto of_maintenance =
-      std::count_if(revision.results.begin(), revision.results.end(),
-                    [](const ChangedResult& result) { return result.is_of_maintenance; });
-  if (of_maintenance > 0) remarks.push_back(t.say<Text::gate_maintenance>(of_maintenance));
+  const auto excused_by = [&revision](QuestionPart part) {
+    return std::count_if(revision.results.begin(), revision.results.end(),
+                         [&](const ChangedResult& result) { return result.excused_by == part; });
+  };
+  if (const auto count = excused_by(QuestionPart::maintenance_factor); count > 0) {
+    remarks.push_back(t.say<Text::gate_maintenance>(count));
+  }
+  if (const auto count = excused_by(QuestionPart::grid); count > 0) {
+    remarks.push_back(t.say<Text::gate_finer_grid>(count));
+  }
   const bool asks_otherwise =
       std::any_of(revision.questions.begin(), revision.questions.end(),
                   [](const auto& question) { return question.change != QuestionChange::stricter; });

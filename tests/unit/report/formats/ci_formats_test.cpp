@@ -115,6 +115,26 @@ TEST(CiFormats, EveryVerdictLooksLikeTheFiles) {
   expect_file("md", render_markdown(document));
 }
 
+// What a request did not bring is not pinned to it.
+TEST(CiFormats, GithubPinsNewWarningsAlone) {
+  Document document = every_verdict();
+  auto& diagnostics = document.projects[0].diagnostics;
+  const calc::SourceLocation where = diagnostics.at(0).where;
+  diagnostics = {{calc::DiagnosticId::mesh_bent_faces, where, "old"},
+                 {calc::DiagnosticId::mesh_bent_faces, where, "new"},
+                 {calc::DiagnosticId::mesh_bent_faces, where, "old"}};
+  document.revision.emplace();
+  document.revision->known_warnings = {{document.projects[0].path, {0}}};
+  const std::string text = render_github(document);
+  const std::size_t first = text.find("::old");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(text.find("::old", first + 1), std::string::npos) << "one of the two is new";
+  EXPECT_THAT(text, HasSubstr("::new"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("luxgate: warnings that were there before, and stand in the other reports: 1\n"));
+}
+
 TEST(CiFindings, FingerprintsFollowIdsAlone) {
   const Document document = every_verdict();
   const auto before = ci_findings(document);

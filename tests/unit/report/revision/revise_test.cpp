@@ -757,6 +757,217 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
             rules::Outcome::fail);
 }
 
+// The 2 x 1 cells become columns x rows; the first `lost` of them are left out.
+void regrid(Document& document, int columns, int rows, int lost) {
+  PlanePart& of = plane(document);
+  of.grid.columns = columns;
+  of.grid.rows = rows;
+  of.points.clear();
+  of.grid.dropped.clear();
+  for (int k = 0; k < columns * rows; ++k) {
+    const int column = k % columns, row = k / columns;
+    const glm::dvec3 place_m{0.5 + 3.0 * (column + 0.5) / columns, 0.25 + 1.5 * (row + 0.5) / rows,
+                             0.8};
+    if (k < lost) {
+      of.grid.dropped.push_back({place_m, column, row, calc::DropReason::inside_solid, "desk"});
+    } else {
+      of.points.push_back(sample_point(column, row, place_m, estimate(600, 6), 500));
+    }
+  }
+}
+
+TEST(Gate, AFinerGridMayLeaveMoreOutOfTheSameRoom) {
+  const auto with_desk = [](Document& d) {
+    pass_all(d);
+    BodyMark desk;
+    desk.id = "desk";
+    desk.high_z_m = 0.9;
+    d.projects[0].spaces[0].bodies = {desk};
+    lose(d, 0);
+  };
+  const auto asked_by = [&](int columns, int rows, int lost, const auto& change) {
+    const auto both = [&](Document& d) {
+      regrid(d, columns, rows, lost);
+      change(d.projects[0].spaces[0]);
+    };
+    return asked(*with_revision(with_desk, both, kRegression).revision);
+  };
+  const auto nothing = [](SpacePart&) {};
+  EXPECT_THAT(asked_by(4, 2, 4, nothing), ElementsAre("stricter grid"));
+  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.bodies[0].high_z_m = 1.0; }),
+              ElementsAre("weaker lost-points", "stricter grid"));
+  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.triangles = 12; }),
+              ElementsAre("weaker lost-points", "stricter grid"));
+  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.floor_z_m = -0.1; }),
+              ElementsAre("weaker lost-points", "stricter grid"));
+  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.bodies_left_out = 1; }),
+              ElementsAre("weaker lost-points", "stricter grid"));
+  EXPECT_THAT(asked_by(2, 2, 1, nothing), ElementsAre("stricter grid"));
+  // More cells, but in fewer columns: a row of points says nothing about what lies beside it.
+  EXPECT_THAT(asked_by(1, 9, 1, nothing), ElementsAre("exchanged grid"));
+  EXPECT_THAT(asked_by(1, 1, 0, nothing), ElementsAre("weaker grid", "stricter lost-points"));
+  // The same cells along swapped axes are not finer.
+  const auto turned = [&](int columns, int rows) {
+    return asked_by(columns, rows, 1, [](SpacePart& r) {
+      calc::SensorGrid& grid = r.planes[0].grid;
+      std::swap(grid.u, grid.v);
+      for (glm::dvec2& corner : r.planes[0].outline_m) std::swap(corner.x, corner.y);
+    });
+  };
+  EXPECT_THAT(turned(2, 3), ElementsAre("stricter grid"));
+  EXPECT_THAT(turned(3, 1), ElementsAre("exchanged grid"));
+}
+
+TEST(Gate, AFinerGridMayBeWorseWhereNothingElseHasChanged) {
+  const auto exact = [](Document& d) {
+    pass_all(d);
+    set_measured(finding(d), estimate(2.0 * finding(d).requirement.limit, 0.0));
+  };
+  const auto result = [&](double share, int columns, const std::function<void(Document&)>& change) {
+    return with_revision(
+        exact,
+        [&](Document& d) {
+          regrid(d, columns, 1, 0);
+          set_measured(finding(d), estimate(share * finding(d).measured.value, 0.0));
+          change(d);
+        },
+        kRegression);
+  };
+  const auto nothing = [](Document&) {};
+  const Document excused = result(0.9, 4, nothing);
+  EXPECT_EQ(gate_outcome(excused), rules::Outcome::pass);
+  EXPECT_EQ(excused.revision->results.at(0).excused_by, QuestionPart::grid);
+  EXPECT_THAT(revision_remarks(excused, Texts()), ::testing::Contains(HasSubstr("finer grid")));
+  EXPECT_EQ(gate_outcome(result(0.9, 2, nothing)), rules::Outcome::fail);
+  EXPECT_EQ(gate_outcome(result(0.4, 4, nothing)), rules::Outcome::fail) << "it fails now";
+  const std::pair<const char*, std::function<void(Document&)>> changes[] = {
+      {"luminaires", [](Document& d) { d.projects[0].spaces[0].luminaires.clear(); }},
+      {"photometry", [](Document& d) { d.projects[0].luminaires[0].flux_lm *= 0.9; }},
+      {"shape", [](Document& d) { d.projects[0].spaces[0].height_m = 4; }},
+      {"margin", [](Document& d) { plane(d).grid.margin_m = 0.1; }},
+      {"other files", [](Document& d) {
+         d.projects[0].inputs = {{}, {"a.obj", "01"}};
+       }}};
+  for (const auto& [words, change] : changes) {
+    EXPECT_EQ(gate_outcome(result(0.9, 4, change)), rules::Outcome::fail) << words;
+  }
+}
+
+// Of n rooms, each of its own id and place; all ask the same.
+Document with_rooms(std::size_t count) {
+  Document document = base();
+  pass_all(document);
+  const SpacePart first = document.projects[0].spaces[0];
+  document.projects[0].spaces.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    SpacePart room = first;
+    room.id = "r" + std::to_string(k + 1);
+    for (glm::dvec2& corner : room.footprint_m) corner.x += 10.0 * static_cast<double>(k);
+    document.projects[0].spaces.push_back(room);
+  }
+  return document;
+}
+
+// Room k of the first project becomes one of another project, which is made if it is none.
+void move_room(Document& document, std::size_t k, const std::string& path) {
+  ProjectPart& from = document.projects[0];
+  const SpacePart room = from.spaces.at(k);
+  from.spaces.erase(from.spaces.begin() + static_cast<std::ptrdiff_t>(k));
+  auto& projects = document.projects;
+  auto to = std::find_if(projects.begin(), projects.end(),
+                         [&](const ProjectPart& one) { return one.path == path; });
+  if (to == projects.end()) {
+    ProjectPart added = from;
+    added.path = added.name = path;
+    added.spaces.clear();
+    projects.push_back(added);
+    to = projects.end() - 1;
+  }
+  to->spaces.push_back(room);
+}
+
+TEST(Revise, ADesignThatIsSplitOrMergedAsksForNothingLess) {
+  const Document whole = with_rooms(3);
+  Document split = whole;
+  move_room(split, 2, "second.xml");
+  Document renamed = split;
+  renamed.projects[0].path = renamed.projects[0].name = "first.xml";
+  for (const auto& [before, after] : {std::pair(whole, split), std::pair(split, whole),
+                                      std::pair(whole, renamed), std::pair(renamed, whole)}) {
+    const Revision revision = revise(before, after, "main.json", kRegression);
+    EXPECT_THAT(asked(revision), IsEmpty());
+    EXPECT_THAT(became(revision), IsEmpty());
+    EXPECT_EQ(revision.same, 6u);
+    EXPECT_THAT(revision.inputs, IsEmpty());
+    EXPECT_THAT(revision.notes, ::testing::Contains(HasSubstr("r3")));
+  }
+}
+
+TEST(Revise, WarningsOfBeforeAreKnownOneByOne) {
+  const calc::DiagnosticId id = calc::DiagnosticId::mesh_bent_faces;
+  Document before = base(), after = base();
+  before.projects[0].diagnostics = {{id, {"office.xml", 3, 1}, "a"}};
+  after.projects[0].diagnostics = {
+      {id, {"office.xml", 4, 1}, "b"}, {id, {"office.xml", 5, 1}, "a"}, {id, {}, "a"}};
+  const auto known = revise(before, after, "main.json", kRegression).known_warnings;
+  ASSERT_EQ(known.size(), 1u);
+  EXPECT_EQ(known[0].project, "office.xml");
+  EXPECT_THAT(known[0].diagnostics, ElementsAre(1u));
+  after.projects[0].strict_warnings = {id};
+  EXPECT_THAT(revise(before, after, "main.json", kRegression).known_warnings, IsEmpty());
+}
+
+TEST(Revise, WhatIsLessInAMovedRoomIsSeen) {
+  const Document whole = with_rooms(2);
+  const auto after_split = [&](const std::function<void(ProjectPart&)>& change) {
+    Document split = whole;
+    move_room(split, 1, "second.xml");
+    change(split.projects[1]);
+    return asked(revise(whole, split, "main.json", kRegression));
+  };
+  const auto findings = [](ProjectPart& p) -> std::vector<rules::Finding>& {
+    return p.spaces[0].planes[0].findings;
+  };
+  EXPECT_THAT(after_split([&](auto& p) { findings(p)[0].requirement.limit *= 0.5; }),
+              ElementsAre("weaker limit"));
+  EXPECT_THAT(after_split([&](auto& p) { findings(p).pop_back(); }),
+              ElementsAre("weaker requirement"));
+  EXPECT_THAT(after_split([](auto& p) { p.luminaires[0].maintenance_factor = 1.0; }),
+              ElementsAre("weaker maintenance-factor"));
+  EXPECT_THAT(after_split([](auto& p) { p.luminaires[0].flux_lm *= 1.1; }),
+              ElementsAre("weaker flux"));
+  // Another room in another project is no moved one.
+  EXPECT_THAT(after_split([](auto& p) { p.spaces[0].footprint_m[0].x += 1; }),
+              ElementsAre("weaker room", "stricter project"));
+  EXPECT_THAT(after_split([](auto& p) { p.spaces[0].name = "Store"; }),
+              ElementsAre("weaker room", "stricter project"));
+  EXPECT_THAT(after_split([](auto& p) { p.is_judged = false; }),
+              ElementsAre("weaker room", "stricter project"));
+  // Two of one id and shape may be either.
+  Document twice = whole;
+  move_room(twice, 1, "second.xml");
+  twice.projects.push_back(twice.projects[1]);
+  twice.projects.back().path = twice.projects.back().name = "third.xml";
+  EXPECT_THAT(asked(revise(whole, twice, "main.json", kRegression)),
+              ElementsAre("weaker room", "stricter project", "stricter project"));
+}
+
+TEST(Revise, LuminairesOfOneNameStayApartWhereDesignsAreMerged) {
+  Document before = with_rooms(2);
+  move_room(before, 1, "second.xml");
+  before.projects[1].luminaires[0].sha256 = "of the second";
+  before.projects[1].luminaires[0].maintenance_factor = 0.7;
+  Document after = with_rooms(2);
+  LuminaireRow second = before.projects[1].luminaires[0];
+  second.type_id = "panel-2";
+  after.projects[0].luminaires.push_back(second);
+  after.projects[0].spaces[1].luminaires[0].type_id = "panel-2";
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)), IsEmpty());
+  after.projects[0].luminaires[1].maintenance_factor = 0.75;
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)),
+              ElementsAre("weaker maintenance-factor"));
+}
+
 TEST(Gate, WhatWaitsForAJudgementIsNoPass) {
   const auto open = [](Document& d) {
     rules::Finding& of = finding(d);

@@ -1,0 +1,223 @@
+#include "report/revision/moved_rooms.h"
+
+#include "calc/base/sentences.h"
+#include "calc/base/text.h"
+#include "report/revision/matching.h"
+#include "report/revision/question_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace report {
+namespace {
+
+// A room that its project has lost, or got.
+struct Room {
+  std::size_t project = 0;  // in its document
+  const SpacePart* space = nullptr;
+};
+struct Move {
+  Room from, to;
+};
+
+bool is_same_room(const SpacePart& a, const SpacePart& b) {
+  return a.id == b.id && a.name == b.name && is_same_number(a.floor_z_m, b.floor_z_m) &&
+         is_same_number(a.height_m, b.height_m) &&
+         std::equal(a.footprint_m.begin(), a.footprint_m.end(), b.footprint_m.begin(),
+                    b.footprint_m.end(), is_same_place<glm::dvec2>);
+}
+
+std::size_t place_in(const Document& document, const ProjectPart* project) {
+  return static_cast<std::size_t>(project - document.projects.data());
+}
+
+std::vector<Move> find_moves(const Document& before, const Document& after,
+                             const std::vector<PartPair<ProjectPart>>& projects) {
+  static const ProjectPart kNone;
+  std::vector<Room> lost, got;
+  for (const PartPair<ProjectPart>& pair : projects) {
+    if (pair.before != nullptr && !pair.before->is_judged) continue;
+    if (pair.after != nullptr && !pair.after->is_judged) continue;
+    for (const PartPair<SpacePart>& room :
+         match_rooms(pair.before != nullptr ? *pair.before : kNone,
+                     pair.after != nullptr ? *pair.after : kNone)) {
+      if (room.after == nullptr) lost.push_back({place_in(before, pair.before), room.before});
+      if (room.before == nullptr) got.push_back({place_in(after, pair.after), room.after});
+    }
+  }
+  std::vector<Move> moves;
+  for (const Room& from : lost) {
+    const auto is_it = [&from](const Room& room) { return is_same_room(*room.space, *from.space); };
+    if (std::count_if(lost.begin(), lost.end(), is_it) != 1) continue;
+    if (std::count_if(got.begin(), got.end(), is_it) != 1) continue;
+    moves.push_back({from, *std::find_if(got.begin(), got.end(), is_it)});
+  }
+  return moves;
+}
+
+// Into a list of rows with ids: what has an id that is taken stays out.
+template <class Row>
+void add_rows(std::vector<Row>& rows, const std::vector<Row>& more) {
+  for (const Row& row : more) {
+    const bool is_taken =
+        std::any_of(rows.begin(), rows.end(), [&](const Row& other) { return other.id == row.id; });
+    if (!is_taken) rows.push_back(row);
+  }
+}
+
+bool is_same_type(const LuminaireRow& a, const LuminaireRow& b) {
+  return a.sha256 == b.sha256 && a.flux_lm == b.flux_lm && a.power_w == b.power_w &&
+         a.maintenance_factor == b.maintenance_factor;
+}
+
+// Puts rooms where they are now.
+class Arrangement {
+ public:
+  Arrangement(const Document& before, const Document& after,
+              const std::vector<PartPair<ProjectPart>>& projects)
+      : before_(before), after_(after), now_(before) {
+    for (const PartPair<ProjectPart>& pair : projects) {
+      if (pair.after == nullptr) continue;
+      if (pair.before != nullptr) {
+        place_of_[place_in(after, pair.after)] = place_in(before, pair.before);
+      }
+    }
+    std::set<std::size_t> there;
+    for (const auto& [_, place] : place_of_) there.insert(place);
+    for (std::size_t k = 0; k < before.projects.size(); ++k) {
+      if (!there.contains(k)) gone_.insert(k);
+    }
+  }
+
+  void move(const Move& move) {
+    const ProjectPart& origin = before_.projects[move.from.project];
+    ProjectPart& target = now_.projects[place_in_now(move.to.project)];
+    SpacePart room = *move.from.space;
+    for (LuminaireMark& mark : room.luminaires) {
+      mark.type_id = type_in(target, origin, mark.type_id);
+    }
+    target.spaces.push_back(std::move(room));
+    add_rows(target.scenes, origin.scenes);
+    add_rows(target.materials, origin.materials);
+    for (std::size_t k = 1; k < origin.inputs.size(); ++k)
+      target.inputs.push_back(origin.inputs[k]);
+    ProjectPart& left = now_.projects[move.from.project];
+    std::erase_if(left.spaces,
+                  [&](const SpacePart& space) { return space.id == move.from.space->id; });
+    move_aggregates(left, target, [&](const rules::AggregateFinding& finding) {
+      return finding.space_id == move.from.space->id;
+    });
+    const bool is_left = std::any_of(left.spaces.begin(), left.spaces.end(),
+                                     [](const SpacePart& space) { return !space.planes.empty(); });
+    if (is_left || !gone_.contains(move.from.project)) return;
+    move_aggregates(left, target, [](const rules::AggregateFinding&) { return true; });
+    emptied_.insert(move.from.project);
+  }
+
+  Document take() {
+    for (ProjectPart& project : now_.projects) drop_unused_types(project);
+    std::vector<ProjectPart> projects;
+    for (std::size_t k = 0; k < now_.projects.size(); ++k) {
+      if (!emptied_.contains(k)) projects.push_back(std::move(now_.projects[k]));
+    }
+    now_.projects = std::move(projects);
+    return std::move(now_);
+  }
+
+ private:
+  // Of a project that was none before, a new one without anything.
+  std::size_t place_in_now(std::size_t place_in_after) {
+    const auto known = place_of_.find(place_in_after);
+    if (known != place_of_.end()) return known->second;
+    ProjectPart project;
+    project.path = after_.projects[place_in_after].path;
+    project.name = after_.projects[place_in_after].name;
+    project.is_judged = true;
+    const std::vector<calc::InputFile>& inputs = after_.projects[place_in_after].inputs;
+    if (!inputs.empty()) project.inputs = {inputs.front()};  // its own file; the others come along
+    now_.projects.push_back(std::move(project));
+    return place_of_[place_in_after] = now_.projects.size() - 1;
+  }
+
+  // What a luminaire type of the origin is called in the target; it is added where it is not there.
+  static std::string type_in(ProjectPart& target, const ProjectPart& origin,
+                             const std::string& type_id) {
+    const auto row = std::find_if(origin.luminaires.begin(), origin.luminaires.end(),
+                                  [&](const LuminaireRow& one) { return one.type_id == type_id; });
+    if (row == origin.luminaires.end()) return type_id;
+    LuminaireRow added = *row;
+    for (const LuminaireRow& other : target.luminaires) {
+      if (other.type_id != added.type_id) continue;
+      if (is_same_type(other, added)) return added.type_id;
+      added.type_id += fmt::format(" ({})", origin.path);
+    }
+    target.luminaires.push_back(added);
+    return added.type_id;
+  }
+
+  static void move_aggregates(ProjectPart& from, ProjectPart& to, const auto& is_wanted) {
+    const auto kept = std::stable_partition(
+        from.aggregates.begin(), from.aggregates.end(),
+        [&](const rules::AggregateFinding& finding) { return !is_wanted(finding); });
+    std::move(kept, from.aggregates.end(), std::back_inserter(to.aggregates));
+    from.aggregates.erase(kept, from.aggregates.end());
+  }
+
+  // Types of which all luminaires have moved away.
+  void drop_unused_types(ProjectPart& project) const {
+    const auto hangs = [](const ProjectPart& in, const LuminaireRow& row) {
+      return std::any_of(in.spaces.begin(), in.spaces.end(), [&](const SpacePart& space) {
+        return std::any_of(space.luminaires.begin(), space.luminaires.end(),
+                           [&](const LuminaireMark& mark) { return mark.type_id == row.type_id; });
+      });
+    };
+    const auto origin =
+        std::find_if(before_.projects.begin(), before_.projects.end(),
+                     [&](const ProjectPart& was) { return was.path == project.path; });
+    if (origin == before_.projects.end()) return;
+    std::erase_if(project.luminaires, [&](const LuminaireRow& row) {
+      return hangs(*origin, row) && !hangs(project, row);
+    });
+  }
+
+  const Document& before_;
+  const Document& after_;
+  Document now_;
+  std::map<std::size_t, std::size_t> place_of_;  // in now_, by the place in after_
+  std::set<std::size_t> gone_, emptied_;         // in before_
+};
+
+std::vector<std::string> notes_of(const Document& before, const Document& after,
+                                  const std::vector<Move>& moves) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::string>> rooms;
+  for (const Move& move : moves) {
+    rooms[{move.from.project, move.to.project}].push_back(move.from.space->id);
+  }
+  constexpr std::size_t kMostNamed = 6;
+  std::vector<std::string> notes;
+  for (const auto& [projects, ids] : rooms) {
+    notes.push_back(calc::say<calc::Sentence::rooms_moved>(before.projects[projects.first].path,
+                                                           after.projects[projects.second].path,
+                                                           calc::list_names(ids, kMostNamed)));
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::optional<MovedRooms> find_moved_rooms(const Document& before, const Document& after) {
+  const std::vector<PartPair<ProjectPart>> projects = match_projects(before, after);
+  const std::vector<Move> moves = find_moves(before, after, projects);
+  if (moves.empty()) return std::nullopt;
+  Arrangement arrangement(before, after, projects);
+  for (const Move& move : moves) arrangement.move(move);
+  return MovedRooms{arrangement.take(), notes_of(before, after, moves)};
+}
+
+}  // namespace report
