@@ -26,8 +26,11 @@ luxgate_test(gpu_tests
 target_include_directories(gpu_tests SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 
 # Some of the tests again, with a look for memory that nobody gave back. Mesa 22.3 itself leaks none,
-# so there is nothing to suppress. Skipped where the system does not let a process look at itself.
-if(NOT LUXGATE_SANITIZE)
+# so there is nothing to suppress. Skipped where the system does not let a process look at itself. Left
+# out with glibc 2.39 (Ubuntu 24.04), which looks up the thread-local data of LeakSanitizer by calling
+# LeakSanitizer's free(), which looks up its thread-local data, for ever.
+execute_process(COMMAND getconf GNU_LIBC_VERSION OUTPUT_VARIABLE libc_version OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT LUXGATE_SANITIZE AND NOT libc_version STREQUAL "glibc 2.39")
   add_executable(gpu_leaks $<TARGET_OBJECTS:gpu_tests>)
   target_link_libraries(gpu_leaks PRIVATE gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY}
     GTest::gtest_main GTest::gmock)
