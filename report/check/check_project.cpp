@@ -1,6 +1,7 @@
 #include "report/check/check_project.h"
 
 #include "calc/forecast/cost_model.h"
+#include "calc/radiosity/look_key.h"
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
@@ -362,6 +363,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   times.judge_s += judge_watch.seconds();
   report::SpacePart& part = checked.part;
   part = report::build_space(space, scene, solution.balance, std::move(planes));
+  part.scene_sha256 = calc::scene_digest(scene);
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);

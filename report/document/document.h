@@ -265,6 +265,9 @@ struct SpacePart {
   std::vector<glm::dvec3> surface_lines_m;
   std::size_t surface_lines_left_out = 0;
   calc::FluxBalance balance;
+  // Of everything here that light depends on but maintenance and dimming, see scene_digest(); "" in
+  // results of earlier versions. Equal ones: the same light.
+  std::string scene_sha256;
   std::vector<PlanePart> planes;
   std::vector<std::string> notes;            // zones of workplaces that were not made, and why
   std::vector<rules::RowCoverage> coverage;  // what is asked of which rows

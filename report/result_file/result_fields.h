@@ -299,6 +299,11 @@ void describe(auto& v, Is<SpacePart> auto& space) {
           {.words = "Such lines that are too many to draw, the shortest.",
            .presence = only_if(space.surface_lines_left_out > 0)});
   v.field("flux_balance", space.balance);
+  v.field("scene_sha256", space.scene_sha256,
+          {.words = "Of all surfaces with their reflectances and all luminaires with their "
+                    "photometry, as they were calculated, without maintenance factors and dimming: "
+                    "equal ones have the same light.",
+           .presence = kSinceLater});
   v.field("planes", space.planes);
   v.field("coverage", space.coverage,
           {.words = "What is asked of which rows of rule packs.",

@@ -1,6 +1,5 @@
 #include "report/revision/inputs.h"
 
-#include "report/revision/question_list.h"
 #include "report/text/number_format.h"
 
 #include <fmt/format.h>
@@ -142,37 +141,6 @@ void compare_materials(Inputs& inputs, const std::string& surface, const std::st
   if (!before.empty() && !after.empty()) inputs.compare("material", surface, before, after);
 }
 
-using BodyPairs = std::vector<PartPair<BodyMark>>;
-
-BodyPairs match_bodies(const SpacePart& before, const SpacePart& after) {
-  return match_parts(before.bodies, after.bodies, [](const BodyMark& body) { return body.id; });
-}
-
-// Of the room, and of what stands in it.
-void compare_geometry(Inputs& inputs, const SpacePart& before, const SpacePart& after,
-                      const BodyPairs& bodies) {
-  for (const PartPair<BodyMark>& pair : bodies) {
-    if (pair.before == nullptr) {
-      inputs.compare("body", pair.after->id, "", body_words(*pair.after));
-    } else if (pair.after == nullptr) {
-      inputs.compare("body", pair.before->id, body_words(*pair.before), "");
-    } else if (!is_same_body(*pair.before, *pair.after)) {
-      inputs.compare("body", pair.after->id, body_words(*pair.before),
-                     body_words(*pair.after) + ", moved or of another shape");
-    }
-  }
-  inputs.compare("triangles", "", fmt::format("{}", before.triangles),
-                 fmt::format("{}", after.triangles));
-  const auto size = [](const SpacePart& space) {
-    std::string words = format_metres(space.height_m) + " m high";
-    for (const glm::dvec2& corner : space.footprint_m) {
-      words += fmt::format(" ({}, {})", format_metres(corner.x), format_metres(corner.y));
-    }
-    return words;
-  };
-  inputs.compare("room", "", size(before), size(after));
-}
-
 std::string levels_words(const SceneRow& scene) {
   std::string words;
   for (const auto& [group, level] : scene.level_of_group) {
@@ -188,6 +156,9 @@ std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const Projec
   Inputs inputs(place);
   const auto types = match_luminaires(before.luminaires, after.luminaires);
   for (const PartPair<LuminaireRow>& pair : types) {
+    // Of one that hangs nowhere, coming or going is nothing.
+    if (pair.before == nullptr && pair.after->count == 0) continue;
+    if (pair.after == nullptr && pair.before->count == 0) continue;
     const std::string was = pair.before != nullptr ? photometry_words(*pair.before) : "";
     const std::string is = pair.after != nullptr ? photometry_words(*pair.after) : "";
     inputs.compare("photometry", pair.after != nullptr ? pair.after->type_id : pair.before->type_id,
@@ -226,20 +197,33 @@ std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePar
     if (pair.before == nullptr || pair.after == nullptr) continue;  // the shape of the room tells
     compare_materials(inputs, pair.after->surface, pair.before->materials, pair.after->materials);
   }
-  const auto bodies = match_bodies(before, after);
+  const auto bodies =
+      match_parts(before.bodies, after.bodies, [](const BodyMark& body) { return body.id; });
   for (const PartPair<BodyMark>& pair : bodies) {
+    if (pair.before == nullptr) {
+      inputs.compare("body", pair.after->id, "", body_words(*pair.after));
+    } else if (pair.after == nullptr) {
+      inputs.compare("body", pair.before->id, body_words(*pair.before), "");
+    } else if (!is_same_body(*pair.before, *pair.after)) {
+      inputs.compare("body", pair.after->id, body_words(*pair.before),
+                     body_words(*pair.after) + ", moved or of another shape");
+    }
     if (pair.before == nullptr || pair.after == nullptr) continue;
     compare_materials(inputs, pair.after->id, pair.before->materials, pair.after->materials);
   }
-  compare_geometry(inputs, before, after, bodies);
+  if (bodies.size() > 0 || before.triangles != after.triangles) {
+    inputs.compare("triangles", "", fmt::format("{}", before.triangles),
+                   fmt::format("{}", after.triangles));
+  }
+  const auto size = [](const SpacePart& space) {
+    std::string words = format_metres(space.height_m) + " m high";
+    for (const glm::dvec2& corner : space.footprint_m) {
+      words += fmt::format(" ({}, {})", format_metres(corner.x), format_metres(corner.y));
+    }
+    return words;
+  };
+  inputs.compare("room", "", size(before), size(after));
   return inputs.take();
-}
-
-bool is_same_geometry(const SpacePart& before, const SpacePart& after) {
-  Inputs inputs{RevisionPlace{}};
-  compare_geometry(inputs, before, after, match_bodies(before, after));
-  return inputs.take().empty() && before.bodies_left_out + after.bodies_left_out == 0 &&
-         is_same_number(before.floor_z_m, after.floor_z_m);
 }
 
 }  // namespace report

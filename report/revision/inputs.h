@@ -14,8 +14,4 @@ std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const Projec
 std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePart& after,
                                          const RevisionPlace& place);
 
-// Whether the room and what stands in it are proved to have their old shape and place; materials
-// and luminaires may be others.
-bool is_same_geometry(const SpacePart& before, const SpacePart& after);
-
 }  // namespace report

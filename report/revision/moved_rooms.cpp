@@ -61,19 +61,36 @@ std::vector<Move> find_moves(const Document& before, const Document& after,
   return moves;
 }
 
-// Into a list of rows with ids: what has an id that is taken stays out.
-template <class Row>
-void add_rows(std::vector<Row>& rows, const std::vector<Row>& more) {
-  for (const Row& row : more) {
-    const bool is_taken =
-        std::any_of(rows.begin(), rows.end(), [&](const Row& other) { return other.id == row.id; });
-    if (!is_taken) rows.push_back(row);
-  }
-}
+std::string& id_of(LuminaireRow& row) { return row.type_id; }
+std::string& id_of(MaterialRow& row) { return row.id; }
+std::string& id_of(SceneRow& row) { return row.id; }
 
-bool is_same_type(const LuminaireRow& a, const LuminaireRow& b) {
+bool is_alike(const LuminaireRow& a, const LuminaireRow& b) {
   return a.sha256 == b.sha256 && a.flux_lm == b.flux_lm && a.power_w == b.power_w &&
          a.maintenance_factor == b.maintenance_factor;
+}
+bool is_alike(const MaterialRow& a, const MaterialRow& b) { return a.reflectance == b.reflectance; }
+bool is_alike(const SceneRow& a, const SceneRow& b) { return a.level_of_group == b.level_of_group; }
+
+// Rows of the origin in the target: one whose id means something else there gets another one. The
+// ids there, by those of the origin.
+template <class Row>
+std::map<std::string, std::string> add_rows(std::vector<Row>& rows, const std::vector<Row>& more,
+                                            const std::string& origin) {
+  std::map<std::string, std::string> ids;
+  for (Row row : more) {
+    const std::string id = id_of(row);
+    bool is_there = false;
+    for (Row& other : rows) {
+      if (id_of(other) != id_of(row)) continue;
+      is_there = is_alike(other, row);
+      if (is_there) break;
+      id_of(row) = fmt::format("{} ({})", id, origin);
+    }
+    ids[id] = id_of(row);
+    if (!is_there) rows.push_back(row);
+  }
+  return ids;
 }
 
 // Puts rooms where they are now.
@@ -99,14 +116,22 @@ class Arrangement {
     const ProjectPart& origin = before_.projects[move.from.project];
     ProjectPart& target = now_.projects[place_in_now(move.to.project)];
     SpacePart room = *move.from.space;
-    for (LuminaireMark& mark : room.luminaires) {
-      mark.type_id = type_in(target, origin, mark.type_id);
+    // All types: those that hang nowhere are what new ones are held against.
+    const auto types = add_rows(target.luminaires, origin.luminaires, origin.path);
+    const auto scenes = add_rows(target.scenes, origin.scenes, origin.path);
+    add_rows(target.materials, origin.materials, origin.path);
+    const auto rename = [](const std::map<std::string, std::string>& ids, std::string& id) {
+      const auto found = ids.find(id);
+      if (found != ids.end()) id = found->second;
+    };
+    for (LuminaireMark& mark : room.luminaires) rename(types, mark.type_id);
+    for (PlanePart& plane : room.planes) {
+      for (rules::Finding& finding : plane.findings) rename(scenes, finding.requirement.scene);
     }
     target.spaces.push_back(std::move(room));
-    add_rows(target.scenes, origin.scenes);
-    add_rows(target.materials, origin.materials);
     for (std::size_t k = 1; k < origin.inputs.size(); ++k)
       target.inputs.push_back(origin.inputs[k]);
+    touched_.insert({move.from.project, place_in_now(move.to.project)});
     ProjectPart& left = now_.projects[move.from.project];
     std::erase_if(left.spaces,
                   [&](const SpacePart& space) { return space.id == move.from.space->id; });
@@ -121,7 +146,7 @@ class Arrangement {
   }
 
   Document take() {
-    for (ProjectPart& project : now_.projects) drop_unused_types(project);
+    for (const std::size_t k : touched_) count_luminaires(now_.projects[k]);
     std::vector<ProjectPart> projects;
     for (std::size_t k = 0; k < now_.projects.size(); ++k) {
       if (!emptied_.contains(k)) projects.push_back(std::move(now_.projects[k]));
@@ -145,22 +170,6 @@ class Arrangement {
     return place_of_[place_in_after] = now_.projects.size() - 1;
   }
 
-  // What a luminaire type of the origin is called in the target; it is added where it is not there.
-  static std::string type_in(ProjectPart& target, const ProjectPart& origin,
-                             const std::string& type_id) {
-    const auto row = std::find_if(origin.luminaires.begin(), origin.luminaires.end(),
-                                  [&](const LuminaireRow& one) { return one.type_id == type_id; });
-    if (row == origin.luminaires.end()) return type_id;
-    LuminaireRow added = *row;
-    for (const LuminaireRow& other : target.luminaires) {
-      if (other.type_id != added.type_id) continue;
-      if (is_same_type(other, added)) return added.type_id;
-      added.type_id += fmt::format(" ({})", origin.path);
-    }
-    target.luminaires.push_back(added);
-    return added.type_id;
-  }
-
   static void move_aggregates(ProjectPart& from, ProjectPart& to, const auto& is_wanted) {
     const auto kept = std::stable_partition(
         from.aggregates.begin(), from.aggregates.end(),
@@ -169,21 +178,15 @@ class Arrangement {
     from.aggregates.erase(kept, from.aggregates.end());
   }
 
-  // Types of which all luminaires have moved away.
-  void drop_unused_types(ProjectPart& project) const {
-    const auto hangs = [](const ProjectPart& in, const LuminaireRow& row) {
-      return std::any_of(in.spaces.begin(), in.spaces.end(), [&](const SpacePart& space) {
-        return std::any_of(space.luminaires.begin(), space.luminaires.end(),
-                           [&](const LuminaireMark& mark) { return mark.type_id == row.type_id; });
-      });
-    };
-    const auto origin =
-        std::find_if(before_.projects.begin(), before_.projects.end(),
-                     [&](const ProjectPart& was) { return was.path == project.path; });
-    if (origin == before_.projects.end()) return;
-    std::erase_if(project.luminaires, [&](const LuminaireRow& row) {
-      return hangs(*origin, row) && !hangs(project, row);
-    });
+  static void count_luminaires(ProjectPart& project) {
+    for (LuminaireRow& row : project.luminaires) {
+      row.count = 0;
+      for (const SpacePart& space : project.spaces) {
+        row.count += static_cast<int>(
+            std::count_if(space.luminaires.begin(), space.luminaires.end(),
+                          [&](const LuminaireMark& mark) { return mark.type_id == row.type_id; }));
+      }
+    }
   }
 
   const Document& before_;
@@ -191,6 +194,7 @@ class Arrangement {
   Document now_;
   std::map<std::size_t, std::size_t> place_of_;  // in now_, by the place in after_
   std::set<std::size_t> gone_, emptied_;         // in before_
+  std::set<std::size_t> touched_;                // in now_
 };
 
 std::vector<std::string> notes_of(const Document& before, const Document& after,

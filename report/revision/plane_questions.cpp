@@ -59,12 +59,12 @@ bool is_same_loop(const Loop& a, const Loop& b) {
   const std::size_t n = a.size();
   if (b.size() != n) return false;
   for (std::size_t first = 0; first < n; ++first) {
-    bool is_same_way = true, is_other_way = true;
-    for (std::size_t k = 0; k < n && (is_same_way || is_other_way); ++k) {
-      is_same_way = is_same_way && is_same_place(a[k], b[(first + k) % n]);
+    bool faces_same_way = true, is_other_way = true;
+    for (std::size_t k = 0; k < n && (faces_same_way || is_other_way); ++k) {
+      faces_same_way = faces_same_way && is_same_place(a[k], b[(first + k) % n]);
       is_other_way = is_other_way && is_same_place(a[k], b[(first + n - k) % n]);
     }
-    if (is_same_way || is_other_way) return true;
+    if (faces_same_way || is_other_way) return true;
   }
   return n == 0;
 }
@@ -104,16 +104,58 @@ std::string facing_words(const glm::dvec3& normal) {
   return fmt::format("facing ({:.3g} {:.3g} {:.3g})", normal.x, normal.y, normal.z);
 }
 
-// Of the first point that faces another way.
-void compare_facing(QuestionList& questions, const PointPairs& pairs) {
+bool faces_same_way(const glm::dvec3& a, const glm::dvec3& b) {
   constexpr double kSameWay = 1e-6;
+  return glm::length(a - b) <= kSameWay;
+}
+
+// Each way that points of a plane face, once; empty where there are too many to tell.
+std::vector<glm::dvec3> facings_of(const PlanePart& plane) {
+  constexpr std::size_t kMost = 64;
+  std::vector<glm::dvec3> facings;
+  for (const PointRow& point : plane.points) {
+    const bool is_known = std::any_of(facings.begin(), facings.end(), [&](const auto& facing) {
+      return faces_same_way(facing, point.normal);
+    });
+    if (!is_known) facings.push_back(point.normal);
+    if (facings.size() > kMost) return {};
+  }
+  return facings;
+}
+
+// The first of the one that the other has not; null: there is none.
+const glm::dvec3* missing_facing(const std::vector<glm::dvec3>& facings,
+                                 const std::vector<glm::dvec3>& in) {
+  const auto found = std::find_if(facings.begin(), facings.end(), [&](const glm::dvec3& facing) {
+    return std::none_of(in.begin(), in.end(),
+                        [&](const glm::dvec3& other) { return faces_same_way(facing, other); });
+  });
+  return found == facings.end() ? nullptr : &*found;
+}
+
+bool is_facing_alike(const PlanePart& before, const PlanePart& after) {
+  const std::vector<glm::dvec3> was = facings_of(before), is = facings_of(after);
+  return !was.empty() && !is.empty() && missing_facing(was, is) == nullptr &&
+         missing_facing(is, was) == nullptr;
+}
+
+// Of the first point that faces another way; of other points, of the first way that is another.
+void compare_facing(QuestionList& questions, const PlanePart& before, const PlanePart& after,
+                    const PointPairs& pairs) {
+  const auto add = [&questions](const glm::dvec3& was, const glm::dvec3& is) {
+    questions.add(QuestionChange::exchanged, QuestionPart::area, facing_words(was),
+                  facing_words(is));
+  };
   for (const auto& [was, is] : pairs.both) {
     if (was.measured == nullptr || is.measured == nullptr) continue;
-    const glm::dvec3 &before = was.measured->normal, &after = is.measured->normal;
-    if (glm::length(before - after) <= kSameWay) continue;
-    return questions.add(QuestionChange::exchanged, QuestionPart::area, facing_words(before),
-                         facing_words(after));
+    if (faces_same_way(was.measured->normal, is.measured->normal)) continue;
+    return add(was.measured->normal, is.measured->normal);
   }
+  if (pairs.gone.empty() && pairs.added.empty()) return;
+  const std::vector<glm::dvec3> was = facings_of(before), is = facings_of(after);
+  if (was.empty() || is.empty()) return;  // points that are others are exchanged anyway
+  if (const glm::dvec3* added = missing_facing(is, was)) return add(was.front(), *added);
+  if (const glm::dvec3* gone = missing_facing(was, is)) add(*gone, is.front());
 }
 
 bool has_cells(const PlanePart& plane) { return plane.grid.columns > 0; }
@@ -199,11 +241,12 @@ bool is_same_area(const PlanePart& before, const PlanePart& after) {
 bool is_finer_grid(const PlanePart& before, const PlanePart& after) {
   return before.is_computed && after.is_computed && is_same(shape_of(before), shape_of(after)) &&
          is_same_number(before.grid.margin_m, after.grid.margin_m) &&
-         has_finer_cells(before, after);
+         has_finer_cells(before, after) && is_facing_alike(before, after) &&
+         has_points_in_all_cells(before, after);
 }
 
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
-                                                    bool is_same_geometry,
+                                                    bool is_same_light,
                                                     const RevisionPlace& place) {
   QuestionList questions(place);
   questions.exchange(QuestionPart::quantity, plane_words(before), plane_words(after));
@@ -214,12 +257,12 @@ std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, con
                     format_shortest(before.grid.margin_m) + " m",
                     format_shortest(after.grid.margin_m) + " m");
   const PointPairs pairs = match_points(before, after);
-  if (is_same_area) compare_facing(questions, pairs);
+  if (is_same_area) compare_facing(questions, before, after, pairs);
   if (is_same_area && is_same_margin && compare_grids(questions, before, after, pairs)) {
     compare_lost(questions, before, after, pairs);
     return questions.take();
   }
-  if (is_same_geometry && is_finer_grid(before, after)) return questions.take();
+  if (is_same_light && is_finer_grid(before, after)) return questions.take();
   // On another grid no point is the one that was left out.
   questions.compare(QuestionPart::lost_points, static_cast<double>(before.grid.dropped.size()),
                     static_cast<double>(after.grid.dropped.size()), false,

@@ -92,6 +92,46 @@ PointPairs match_points(const PlanePart& before, const PlanePart& after) {
   return pairs;
 }
 
+bool has_points_in_all_cells(const PlanePart& of, const PlanePart& in) {
+  const calc::SensorGrid& grid = of.grid;
+  const double half_u_m = 0.5 * grid.spacing_u_m, half_v_m = 0.5 * grid.spacing_v_m;
+  const double reach_m =
+      std::sqrt(half_u_m * half_u_m + half_v_m * half_v_m) * (1.0 + 1e-9) + kSamePlace_m;
+  const auto is_within = [&](const glm::dvec3& off_m) {
+    if (grid.route) return glm::length(off_m) <= reach_m;
+    return std::abs(glm::dot(off_m, grid.u)) <= half_u_m + kSamePlace_m &&
+           std::abs(glm::dot(off_m, grid.v)) <= half_v_m + kSamePlace_m;
+  };
+  using Box = std::array<std::int64_t, 3>;
+  const auto box_of = [&](const glm::dvec3& place_m) {
+    Box box{};
+    for (int axis = 0; axis < 3; ++axis) {
+      box[static_cast<std::size_t>(axis)] =
+          static_cast<std::int64_t>(std::floor(place_m[axis] / reach_m));
+    }
+    return box;
+  };
+  std::map<Box, std::vector<glm::dvec3>> places_m;
+  for (const PointRow& point : in.points) {
+    places_m[box_of(point.position_m)].push_back(point.position_m);
+  }
+  const auto has_one = [&](const glm::dvec3& place_m) {
+    const Box middle = box_of(place_m);
+    for (int side = 0; side < 27; ++side) {
+      const Box box{middle[0] + side % 3 - 1, middle[1] + side / 3 % 3 - 1,
+                    middle[2] + side / 9 - 1};
+      const auto found = places_m.find(box);
+      if (found == places_m.end()) continue;
+      for (const glm::dvec3& other_m : found->second) {
+        if (is_within(other_m - place_m)) return true;
+      }
+    }
+    return false;
+  };
+  return std::all_of(of.points.begin(), of.points.end(),
+                     [&](const PointRow& point) { return has_one(point.position_m); });
+}
+
 double farthest_move_m(const PointPairs& pairs) {
   std::map<std::pair<int, int>, glm::dvec3> place_of_cell;
   for (const PlacedPoint& point : pairs.gone) {

@@ -25,6 +25,10 @@ struct PointPairs {
 // Each point belongs to one pair at most.
 PointPairs match_points(const PlanePart& before, const PlanePart& after);
 
+// Of two planes with cells along the same sides: whether each point of the one that is measured has
+// one of the other that is measured within its cell; of routes, as near as the cell is large.
+bool has_points_in_all_cells(const PlanePart& of, const PlanePart& in);
+
 // Of cells that both have: how far the point of one has moved at most; 0 without such cells.
 double farthest_move_m(const PointPairs& pairs);
 

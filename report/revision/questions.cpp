@@ -408,18 +408,28 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
   return all;
 }
 
-double share_of_maintenance(const ProjectPart& before, const ProjectPart& after) {
+double share_of_maintenance(const RoomPair& room) {
+  std::set<std::string> hanging;
+  for (const LuminaireMark& mark : room.after.luminaires) hanging.insert(mark.type_id);
+  std::vector<LuminairePair> pairs;
+  for (const PartPair<LuminaireRow>& pair :
+       match_luminaires(room.project_before.luminaires, room.project_after.luminaires)) {
+    pairs.emplace_back(pair.before, pair.after);
+  }
+  for (const auto& [was, is] : match_marks(room.before.luminaires, room.after.luminaires)) {
+    if (was == nullptr || is == nullptr) continue;
+    pairs.emplace_back(row_of(room.project_before, was->type_id),
+                       row_of(room.project_after, is->type_id));
+  }
   double share = 0.0;
   std::set<std::string> known;
-  for (const auto& [was, is] : paired_luminaires(before, after)) {
+  for (const auto& [was, is] : pairs) {
+    if (was == nullptr || is == nullptr || !hanging.contains(is->type_id)) continue;
     if (!(was->maintenance_factor > 0.0)) return 1.0;
     share = std::max(share, is->maintenance_factor / was->maintenance_factor);
     known.insert(is->type_id);
   }
-  for (const LuminaireRow& row : after.luminaires) {
-    if (row.count > 0 && !known.contains(row.type_id)) return 1.0;
-  }
-  return known.empty() ? 1.0 : std::min(share, 1.0);
+  return known.empty() || known.size() < hanging.size() ? 1.0 : std::min(share, 1.0);
 }
 
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,

@@ -18,11 +18,10 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place);
-// is_same_geometry: of the room, see there: then what a finer grid leaves out lies in what was in
-// the way before.
+// is_same_light: of the room, see SpacePart::scene_sha256: then what a finer grid leaves out lies
+// in what was in the way before.
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
-                                                    bool is_same_geometry,
-                                                    const RevisionPlace& place);
+                                                    bool is_same_light, const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
                                                  const rules::Requirement& after,
                                                  const RevisionPlace& place);
@@ -33,11 +32,20 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
 // Whether two planes have one place and outline.
 bool is_same_area(const PlanePart& before, const PlanePart& after);
 
-// Whether the one area has more cells now, and not fewer along either of its sides.
+// Whether the one area has more cells now, not fewer along either of its sides, points that face as
+// they did, and one at least in each cell that had one.
 bool is_finer_grid(const PlanePart& before, const PlanePart& after);
 
-// Maintenance factors now beside those before: the least change of all luminaires that hang, by
-// name, photometry and place. 1 where one is as it was, or nothing was before it.
-double share_of_maintenance(const ProjectPart& before, const ProjectPart& after);
+// What lights a room before and now, of one project each.
+struct RoomPair {
+  const ProjectPart& project_before;
+  const SpacePart& before;
+  const ProjectPart& project_after;
+  const SpacePart& after;
+};
+
+// Maintenance factors now beside those before: the least change of all luminaires that hang in the
+// room, by name, photometry and place. 1 where one is as it was, or nothing was before it.
+double share_of_maintenance(const RoomPair& room);
 
 }  // namespace report

@@ -20,6 +20,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -145,30 +146,20 @@ class Reviser {
 
   // Each warning of before is one of now at most.
   void note_known_warnings(const ProjectPart& before, const ProjectPart& after) {
-    std::multiset<std::pair<calc::DiagnosticId, std::string>> left;
+    std::multiset<std::tuple<calc::DiagnosticId, std::string, std::string>> left;
     for (const calc::Diagnostic& warning : before.diagnostics) {
-      left.emplace(warning.id, warning.message);
+      left.emplace(warning.id, warning.where.file, warning.message);
     }
     KnownWarnings known{after.path, {}};
     for (std::size_t k = 0; k < after.diagnostics.size(); ++k) {
       const calc::Diagnostic& warning = after.diagnostics[k];
       if (!is_warning(warning) || is_strict_warning(after, warning)) continue;
-      const auto found = left.find({warning.id, warning.message});
+      const auto found = left.find({warning.id, warning.where.file, warning.message});
       if (found == left.end()) continue;
       left.erase(found);
       known.diagnostics.push_back(k);
     }
     if (!known.diagnostics.empty()) revision_.known_warnings.push_back(std::move(known));
-  }
-
-  // Of all files but the project's own, which states the grid.
-  static bool has_same_other_files(const ProjectPart& before, const ProjectPart& after) {
-    const auto others = [](const ProjectPart& project) {
-      std::set<std::string> sums;
-      for (std::size_t k = 1; k < project.inputs.size(); ++k) sums.insert(project.inputs[k].sha256);
-      return sums;
-    };
-    return others(before) == others(after);
   }
 
   // Of files that are not as they were, although nothing that is compared has changed.
@@ -212,7 +203,6 @@ class Reviser {
     const ProjectPart &was = pair.before != nullptr ? *pair.before : kNone,
                       &is = pair.after != nullptr ? *pair.after : kNone;
     const std::size_t said_before = said();
-    is_same_input_ = false;
     RevisionPlace place;
     place.project = pair.after != nullptr ? is.path : was.path;
     place.words = std::string(title_of(pair.after != nullptr ? is.name : was.name, place.project));
@@ -231,13 +221,11 @@ class Reviser {
       note_known_warnings(was, is);
       if (was.is_judged) {
         add(compare_project_question(was, is, place));
-        std::vector<ChangedInput> inputs = compare_inputs(was, is, place);
-        is_same_input_ = inputs.empty() && has_same_other_files(was, is);
-        add(std::move(inputs));
+        add(compare_inputs(was, is, place));
       }
     }
     const bool is_there = pair.before != nullptr && pair.after != nullptr;
-    dimmer_ = share_of_maintenance(was, is);
+    projects_ = {&was, &is};
     renamed_rooms_.clear();
     renamed_planes_.clear();
     for (const PartPair<SpacePart>& room : match_rooms(was, is)) add_room(room, place, is_there);
@@ -273,7 +261,8 @@ class Reviser {
     const SpacePart& any = pair.after != nullptr ? is : was;
     place.space = any.id;
     place.words = std::string(title_of(any.name, any.id));
-    is_same_room_ = false;
+    is_same_light_ = false;
+    dimmer_ = 1.0;
     if (pair.before == nullptr || pair.after == nullptr) {
       if (is_project_there && !any.planes.empty()) {
         add_whole(QuestionPart::room, place, pair.after == nullptr, place.words);
@@ -282,7 +271,9 @@ class Reviser {
       note_renaming("room", was.id, is.id, place, &renamed_rooms_);
       add(compare_room_question(was, is, place));
       std::vector<ChangedInput> inputs = compare_inputs(was, is, place);
-      is_same_room_ = is_same_input_ && inputs.empty() && is_same_geometry(was, is);
+      is_same_light_ =
+          inputs.empty() && !was.scene_sha256.empty() && was.scene_sha256 == is.scene_sha256;
+      dimmer_ = share_of_maintenance({*projects_.before, was, *projects_.after, is});
       add(std::move(inputs));
     }
     const auto planes = match_renamed(
@@ -307,9 +298,8 @@ class Reviser {
       if (is_room_there) add_whole(QuestionPart::plane, place, pair.after == nullptr, any.id);
     } else {
       note_renaming("plane", was.id, is.id, place, &renamed_planes_);
-      const bool is_same = is_room_there && is_same_geometry(*room.before, *room.after);
-      add(compare_plane_question(was, is, is_same, place));
-      is_only_finer_ = is_same_room_ && is_finer_grid(was, is);
+      add(compare_plane_question(was, is, is_same_light_, place));
+      is_only_finer_ = is_same_light_ && is_finer_grid(was, is);
       if (auto values = compare_values(was, is, place)) {
         revision_.planes.push_back(std::move(*values));
       }
@@ -333,9 +323,24 @@ class Reviser {
     if (result.change != ResultChange::worse || result.verdict_after != rules::Verdict::pass) {
       return std::nullopt;
     }
-    if (is_only_finer_) return QuestionPart::grid;
+    if (is_only_finer_ && is_same_scene(requirement.scene) &&
+        !rules::is_about_space(requirement.metric)) {
+      return QuestionPart::grid;
+    }
     if (is_of_maintenance(result, requirement)) return QuestionPart::maintenance_factor;
     return std::nullopt;
+  }
+
+  // Whether a light scene dims as it did; "": no scene.
+  bool is_same_scene(const std::string& id) const {
+    const auto levels_in = [&id](const ProjectPart& project) {
+      std::vector<std::pair<std::string, double>> levels;
+      for (const SceneRow& scene : project.scenes) {
+        if (scene.id == id) levels = scene.level_of_group;
+      }
+      return levels;
+    };
+    return levels_in(*projects_.before) == levels_in(*projects_.after);
   }
 
   // What a maintenance factor scales, and no more lost than it takes.
@@ -405,10 +410,10 @@ class Reviser {
   const Document& after_;
   Revision& revision_;
   Renamed renamed_rooms_, renamed_planes_;
-  double dimmer_ = 1.0;         // of the project at hand, see share_of_maintenance()
-  bool is_same_input_ = false;  // of the project at hand: all but the rooms themselves
-  bool is_same_room_ = false;   // of the room at hand: it, and what hangs and stands in it
-  bool is_only_finer_ = false;  // of the plane at hand: its grid is finer, and all else the same
+  PartPair<ProjectPart> projects_;  // at hand, neither null
+  double dimmer_ = 1.0;             // of the room at hand, see share_of_maintenance()
+  bool is_same_light_ = false;      // of the room at hand, but for maintenance and dimming
+  bool is_only_finer_ = false;      // of the plane at hand: its grid, and its light is the same
 };
 
 }  // namespace

@@ -48,6 +48,7 @@ Document base() {
   mark.position_m = {2, 1, 3};
   mark.type_id = "panel";
   project.spaces[0].luminaires = {mark};
+  project.spaces[0].scene_sha256 = "the light of today";
   return document;
 }
 
@@ -723,6 +724,10 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
     auto& rows = d.projects[0].luminaires;
     if (rows.size() < 2) rows.push_back(rows[0]);
     rows[1].type_id = "another";
+    auto& marks = d.projects[0].spaces[0].luminaires;
+    marks.push_back(marks[0]);
+    marks[1].type_id = "another";
+    marks[1].position_m.x += 1;
     const double limit = finding(d).requirement.limit;
     set_measured(finding(d), estimate(2.0 * limit, 0.0));
   };
@@ -757,18 +762,21 @@ TEST(Gate, ALowerMaintenanceFactorMayCostWhatItTakes) {
             rules::Outcome::fail);
 }
 
-// The 2 x 1 cells become columns x rows; the first `lost` of them are left out.
-void regrid(Document& document, int columns, int rows, int lost) {
+// The 2 x 1 cells become columns x rows; those that is_lost names are left out.
+void regrid(Document& document, int columns, int rows,
+            const std::function<bool(int column, int row)>& is_lost) {
   PlanePart& of = plane(document);
   of.grid.columns = columns;
   of.grid.rows = rows;
+  of.grid.spacing_u_m = 3.0 / columns;
+  of.grid.spacing_v_m = 1.5 / rows;
   of.points.clear();
   of.grid.dropped.clear();
   for (int k = 0; k < columns * rows; ++k) {
     const int column = k % columns, row = k / columns;
     const glm::dvec3 place_m{0.5 + 3.0 * (column + 0.5) / columns, 0.25 + 1.5 * (row + 0.5) / rows,
                              0.8};
-    if (k < lost) {
+    if (is_lost(column, row)) {
       of.grid.dropped.push_back({place_m, column, row, calc::DropReason::inside_solid, "desk"});
     } else {
       of.points.push_back(sample_point(column, row, place_m, estimate(600, 6), 500));
@@ -777,38 +785,42 @@ void regrid(Document& document, int columns, int rows, int lost) {
 }
 
 TEST(Gate, AFinerGridMayLeaveMoreOutOfTheSameRoom) {
+  const auto left = [](int columns) {  // as the point that is lost before
+    return [columns](int column, int) { return 2 * column < columns; };
+  };
   const auto with_desk = [](Document& d) {
     pass_all(d);
-    BodyMark desk;
-    desk.id = "desk";
-    desk.high_z_m = 0.9;
-    d.projects[0].spaces[0].bodies = {desk};
     lose(d, 0);
   };
-  const auto asked_by = [&](int columns, int rows, int lost, const auto& change) {
+  const auto asked_by = [&](int columns, int rows, const auto& is_lost, const auto& change) {
     const auto both = [&](Document& d) {
-      regrid(d, columns, rows, lost);
+      regrid(d, columns, rows, is_lost);
       change(d.projects[0].spaces[0]);
     };
     return asked(*with_revision(with_desk, both, kRegression).revision);
   };
   const auto nothing = [](SpacePart&) {};
-  EXPECT_THAT(asked_by(4, 2, 4, nothing), ElementsAre("stricter grid"));
-  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.bodies[0].high_z_m = 1.0; }),
+  EXPECT_THAT(asked_by(4, 2, left(4), nothing), ElementsAre("stricter grid"));
+  EXPECT_THAT(asked_by(4, 2, left(4), [](SpacePart& r) { r.scene_sha256 = "other light"; }),
               ElementsAre("weaker lost-points", "stricter grid"));
-  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.triangles = 12; }),
+  EXPECT_THAT(asked_by(4, 2, left(4), [](SpacePart& r) { r.triangles = 12; }),
               ElementsAre("weaker lost-points", "stricter grid"));
-  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.floor_z_m = -0.1; }),
+  // Where there was a point there must be one of the finer grid.
+  EXPECT_THAT(asked_by(
+                  4, 2, [](int column, int) { return column > 1; }, nothing),
               ElementsAre("weaker lost-points", "stricter grid"));
-  EXPECT_THAT(asked_by(4, 2, 4, [](SpacePart& r) { r.bodies_left_out = 1; }),
-              ElementsAre("weaker lost-points", "stricter grid"));
-  EXPECT_THAT(asked_by(2, 2, 1, nothing), ElementsAre("stricter grid"));
+  EXPECT_THAT(asked_by(
+                  4, 2, [](int column, int) { return column != 2; }, nothing),
+              ElementsAre("stricter grid"));
   // More cells, but in fewer columns: a row of points says nothing about what lies beside it.
-  EXPECT_THAT(asked_by(1, 9, 1, nothing), ElementsAre("exchanged grid"));
-  EXPECT_THAT(asked_by(1, 1, 0, nothing), ElementsAre("weaker grid", "stricter lost-points"));
+  const auto first = [](int column, int row) { return column + row == 0; };
+  EXPECT_THAT(asked_by(1, 9, first, nothing), ElementsAre("exchanged grid"));
+  EXPECT_THAT(asked_by(
+                  1, 1, [](int, int) { return false; }, nothing),
+              ElementsAre("weaker grid", "stricter lost-points"));
   // The same cells along swapped axes are not finer.
   const auto turned = [&](int columns, int rows) {
-    return asked_by(columns, rows, 1, [](SpacePart& r) {
+    return asked_by(columns, rows, first, [](SpacePart& r) {
       calc::SensorGrid& grid = r.planes[0].grid;
       std::swap(grid.u, grid.v);
       for (glm::dvec2& corner : r.planes[0].outline_m) std::swap(corner.x, corner.y);
@@ -816,18 +828,26 @@ TEST(Gate, AFinerGridMayLeaveMoreOutOfTheSameRoom) {
   };
   EXPECT_THAT(turned(2, 3), ElementsAre("stricter grid"));
   EXPECT_THAT(turned(3, 1), ElementsAre("exchanged grid"));
+  // Whichever points there are, they face as they did.
+  const auto faces_down = [](SpacePart& r) {
+    for (PointRow& point : r.planes[0].points) point.normal.z = -1;
+  };
+  EXPECT_THAT(asked_by(4, 2, left(4), faces_down),
+              ElementsAre("weaker lost-points", "exchanged area", "stricter grid"));
 }
 
 TEST(Gate, AFinerGridMayBeWorseWhereNothingElseHasChanged) {
   const auto exact = [](Document& d) {
     pass_all(d);
     set_measured(finding(d), estimate(2.0 * finding(d).requirement.limit, 0.0));
+    finding(d).requirement.scene = "night";
+    d.projects[0].scenes = {{"night", {{"g", 0.5}}}};
   };
   const auto result = [&](double share, int columns, const std::function<void(Document&)>& change) {
     return with_revision(
         exact,
         [&](Document& d) {
-          regrid(d, columns, 1, 0);
+          regrid(d, columns, 1, [](int, int) { return false; });
           set_measured(finding(d), estimate(share * finding(d).measured.value, 0.0));
           change(d);
         },
@@ -842,15 +862,33 @@ TEST(Gate, AFinerGridMayBeWorseWhereNothingElseHasChanged) {
   EXPECT_EQ(gate_outcome(result(0.4, 4, nothing)), rules::Outcome::fail) << "it fails now";
   const std::pair<const char*, std::function<void(Document&)>> changes[] = {
       {"luminaires", [](Document& d) { d.projects[0].spaces[0].luminaires.clear(); }},
-      {"photometry", [](Document& d) { d.projects[0].luminaires[0].flux_lm *= 0.9; }},
-      {"shape", [](Document& d) { d.projects[0].spaces[0].height_m = 4; }},
+      {"light", [](Document& d) { d.projects[0].spaces[0].scene_sha256 = "other light"; }},
+      {"dimming", [](Document& d) { d.projects[0].scenes[0].level_of_group[0].second = 0.4; }},
       {"margin", [](Document& d) { plane(d).grid.margin_m = 0.1; }},
-      {"other files", [](Document& d) {
-         d.projects[0].inputs = {{}, {"a.obj", "01"}};
-       }}};
+      {"facing",
+       [](Document& d) {
+         plane(d).points[1].normal = {0, 0, -1};
+       }},
+      {"a result of before", [](Document& d) { d.projects[0].spaces[0].scene_sha256.clear(); }}};
   for (const auto& [words, change] : changes) {
     EXPECT_EQ(gate_outcome(result(0.9, 4, change)), rules::Outcome::fail) << words;
   }
+  // Two that ask more at once.
+  const Document dimmer =
+      result(0.9, 4, [](Document& d) { d.projects[0].luminaires[0].maintenance_factor *= 0.98; });
+  EXPECT_EQ(gate_outcome(dimmer), rules::Outcome::pass);
+  // No grid makes power more.
+  const auto of_power = [](Document& d) {
+    pass_all(d);
+    finding(d).requirement.metric = rules::Metric::power_density;
+    finding(d).requirement.comparison = rules::Comparison::at_most;
+    set_measured(finding(d), estimate(0.5 * finding(d).requirement.limit, 0.0));
+  };
+  const auto more_power = [](Document& d) {
+    regrid(d, 4, 1, [](int, int) { return false; });
+    set_measured(finding(d), estimate(0.6 * finding(d).requirement.limit, 0.0));
+  };
+  EXPECT_EQ(gate_outcome(with_revision(of_power, more_power, kRegression)), rules::Outcome::fail);
 }
 
 // Of n rooms, each of its own id and place; all ask the same.
@@ -907,12 +945,14 @@ TEST(Revise, WarningsOfBeforeAreKnownOneByOne) {
   const calc::DiagnosticId id = calc::DiagnosticId::mesh_bent_faces;
   Document before = base(), after = base();
   before.projects[0].diagnostics = {{id, {"office.xml", 3, 1}, "a"}};
-  after.projects[0].diagnostics = {
-      {id, {"office.xml", 4, 1}, "b"}, {id, {"office.xml", 5, 1}, "a"}, {id, {}, "a"}};
+  after.projects[0].diagnostics = {{id, {"office.xml", 4, 1}, "b"},
+                                   {id, {"a.obj", 3, 1}, "a"},
+                                   {id, {"office.xml", 5, 1}, "a"},
+                                   {id, {"office.xml", 6, 1}, "a"}};
   const auto known = revise(before, after, "main.json", kRegression).known_warnings;
   ASSERT_EQ(known.size(), 1u);
   EXPECT_EQ(known[0].project, "office.xml");
-  EXPECT_THAT(known[0].diagnostics, ElementsAre(1u));
+  EXPECT_THAT(known[0].diagnostics, ElementsAre(2u));
   after.projects[0].strict_warnings = {id};
   EXPECT_THAT(revise(before, after, "main.json", kRegression).known_warnings, IsEmpty());
 }
@@ -950,6 +990,45 @@ TEST(Revise, WhatIsLessInAMovedRoomIsSeen) {
   twice.projects.back().path = twice.projects.back().name = "third.xml";
   EXPECT_THAT(asked(revise(whole, twice, "main.json", kRegression)),
               ElementsAre("weaker room", "stricter project", "stricter project"));
+}
+
+// What a project says by hand is held against what was said where the room was.
+TEST(Revise, WhatIsSaidByHandIsKnownWhereARoomHasMoved) {
+  Document before = with_rooms(2);
+  before.projects[0].spaces[1].luminaires.clear();
+  const auto after_move = [&](std::size_t moved, std::size_t changed, bool is_lit) {
+    Document after = before;
+    move_room(after, moved, "second.xml");
+    LuminaireRow& row = after.projects[changed].luminaires[0];
+    row.flux_lm *= 10;
+    row.maintenance_factor = 1.0;
+    if (is_lit) {
+      after.projects[changed].spaces[0].luminaires = before.projects[0].spaces[0].luminaires;
+    }
+    return asked(revise(before, after, "main.json", kRegression));
+  };
+  EXPECT_THAT(after_move(0, 0, true), ElementsAre("weaker maintenance-factor", "weaker flux"))
+      << "the lit room leaves, the dark one gets other light";
+  EXPECT_THAT(after_move(1, 1, true), ElementsAre("weaker maintenance-factor", "weaker flux"))
+      << "the dark room leaves, and gets other light";
+}
+
+TEST(Revise, ASceneThatMeansSomethingElseWhereARoomHasMovedIsExchanged) {
+  Document before = with_rooms(2);
+  before.projects[0].scenes = {{"night", {{"g", 1.0}}}};
+  finding(before).requirement.scene = "night";
+  Document after = before;
+  move_room(after, 0, "second.xml");
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)), IsEmpty());
+  Document other = before;
+  other.projects.push_back(before.projects[0]);
+  other.projects[1].path = other.projects[1].name = "second.xml";
+  other.projects[1].spaces.clear();
+  other.projects[1].scenes[0].level_of_group[0].second = 0.5;
+  Document merged = other;
+  move_room(merged, 0, "second.xml");
+  EXPECT_THAT(asked(revise(other, merged, "main.json", kRegression)),
+              ElementsAre("exchanged light"));
 }
 
 TEST(Revise, LuminairesOfOneNameStayApartWhereDesignsAreMerged) {
