@@ -47,9 +47,11 @@ if(LUXGATE_PYTHON)
     ${CMAKE_CURRENT_SOURCE_DIR}/bench/users_projects.py $<TARGET_FILE:luxgate> $<TARGET_FILE:luxgate> --quick)
   # A cluster that is made up: does the simulation keep what must hold, and see when it does not?
   add_test(NAME bench_simulate_cluster_is_right COMMAND ${LUXGATE_PYTHON} -B
-    ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulate_cluster.py --check)
+    ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulate_cluster.py --check ${CMAKE_CURRENT_SOURCE_DIR}/validation/scale.md)
+  add_test(NAME validation.sparse_is_kept COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/sparse_table.py
+    $<TARGET_FILE:bench_core> ${CMAKE_CURRENT_SOURCE_DIR}/validation/sparse.md)
 else()
-  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right gpu_model_is_kept)
+  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right gpu_model_is_kept validation.sparse_is_kept)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
   endforeach()

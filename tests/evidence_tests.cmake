@@ -20,7 +20,7 @@ add_test(NAME cli.selftest_is_right COMMAND ${CMAKE_COMMAND}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_selftest.cmake)
 set_tests_properties(cli.selftest_is_right PROPERTIES TIMEOUT 900)
 
-# The rest of validation/: tables that are not part of the tree, and curves, which take minutes and are no test.
+# The rest of validation/: tables that are not part of the tree, and curves.
 add_executable(validation_report
   validation/open_cases.cpp
   validation/open_grid.cpp
@@ -36,12 +36,16 @@ add_executable(validation_report
 luxgate_compile_together(validation_report)
 set_source_files_properties(validation/open_cases.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # its tolerances are its own
 target_link_libraries(validation_report PRIVATE luxgate_cli)
-add_test(NAME validation.open_cases_are_kept COMMAND ${CMAKE_COMMAND}
-  -DVALIDATION_REPORT=$<TARGET_FILE:validation_report> -DCOMPARE_REPORT=$<TARGET_FILE:compare_report>
-  -DKEPT=${CMAKE_CURRENT_SOURCE_DIR}/validation/open-cases.md
-  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/open_cases
-  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_open_cases.cmake)
-set_tests_properties(validation.open_cases_are_kept PROPERTIES TIMEOUT 900 SKIP_REGULAR_EXPRESSION "skipped:")
+foreach(what open_cases sweeps)
+  string(REPLACE "_" "-" kept ${what})
+  string(REPLACE "_cases" "" part ${what})
+  add_test(NAME validation.${what}_are_kept COMMAND ${CMAKE_COMMAND}
+    -DVALIDATION_REPORT=$<TARGET_FILE:validation_report> -DCOMPARE_REPORT=$<TARGET_FILE:compare_report>
+    -DWHAT=${part} -DKEPT=${CMAKE_CURRENT_SOURCE_DIR}/validation/${kept}.md
+    -DWORK=${CMAKE_CURRENT_BINARY_DIR}/${what}
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_validation_report.cmake)
+  set_tests_properties(validation.${what}_are_kept PROPERTIES TIMEOUT 900 SKIP_REGULAR_EXPRESSION "skipped:")
+endforeach()
 
 add_test(NAME cli.compare_says_what_differs COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/03-cornell-box

@@ -1,7 +1,8 @@
 """A batch of 100,000 rooms on 1 to 10,000 cores, simulated: how long, what waits for what, what breaks first.
 
     simulate_cluster.py [--write FILE]     prints the tables of tests/validation/scale.md (or writes them)
-    simulate_cluster.py --check            tests the simulation itself, in seconds; exit code 1 if something is wrong
+    simulate_cluster.py --check [FILE]     tests the simulation itself, in seconds, and whether FILE has its tables, as far as
+                                           seconds show; exit code 1 if something is wrong
 
 Tasks are dispatched by one scheduler, one after the other, to the core that is free first; each reads the list of units from one file
 server, then its projects, then computes. The shards are those of report/check/units.cpp. No clock is read: same tables every time.
@@ -288,9 +289,17 @@ def flaws(rule=shards_of, play=run):
     return found
 
 
-def check():
-    """The simulation is right, and each way to spoil it is seen."""
+def quick_tables(units=100_000):
+    """Those of document() that run nothing."""
+    batch, costly = make_batch(units), make_batch(units, scale=100.0)
+    return {"what breaks first": limits_table(batch, costly), "what was measured": measured_table(), "the closing job": closing_table(batch)}
+
+
+def check(file):
+    """The simulation is right, each way to spoil it is seen, and a file has what it says."""
     found = flaws()
+    text = pathlib.Path(file).read_text() if file else None
+    found += [f"{file} has another table: {name}" for name, one in quick_tables().items() if text is not None and one not in text]
     def spoilt_run(**changes):
         return lambda batch, shard, cluster: replace(run(batch, shard, cluster), **{
             name: change(getattr(run(batch, shard, cluster), name)) for name, change in changes.items()})
@@ -314,10 +323,10 @@ def check():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", metavar="FILE")
-    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--check", nargs="?", const="", metavar="FILE")
     options = parser.parse_args()
-    if options.check:
-        return check()
+    if options.check is not None:
+        return check(options.check)
     if options.write:
         pathlib.Path(options.write).write_text(document())
     else:
