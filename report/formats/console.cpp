@@ -1,5 +1,6 @@
 #include "report/formats/console.h"
 
+#include "report/document/room_summary.h"
 #include "report/formats/folded_passes.h"
 #include "report/revision/revision_tables.h"
 #include "report/stream/text_list.h"
@@ -9,6 +10,7 @@
 #include "report/text/decides.h"
 #include "report/text/known_words.h"
 #include "report/text/plain_text.h"
+#include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -484,6 +486,98 @@ std::string render_table(const Texts& t, const RevisionTable& table, bool colour
   return text + "\n";
 }
 
+// Names of rooms by what they came to, for the end of the report.
+class RoomsToName {
+ public:
+  // path: of the project, where there are several; else "".
+  void add(const ProjectPart& project, const std::string& path) {
+    const auto add_name = [&](rules::Outcome outcome, std::string_view name) {
+      ++rooms_;
+      const auto list = lists_.find(outcome);
+      if (list == lists_.end()) return;
+      const std::string room = printable(name);
+      ++list->second.count;
+      if (list->second.names.size() < kMostNamed) {
+        list->second.names.push_back(path.empty()   ? room
+                                     : room.empty() ? path
+                                                    : fmt::format("{}: {}", path, room));
+      }
+    };
+    if (!project.is_judged) add_name(rules::Outcome::not_judged, path.empty() ? project.path : "");
+    for (const RoomSummary& room : room_summaries(project)) {
+      add_name(room.outcome, title_of(room.space->name, room.space->id));
+    }
+  }
+
+  // A line for each list; nothing where a single room is all there is.
+  std::string text(const Texts& t) const {
+    if (rooms_ < 2) return {};
+    std::string text;
+    for (const auto& [outcome, list] : lists_) {
+      if (list.count == 0) continue;
+      std::string names = fmt::format("{}", fmt::join(list.names, ", "));
+      if (list.count > list.names.size()) {
+        names = t.say<Text::names_and_more>(names, list.count - list.names.size());
+      }
+      text += (outcome == rules::Outcome::fail        ? t.say<Text::rooms_fail>(names)
+               : outcome == rules::Outcome::undecided ? t.say<Text::rooms_undecided>(names)
+                                                      : t.say<Text::rooms_not_judged>(names)) +
+              "\n";
+    }
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t kMostNamed = 12;
+  struct List {
+    std::vector<std::string> names;  // the first ones
+    std::size_t count = 0;
+  };
+  std::size_t rooms_ = 0;
+  std::map<rules::Outcome, List> lists_{{rules::Outcome::not_judged, {}},
+                                        {rules::Outcome::fail, {}},
+                                        {rules::Outcome::undecided, {}}};
+};
+
+// "" = of a single room.
+std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  constexpr std::size_t kRoom = 1;  // the column of names, which gives way to a narrow terminal
+  const RoomOverview table = room_overview(t, project);
+  if (table.rows.empty()) return {};
+  std::vector<std::size_t> widths;
+  for (const std::string& head : table.head) widths.push_back(display_width(head));
+  for (const RoomOverview::Row& row : table.rows) {
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      widths[c] = std::max(widths[c], display_width(printable(row.cells[c])));
+    }
+  }
+  std::size_t total = 0;
+  for (const std::size_t width : widths) total += width + kGap;
+  const auto available = static_cast<std::size_t>(std::max(options.width, 0));
+  if (options.width > 0 && total > available) {
+    const std::size_t narrowest = std::min(kNarrowestName, widths[kRoom]);
+    const std::size_t excess = total - available;
+    widths[kRoom] = std::max(narrowest, widths[kRoom] > excess ? widths[kRoom] - excess : 0);
+  }
+  const auto line = [&](const std::vector<std::string>& cells, std::string_view colour) {
+    std::string text = "  ";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const std::string cell =
+          padded(shorten_end(printable(cells[c]), widths[c]), widths[c], c > kRoom);
+      const bool is_coloured = options.colour && (c == 0 || colour == kDim);
+      text += is_coloured ? std::string(colour) + cell + kReset : cell;
+      text.append(kGap, ' ');
+    }
+    trim_end(text);
+    return text + "\n";
+  };
+  std::string text = line(table.head, kDim);
+  for (const RoomOverview::Row& row : table.rows) {
+    text += line(row.cells, outcome_colour(row.outcome));
+  }
+  return text + "\n";
+}
+
 // A gate for regressions is about what has changed; --passes shows the rest.
 bool shows_all(const DocumentFrame& frame, bool lists_passes) {
   return lists_passes || frame.revised == nullptr ||
@@ -507,6 +601,7 @@ class TextWriter : public FormatWriter {
   TextOptions options_;
   Texts t_;
   Widths widths_{};
+  RoomsToName rooms_;
   TextList waiting_;  // finished text, and lines after an empty one
 };
 
@@ -522,6 +617,7 @@ void TextWriter::add(const ProjectPart& project) {
   widen(t_, lines, widths_);
   const bool is_shown = shows_all(frame_, options_.lists_passes);
   const bool has_messages = options_.has_messages && !project.diagnostics.empty();
+  if (is_shown) rooms_.add(project, frame_.paths.size() > 1 ? printable_path(project.path) : "");
   if (project.is_judged && !has_messages && !is_shown) return;
   std::string text = project_title(project, options_.colour);
   if (!project.is_judged) {
@@ -533,6 +629,7 @@ void TextWriter::add(const ProjectPart& project) {
   if (const std::string about = about_line(t_, project.about); !about.empty()) {
     text += "  " + about + "\n";
   }
+  if (is_shown) text += overview_text(t_, project, options_);
   waiting_.add(text);
   if (is_shown) {
     for (const TableLine& line : lines) add_line(line);
@@ -558,6 +655,7 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   std::string text;
   if (frame_.revised != nullptr) text += render_revision_text(t_, *frame_.revised, options_.colour);
+  text += rooms_.text(t_);
   std::string summary = summary_words(t_, end.totals);
   if (options_.colour) summary = outcome_colour(end.totals.outcome) + summary + kReset;
   text += summary + "\n";

@@ -8,12 +8,14 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
+#include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -163,6 +165,27 @@ std::string advice_markdown(const Texts& t, const ProjectPart& project) {
   return text;
 }
 
+// "" = of a single room.
+std::string overview_markdown(const Texts& t, const ProjectPart& project) {
+  const RoomOverview table = room_overview(t, project);
+  if (table.rows.empty()) return {};
+  const auto line = [](const std::vector<std::string>& cells) {
+    std::string text = "|";
+    for (const std::string& cell : cells) text += " " + escape_markdown(cell) + " |";
+    return text + "\n";
+  };
+  std::string text = "\n" + line(table.head) + "|";
+  for (std::size_t c = 0; c < table.head.size(); ++c) text += c < 2 ? " --- |" : " ---: |";
+  text += "\n";
+  for (std::size_t k = 0; k < std::min(table.rows.size(), kMostRows); ++k) {
+    text += line(table.rows[k].cells);
+  }
+  if (table.rows.size() > kMostRows) {
+    text += "\n" + t.say<Text::more_left_out>(table.rows.size() - kMostRows) + "\n";
+  }
+  return text;
+}
+
 class MarkdownWriter : public FormatWriter {
  public:
   MarkdownWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t)
@@ -182,6 +205,7 @@ class MarkdownWriter : public FormatWriter {
     if (!has_projects()) {
       about_ = about_line(t_, project.about);
       title_ = title_of(project);
+      overview_ = overview_markdown(t_, project);
     }
     // Of many the passing ones are folded: what is left to do must not be looked for.
     const bool is_folded =
@@ -214,8 +238,8 @@ class MarkdownWriter : public FormatWriter {
   CiFindings findings_;
   Table passed_, others_;
   Lines project_lines_, folded_lines_;
-  std::string title_, about_;        // of the only one
-  Spill advice_, warnings_, notes_;  // of all projects
+  std::string title_, about_, overview_;  // of the only one
+  Spill advice_, warnings_, notes_;       // of all projects
 };
 
 void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -233,6 +257,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
+  text += overview_;
   if (has_projects() && project_lines_.count > 0) text += "\n" + project_lines_.with_rest(t_);
   if (others_.count() > 0) text += "\n" + others_.text();
   sink.write(text);

@@ -138,6 +138,13 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
             {.words = "The pack does not come with luxgate.",
              .presence = only_if(requirement.origin.is_user_supplied),
              .is_mark = true});
+    bool is_of_other_role = !requirement.origin.is_of_own_role;
+    o.field("of_other_role", is_of_other_role,
+            {.words = "Of another role than the one that the pack is about: not of the task, but "
+                      "of a wall, an observer ...",
+             .presence = only_if(is_of_other_role),
+             .is_mark = true});
+    assign(requirement.origin.is_of_own_role, !is_of_other_role);
     o.field("workplaces", requirement.origin.workplaces,
             {.words = "Ids of those that ask for it; none: a <require>.",
              .presence = only_if(!requirement.origin.workplaces.empty())});

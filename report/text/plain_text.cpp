@@ -59,4 +59,16 @@ std::string shorten_start(std::string_view utf8, std::size_t columns) {
   return "…" + std::string(utf8);
 }
 
+std::string shorten_end(std::string_view utf8, std::size_t columns) {
+  if (display_width(utf8) <= columns) return std::string(utf8);
+  std::size_t width = 1, length = 0;  // of the ellipsis
+  while (length < utf8.size()) {
+    const calc::Utf8Character point = calc::first_character(utf8.substr(length));
+    width += point.length == 0 ? 1 : width_of(point.code);
+    if (width > columns) break;
+    length += std::max<std::size_t>(point.length, 1);
+  }
+  return std::string(utf8.substr(0, length)) + "…";
+}
+
 }  // namespace report

@@ -19,5 +19,7 @@ std::size_t display_width(std::string_view utf8);
 // The end of the text, at most `columns` >= 1 wide; a cut text starts with "…". Never cuts inside a
 // character.
 std::string shorten_start(std::string_view utf8, std::size_t columns);
+// Its start, likewise; a cut text ends in "…".
+std::string shorten_end(std::string_view utf8, std::size_t columns);
 
 }  // namespace report

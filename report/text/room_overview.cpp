@@ -1,0 +1,75 @@
+#include "report/text/room_overview.h"
+
+#include "report/text/text_numbers.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace report {
+namespace {
+
+// "412 ≥ 500": what was calculated, and what is required.
+std::string value_cell(const Texts& t, const rules::Finding* finding) {
+  if (finding == nullptr) return "";
+  const rules::Requirement& requirement = finding->requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  const std::string required = format_required(t, threshold, "");
+  if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
+  const bool is_ratio = rules::is_ratio(requirement.metric);
+  const double value = finding->measured.value;
+  const std::string number =
+      is_ratio ? format_fixed(t, value, 2) : format_cell(t, value, threshold);
+  return number + " " + required;
+}
+
+std::string power_cell(const Texts& t, const SpacePart& space) {
+  const calc::InstalledPower& power = space.power;
+  if (!(power.power_w > 0.0) || !(power.area_m2 > 0.0) || power.without_power > 0) return "";
+  return format_fixed(t, power.power_w / power.area_m2, 2);
+}
+
+std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room) {
+  return {std::string(outcome_symbol(room.outcome)) + " " + outcome_words(t, room.outcome),
+          std::string(title_of(room.space->name, room.space->id)),
+          t.say<Text::overview_of>(room.met, room.required),
+          value_cell(t, room.average),
+          value_cell(t, room.uniformity),
+          value_cell(t, room.glare),
+          power_cell(t, *room.space)};
+}
+
+void drop_empty_columns(RoomOverview& table) {
+  for (std::size_t c = table.head.size(); c-- > 0;) {
+    const bool has_any = std::any_of(table.rows.begin(), table.rows.end(),
+                                     [c](const auto& row) { return !row.cells[c].empty(); });
+    if (has_any) continue;
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    table.head.erase(table.head.begin() + at);
+    for (RoomOverview::Row& row : table.rows) row.cells.erase(row.cells.begin() + at);
+  }
+}
+
+}  // namespace
+
+RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
+  RoomOverview table;
+  const std::vector<RoomSummary> rooms = room_summaries(project);
+  if (rooms.size() < 2) return table;
+  table.head = {t[Text::head_verdict],
+                t[Text::overview_room],
+                t[Text::overview_met],
+                t[Text::overview_average] + std::string(" lx"),
+                "Uo",
+                "UGR",
+                "W/m2"};
+  for (const RoomSummary& room : rooms) table.rows.push_back({room.outcome, cells_of(t, room)});
+  std::stable_sort(table.rows.begin(), table.rows.end(),
+                   [](const auto& a, const auto& b) { return a.outcome < b.outcome; });
+  drop_empty_columns(table);
+  return table;
+}
+
+}  // namespace report

@@ -1,0 +1,25 @@
+#pragma once
+// The lines of room_summary.h in words: the same table for every format.
+
+#include "report/document/room_summary.h"
+#include "report/text/texts.h"
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct RoomOverview {
+  std::vector<std::string> head;
+  struct Row {
+    rules::Outcome outcome = rules::Outcome::nothing_asked;
+    std::vector<std::string> cells;  // as many as head; verdict and room first, then numbers
+  };
+  std::vector<Row> rows;  // gravest first
+};
+
+// Nothing where a project has fewer than two rooms of which something is asked. Columns that no
+// room has anything in are left out.
+RoomOverview room_overview(const Texts& t, const ProjectPart& project);
+
+}  // namespace report
