@@ -167,10 +167,6 @@ std::string contents(const Texts& t, const std::vector<Section>& sections,
   return html + "</ul></nav>\n";
 }
 
-std::string space_anchor(std::size_t project, std::size_t space) {
-  return fmt::format("p{}s{}", project + 1, space + 1);
-}
-
 std::string space_title(const SpacePart& space) {
   return fmt::format("{} <span class=\"id\">{}</span>", escape_html(title_of(space.name, space.id)),
                      space.name.empty() ? "" : escape_html(space.id));
@@ -266,13 +262,13 @@ class HtmlWriter : public FormatWriter {
   std::string folder_;
   const PageNumbers* numbers_;
   RegionNames regions_;
-  std::size_t project_ = 0;            // the next one
-  std::size_t sheets_ = 0;             // data sheets so far
-  std::map<std::string, int> titles_;  // how many projects have each
-  std::string only_title_;             // of the first one
-  std::string about_, on_cover_;       // of the only one
-  bool says_whose_ = false;            // the only one
-  std::vector<Section> sections_;      // of the first ones
+  std::size_t project_ = 0;               // the next one
+  std::size_t sheets_ = 0;                // data sheets so far
+  std::map<std::string, int> titles_;     // how many projects have each
+  std::string only_title_;                // of the first one
+  std::string about_, on_cover_, rooms_;  // of the only one
+  bool says_whose_ = false;               // the only one
+  std::vector<Section> sections_;         // of the first ones
   Spill paths_;
   std::string head_, foot_;  // of pages; of the only project
   Spill room_rules_;
@@ -365,7 +361,8 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
     html += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n";
   }
-  if (!is_only()) html += html_about(t_, project.about);
+  if (!is_only())
+    html += html_about(t_, project.about) + html_rooms(t_, project, project_, folder_);
   html += messages;
   for (const RoomRun& run : runs) {
     if (run.first > 0 || !is_first_run_open) html += run_start(run);
@@ -390,6 +387,10 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
       {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
   if (!is_only()) return;
   about_ = html_about(t_, project.about);
+  if (const std::string rooms = html_rooms(t_, project, project_, folder_); !rooms.empty()) {
+    rooms_ = fmt::format("<section aria-labelledby=\"rooms\"><h2 id=\"rooms\">{}</h2>\n{}</section>\n",
+                         t_[Text::overview_title], rooms);
+  }
   says_whose_ = says_whose(project.about);
   if (has_cover()) on_cover_ = html_cover_picture(t_, project);
   foot_ = foot_words(t_, project);
@@ -463,6 +464,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   std::vector<Section> sections;
   if (frame_.revised != nullptr)
     sections.push_back({"#revision", html_revision_title(t_, *frame_.revised)});
+  if (!rooms_.empty()) sections.push_back({"#rooms", t_[Text::overview_title]});
   if (!attention_.is_empty()) sections.push_back({"#attention", t_[Text::needs_attention]});
   sections.push_back({"#summary", t_[Text::summary]});
   sections.insert(sections.end(), sections_.begin(), sections_.end());
@@ -482,7 +484,7 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);
-  sink.write(kMainStart + revision_);
+  sink.write(kMainStart + revision_ + rooms_);
   attention_.copy_to(sink);
   sink.write(summary_start_);
   summary_rows_.copy_to(sink);

@@ -26,6 +26,10 @@ std::string plane_anchor(PlaneIndex index) {
   return fmt::format("p{}s{}k{}", index.project + 1, index.space + 1, index.plane + 1);
 }
 
+std::string space_anchor(std::size_t project, std::size_t space) {
+  return fmt::format("p{}s{}", project + 1, space + 1);
+}
+
 std::string page_name(PlaneIndex index) {
   const std::size_t part = index.plane / kPlanesPerPage;
   const std::string room = fmt::format("p{}s{}", index.project + 1, index.space + 1);

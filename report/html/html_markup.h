@@ -24,6 +24,8 @@ struct PlaneIndex {
 };
 std::string plane_anchor(PlaneIndex index);
 
+std::string space_anchor(std::size_t project, std::size_t space);
+
 // Address of a plane: in this page, or in the page of html_pages.h that holds it. folder: of those
 // pages; "" = everything is in this page.
 std::string plane_href(PlaneIndex index, std::string_view folder);

@@ -4,6 +4,7 @@
 #include "report/html/html_markup.h"
 #include "report/text/known_words.h"
 #include "report/text/markup.h"
+#include "report/text/room_overview.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -58,7 +59,40 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
          "<td>" + nearest.place + "</td></tr>\n";
 }
 
+// What a room came to; the gravest of it has a verdict's colours.
+std::string outcome_cell(const Texts& t, const RoomOverview::Row& row) {
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    if (rules::outcome_of(verdict) == row.outcome) return badge(t, verdict);
+  }
+  return escape_html(row.cells.front());
+}
+
 }  // namespace
+
+std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t index,
+                       const std::string& folder) {
+  const RoomOverview table = room_overview(t, project);
+  if (table.rows.empty()) return {};
+  const auto class_of = [](std::size_t column) { return column < 2 ? "" : " class=\"num\""; };
+  std::string head, rows;
+  for (std::size_t c = 0; c < table.head.size(); ++c) {
+    head += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(c), escape_html(table.head[c]));
+  }
+  for (const RoomOverview::Row& row : table.rows) {
+    const PlaneIndex room{index, row.space, 0};
+    const std::string address = folder.empty() ? "#" + space_anchor(index, row.space)
+                                               : fmt::format("{}/{}", folder, page_name(room));
+    rows += fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
+                        outcome_cell(t, row), address, escape_html(row.cells[1]));
+    for (std::size_t c = 2; c < row.cells.size(); ++c)
+      rows += number_cell(escape_html(row.cells[c]));
+    rows += "</tr>\n";
+  }
+  const char* title = t[Text::overview_title];
+  return scroll_box(title, std::string("<table class=\"rooms\"><caption class=\"unseen\">") +
+                               title + "</caption><thead><tr>" + head + "</tr></thead><tbody>\n" +
+                               rows + "</tbody></table>");
+}
 
 std::string html_uses(const Texts& t, const ProjectPart& project, std::size_t index) {
   const std::vector<RowUse> uses = row_uses(project);

@@ -64,8 +64,11 @@ RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
                 t[Text::overview_average] + std::string(" lx"),
                 "Uo",
                 "UGR",
-                "W/m2"};
-  for (const RoomSummary& room : rooms) table.rows.push_back({room.outcome, cells_of(t, room)});
+                "W/m²"};
+  for (const RoomSummary& room : rooms) {
+    const auto place = static_cast<std::size_t>(room.space - project.spaces.data());
+    table.rows.push_back({room.outcome, place, cells_of(t, room)});
+  }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a.outcome < b.outcome; });
   drop_empty_columns(table);

@@ -4,6 +4,7 @@
 #include "report/document/room_summary.h"
 #include "report/text/texts.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct RoomOverview {
   std::vector<std::string> head;
   struct Row {
     rules::Outcome outcome = rules::Outcome::nothing_asked;
+    std::size_t space = 0;           // of the project
     std::vector<std::string> cells;  // as many as head; verdict and room first, then numbers
   };
   std::vector<Row> rows;  // gravest first

@@ -2,6 +2,8 @@
 
 #include "report/formats/console.h"
 #include "report/formats/markdown.h"
+#include "report/html/html.h"
+#include "report/html/html_pages.h"
 #include "report/text/plain_text.h"
 #include "tests/support/sample_document.h"
 
@@ -124,6 +126,20 @@ TEST(RoomSummary, NamesGiveWayToANarrowTerminalAtTheirEnd) {
   document.projects[0].spaces[1].name = "2.03 Bedroom of the caretaker, facing the yard";
   const std::string text = render_text(document, {.width = 60});
   EXPECT_THAT(text, HasSubstr("✗ fail        2.03 Bedroom of the car…  1 of 2   412 ≥ 500\n"));
+}
+
+TEST(RoomSummary, StandsFirstInHtmlWithLinks) {
+  const Document document = rooms();
+  const std::string page = render_html(document);
+  const std::size_t brief = page.find("<h2 id=\"rooms\">Rooms in brief</h2>");
+  ASSERT_NE(brief, std::string::npos);
+  EXPECT_LT(brief, page.find("id=\"attention\""));
+  EXPECT_LT(brief, page.find("id=\"summary\""));
+  EXPECT_THAT(page, HasSubstr("<a href=\"#p1s2\">Office</a>"));
+  EXPECT_THAT(page, HasSubstr("<h3 id=\"p1s2\">"));
+  EXPECT_THAT(render_html_index(document, "pages"),
+              HasSubstr("<a href=\"pages/p1s2.html\">Office</a>"));
+  EXPECT_THAT(render_html(small_document()), Not(HasSubstr("Rooms in brief")));
 }
 
 TEST(RoomSummary, StandsFirstInMarkdown) {
