@@ -9,7 +9,7 @@ namespace {
 const rules::Finding* worse(const rules::Finding* known, const rules::Finding& other) {
   if (known == nullptr) return &other;
   const auto is_judged = [](const rules::Finding& finding) {
-    return finding.verdict != rules::Verdict::not_judged && std::isfinite(finding.margin);
+    return finding.verdict != rules::Verdict::not_judged && !std::isnan(finding.margin);
   };
   if (!is_judged(*known)) return known;
   return !is_judged(other) || other.margin < known->margin ? &other : known;

@@ -342,19 +342,43 @@ Widths fitted(Widths widths, int terminal_width) {
 
 void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
 
-std::string render_line(const TableLine& line, const Widths& widths, bool colour) {
+// A note at its place, over as many lines as a terminal of that width needs; 0: one line.
+std::string note_lines(const std::string& note, std::size_t indent, int terminal_width) {
+  constexpr std::size_t kNarrowest = 30;  // fewer columns hold no sentence
+  const auto width = static_cast<std::size_t>(std::max(terminal_width, 0));
+  const std::string start = std::string(indent, ' ') + "└ ";
+  if (width < indent + 2 + kNarrowest) return start + note + "\n";
+  std::string text = start;
+  std::size_t used = indent + 2;
+  bool is_first = true;
+  for (std::size_t from = 0; from <= note.size();) {
+    const std::size_t end = std::min(note.find(' ', from), note.size());
+    const std::string word = note.substr(from, end - from);
+    const std::size_t columns = display_width(word);
+    if (!is_first && used + 1 + columns > width) {
+      text += "\n" + std::string(indent + 2, ' ');
+      used = indent + 2;
+      is_first = true;
+    }
+    text += (is_first ? "" : " ") + word;
+    used += (is_first ? 0 : 1) + columns;
+    is_first = false;
+    from = end + 1;
+  }
+  return text + "\n";
+}
+
+std::string render_line(const TableLine& line, const Widths& widths, const TextOptions& options) {
   std::string text = "  ";
   if (!line.note.empty()) {
-    text.append(widths[kVerdict] + kGap, ' ');
-    text += "└ " + line.note;
-    return text + "\n";
+    return note_lines(line.note, text.size() + widths[kVerdict] + kGap, options.width);
   }
   for (std::size_t c = 0; c < kColumns; ++c) {
     if (widths[c] == 0) continue;
     const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
     // What does not decide stands back, all of it.
     const bool is_whole = line.colour == kDim;
-    const bool is_coloured = colour && !line.colour.empty() && (c == kVerdict || is_whole);
+    const bool is_coloured = options.colour && !line.colour.empty() && (c == kVerdict || is_whole);
     if (is_coloured) text += line.colour;
     text += padded(shown, widths[c], is_number_column(c));
     if (is_coloured) text += kReset;
@@ -651,7 +675,7 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
     line.note = reader.next();
     const std::string colour = reader.next();
     line.colour = colour;
-    sink.write(render_line(line, widths, options_.colour));
+    sink.write(render_line(line, widths, options_));
   }
   std::string text;
   if (frame_.revised != nullptr) text += render_revision_text(t_, *frame_.revised, options_.colour);

@@ -13,8 +13,8 @@ namespace report {
 
 struct TextOptions {
   bool colour = false;  // ANSI colours, beside words and symbols, never instead of them
-  int width =
-      0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers never
+  int width = 0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers
+                  // never, and notes take more lines
   bool lists_passes = false;  // each by itself; else those of a workplace share a line
   bool has_messages = true;   // warnings and errors below each table; else they are said elsewhere
 };

@@ -18,6 +18,7 @@ std::string value_cell(const Texts& t, const rules::Finding* finding) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   const std::string required = format_required(t, threshold, "");
   if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
+  if (calc::is_nothing(finding->measured)) return t[Text::none] + (" " + required);  // no glare
   const bool is_ratio = rules::is_ratio(requirement.metric);
   const double value = finding->measured.value;
   const std::string number =

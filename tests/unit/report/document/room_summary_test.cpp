@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,8 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 rules::Finding& finding(SpacePart& space, std::size_t k) { return space.planes[0].findings.at(k); }
 
@@ -109,6 +112,20 @@ TEST(RoomSummary, StandsFirstOnTheTerminalAndNamesRoomsAtTheEnd) {
   Document passing = rooms();
   passing.projects[0].spaces = {room("r1", "Hall"), room("r2", "Office")};
   EXPECT_THAT(render_text(passing), Not(HasSubstr("rooms that")));
+}
+
+TEST(RoomSummary, NoGlareIsNotAMissingValue) {
+  Document document = rooms();
+  for (SpacePart& space : document.projects[0].spaces) {
+    rules::Finding glare = sample_finding(rules::Metric::ugr_table, 19, estimate(17.2, 0.0));
+    glare.requirement.comparison = rules::Comparison::at_most;
+    if (space.id == "r1") glare.measured = {-kInfinity, -kInfinity, -kInfinity};
+    judge_again(glare);
+    space.planes[0].findings.push_back(glare);
+  }
+  const std::string text = render_text(document);
+  EXPECT_THAT(text, HasSubstr("Hall    3 of 3   460 ≥ 450  none ≤ 19\n"));
+  EXPECT_THAT(text, HasSubstr("Office  2 of 3   412 ≥ 500  17.2 ≤ 19\n"));
 }
 
 TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {

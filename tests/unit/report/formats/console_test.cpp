@@ -275,6 +275,23 @@ TEST(Console, EscapesInNamesDoNotReachTheTerminal) {
   EXPECT_THAT(render_text(document), Not(HasSubstr("\033")));
 }
 
+TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
+  Document document = small_document();
+  const std::string remark =
+      "measured from the other side of the board, as what stands before it is wider than the board "
+      "itself, a-name-of-more-than-fifty-characters-that-nobody-may-cut, and so on";
+  document.projects[0].spaces[0].planes[0].remarks = {remark};
+  EXPECT_THAT(render_text(document), HasSubstr("└ " + remark + "\n"));
+  EXPECT_THAT(render_text(document, {.width = 30}), HasSubstr("└ " + remark + "\n"));
+  const std::string text = render_text(document, {.width = 60});
+  EXPECT_THAT(text,
+              HasSubstr("           └ measured from the other side of the board, as\n"
+                        "             what stands before it is wider than the board\n"
+                        "             itself,\n"
+                        "             a-name-of-more-than-fifty-characters-that-nobody-may-cut,\n"
+                        "             and so on\n"));
+}
+
 TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
   const std::string text = render_text(small_document(), {false, 90});
   EXPECT_THAT(text, HasSubstr("…e / Work plane"));
