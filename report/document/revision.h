@@ -153,7 +153,7 @@ struct Revision {
   std::vector<ChangedInput> inputs;
   std::vector<ChangedPlane> planes;
   std::vector<KnownWarnings> known_warnings;  // of projects that have some
-  std::vector<std::string> notes;  // why something could not be compared
+  std::vector<std::string> notes;             // why something could not be compared
 };
 
 }  // namespace report

@@ -1,18 +1,14 @@
 #include "report/document/room_summary.h"
 
-#include <cmath>
-
 namespace report {
 namespace {
 
-// The worse of two for the same column.
+// The worse of two for the same column: by verdict, then by margin; the first of equal ones.
 const rules::Finding* worse(const rules::Finding* known, const rules::Finding& other) {
   if (known == nullptr) return &other;
-  const auto is_judged = [](const rules::Finding& finding) {
-    return finding.verdict != rules::Verdict::not_judged && !std::isnan(finding.margin);
-  };
-  if (!is_judged(*known)) return known;
-  return !is_judged(other) || other.margin < known->margin ? &other : known;
+  const rules::Outcome was = outcome_of(*known), is = outcome_of(other);
+  if (was != is) return is < was ? &other : known;
+  return other.margin < known->margin ? &other : known;
 }
 
 bool is_glare(const PlanePart& plane, const rules::Requirement& requirement) {

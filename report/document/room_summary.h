@@ -16,8 +16,8 @@ struct RoomSummary {
   // what is waived do not.
   rules::Outcome outcome = rules::Outcome::nothing_asked;
   int required = 0, met = 0;  // of the requirements that count
-  // Of those of the task, or of planes that the project describes by itself, the one with the least
-  // margin, or the first that could not be judged; of glare whatever is rated. Null: none is asked.
+  // The requirement of the gravest verdict, and of these the one with the least margin, of the task
+  // or of planes that the project describes by itself. Glare: of all planes. Null: none is asked.
   const rules::Finding* average = nullptr;
   const rules::Finding* uniformity = nullptr;  // minimum / average
   const rules::Finding* glare = nullptr;       // UGR, at observers or by table

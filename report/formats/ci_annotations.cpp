@@ -165,9 +165,8 @@ class GithubWriter : public FormatWriter {
     if (const std::string words = provenance_remarks(end.provenance); !words.empty())
       text += "luxgate: " + words + "\n";
     if (known_warnings_ > 0) {
-      text += fmt::format(
-          "luxgate: warnings that were there before, and stand in the other reports: {}\n",
-          known_warnings_);
+      text += fmt::format("luxgate: warnings that are not new, listed in the other reports: {}\n",
+                          known_warnings_);
     }
     constexpr std::size_t kMostShown = 10;  // of each kind and step
     if (errors_ > kMostShown) {

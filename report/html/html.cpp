@@ -388,8 +388,9 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
   if (!is_only()) return;
   about_ = html_about(t_, project.about);
   if (const std::string rooms = html_rooms(t_, project, project_, folder_); !rooms.empty()) {
-    rooms_ = fmt::format("<section aria-labelledby=\"rooms\"><h2 id=\"rooms\">{}</h2>\n{}</section>\n",
-                         t_[Text::overview_title], rooms);
+    rooms_ =
+        fmt::format("<section aria-labelledby=\"rooms\"><h2 id=\"rooms\">{}</h2>\n{}</section>\n",
+                    t_[Text::overview_title], rooms);
   }
   says_whose_ = says_whose(project.about);
   if (has_cover()) on_cover_ = html_cover_picture(t_, project);

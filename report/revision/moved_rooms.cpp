@@ -51,12 +51,22 @@ std::vector<Move> find_moves(const Document& before, const Document& after,
       if (room.before == nullptr) got.push_back({place_in(after, pair.after), room.after});
     }
   }
+  const auto by_id = [](const std::vector<Room>& rooms) {
+    std::map<std::string, std::vector<Room>> ids;
+    for (const Room& room : rooms) ids[room.space->id].push_back(room);
+    return ids;
+  };
+  const auto lost_by_id = by_id(lost), got_by_id = by_id(got);
   std::vector<Move> moves;
   for (const Room& from : lost) {
+    const auto found = got_by_id.find(from.space->id);
+    if (found == got_by_id.end()) continue;
     const auto is_it = [&from](const Room& room) { return is_same_room(*room.space, *from.space); };
-    if (std::count_if(lost.begin(), lost.end(), is_it) != 1) continue;
-    if (std::count_if(got.begin(), got.end(), is_it) != 1) continue;
-    moves.push_back({from, *std::find_if(got.begin(), got.end(), is_it)});
+    const auto count = [&is_it](const std::vector<Room>& rooms) {
+      return std::count_if(rooms.begin(), rooms.end(), is_it);
+    };
+    if (count(lost_by_id.at(from.space->id)) != 1 || count(found->second) != 1) continue;
+    moves.push_back({from, *std::find_if(found->second.begin(), found->second.end(), is_it)});
   }
   return moves;
 }

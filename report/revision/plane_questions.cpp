@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -109,8 +110,10 @@ bool faces_same_way(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(a - b) <= kSameWay;
 }
 
-// Each way that points of a plane face, once; empty where there are too many to tell.
-std::vector<glm::dvec3> facings_of(const PlanePart& plane) {
+using Facings = std::optional<std::vector<glm::dvec3>>;
+
+// Each way that points of a plane face, once; nothing where there are too many to tell.
+Facings facings_of(const PlanePart& plane) {
   constexpr std::size_t kMost = 64;
   std::vector<glm::dvec3> facings;
   for (const PointRow& point : plane.points) {
@@ -118,7 +121,7 @@ std::vector<glm::dvec3> facings_of(const PlanePart& plane) {
       return faces_same_way(facing, point.normal);
     });
     if (!is_known) facings.push_back(point.normal);
-    if (facings.size() > kMost) return {};
+    if (facings.size() > kMost) return std::nullopt;
   }
   return facings;
 }
@@ -134,9 +137,8 @@ const glm::dvec3* missing_facing(const std::vector<glm::dvec3>& facings,
 }
 
 bool is_facing_alike(const PlanePart& before, const PlanePart& after) {
-  const std::vector<glm::dvec3> was = facings_of(before), is = facings_of(after);
-  return !was.empty() && !is.empty() && missing_facing(was, is) == nullptr &&
-         missing_facing(is, was) == nullptr;
+  const Facings was = facings_of(before), is = facings_of(after);
+  return was && is && missing_facing(*was, *is) == nullptr && missing_facing(*is, *was) == nullptr;
 }
 
 // Of the first point that faces another way; of other points, of the first way that is another.
@@ -152,10 +154,13 @@ void compare_facing(QuestionList& questions, const PlanePart& before, const Plan
     return add(was.measured->normal, is.measured->normal);
   }
   if (pairs.gone.empty() && pairs.added.empty()) return;
-  const std::vector<glm::dvec3> was = facings_of(before), is = facings_of(after);
-  if (was.empty() || is.empty()) return;  // points that are others are exchanged anyway
-  if (const glm::dvec3* added = missing_facing(is, was)) return add(was.front(), *added);
-  if (const glm::dvec3* gone = missing_facing(was, is)) add(*gone, is.front());
+  if (before.points.empty() || after.points.empty()) return;
+  const glm::dvec3 &first_was = before.points.front().normal,
+                   &first_is = after.points.front().normal;
+  const Facings was = facings_of(before), is = facings_of(after);
+  if (!was || !is) return add(first_was, first_is);  // nobody can tell
+  if (const glm::dvec3* added = missing_facing(*is, *was)) return add(first_was, *added);
+  if (const glm::dvec3* gone = missing_facing(*was, *is)) add(*gone, first_is);
 }
 
 bool has_cells(const PlanePart& plane) { return plane.grid.columns > 0; }
@@ -246,7 +251,7 @@ bool is_finer_grid(const PlanePart& before, const PlanePart& after) {
 }
 
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
-                                                    bool is_same_light,
+                                                    bool is_only_finer,
                                                     const RevisionPlace& place) {
   QuestionList questions(place);
   questions.exchange(QuestionPart::quantity, plane_words(before), plane_words(after));
@@ -262,7 +267,7 @@ std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, con
     compare_lost(questions, before, after, pairs);
     return questions.take();
   }
-  if (is_same_light && is_finer_grid(before, after)) return questions.take();
+  if (is_only_finer) return questions.take();
   // On another grid no point is the one that was left out.
   questions.compare(QuestionPart::lost_points, static_cast<double>(before.grid.dropped.size()),
                     static_cast<double>(after.grid.dropped.size()), false,

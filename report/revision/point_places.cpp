@@ -23,12 +23,26 @@ std::vector<PlacedPoint> points_of(const PlanePart& plane) {
   return points;
 }
 
+using Box = std::array<std::int64_t, 3>;
+
+// Of boxes of one size; of what no number of boxes can be made: one for all.
+Box box_of(const glm::dvec3& position_m, double size_m) {
+  Box box{};
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr double kFarthest = 1e15;
+    const double place = std::floor(position_m[axis] / size_m);
+    box[static_cast<std::size_t>(axis)] =
+        std::abs(place) < kFarthest ? static_cast<std::int64_t>(place) : 0;
+  }
+  return box;
+}
+
 // Finds points by boxes that are much larger than what two places may differ by.
 class PlaceIndex {
  public:
   explicit PlaceIndex(const std::vector<PlacedPoint>& points) : points_(points) {
     for (std::size_t k = points.size(); k-- > 0;) {  // so that the first is at the end
-      boxes_[box_of(points[k].position_m, {})].push_back(k);
+      boxes_[box_of(points[k].position_m, kBox_m)].push_back(k);
     }
   }
 
@@ -39,7 +53,7 @@ class PlaceIndex {
     for (int side = 0; side < 8; ++side) {
       const glm::dvec3 off{(side & 1) != 0 ? 1.0 : -1.0, (side & 2) != 0 ? 1.0 : -1.0,
                            (side & 4) != 0 ? 1.0 : -1.0};
-      const auto box = boxes_.find(box_of(position_m, kSamePlace_m * off));
+      const auto box = boxes_.find(box_of(position_m + kSamePlace_m * off, kBox_m));
       if (box == boxes_.end()) continue;
       for (const std::size_t k : box->second) {
         if (k >= found || !is_same_place(points_[k].position_m, position_m)) continue;
@@ -52,19 +66,7 @@ class PlaceIndex {
   }
 
  private:
-  using Box = std::array<std::int64_t, 3>;
-
-  static Box box_of(const glm::dvec3& position_m, const glm::dvec3& off_m) {
-    constexpr double kBoxes_1_m = 1000.0;
-    Box box{};
-    for (int axis = 0; axis < 3; ++axis) {
-      const double place = std::floor((position_m[axis] + off_m[axis]) * kBoxes_1_m);
-      constexpr double kFarthest = 1e15;  // what no number of boxes can be made of: one box for all
-      box[static_cast<std::size_t>(axis)] =
-          std::abs(place) < kFarthest ? static_cast<std::int64_t>(place) : 0;
-    }
-    return box;
-  }
+  static constexpr double kBox_m = 0.001;
 
   const std::vector<PlacedPoint>& points_;
   std::map<Box, std::vector<std::size_t>> boxes_;
@@ -102,21 +104,12 @@ bool has_points_in_all_cells(const PlanePart& of, const PlanePart& in) {
     return std::abs(glm::dot(off_m, grid.u)) <= half_u_m + kSamePlace_m &&
            std::abs(glm::dot(off_m, grid.v)) <= half_v_m + kSamePlace_m;
   };
-  using Box = std::array<std::int64_t, 3>;
-  const auto box_of = [&](const glm::dvec3& place_m) {
-    Box box{};
-    for (int axis = 0; axis < 3; ++axis) {
-      box[static_cast<std::size_t>(axis)] =
-          static_cast<std::int64_t>(std::floor(place_m[axis] / reach_m));
-    }
-    return box;
-  };
   std::map<Box, std::vector<glm::dvec3>> places_m;
   for (const PointRow& point : in.points) {
-    places_m[box_of(point.position_m)].push_back(point.position_m);
+    places_m[box_of(point.position_m, reach_m)].push_back(point.position_m);
   }
   const auto has_one = [&](const glm::dvec3& place_m) {
-    const Box middle = box_of(place_m);
+    const Box middle = box_of(place_m, reach_m);
     for (int side = 0; side < 27; ++side) {
       const Box box{middle[0] + side % 3 - 1, middle[1] + side / 3 % 3 - 1,
                     middle[2] + side / 9 - 1};

@@ -18,10 +18,10 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place);
-// is_same_light: of the room, see SpacePart::scene_sha256: then what a finer grid leaves out lies
-// in what was in the way before.
+// is_only_finer: is_finer_grid(), and the light of the room is the same (SpacePart::scene_sha256):
+// then what the grid leaves out lies in what was in the way before.
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
-                                                    bool is_same_light, const RevisionPlace& place);
+                                                    bool is_only_finer, const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
                                                  const rules::Requirement& after,
                                                  const RevisionPlace& place);

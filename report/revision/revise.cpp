@@ -298,8 +298,8 @@ class Reviser {
       if (is_room_there) add_whole(QuestionPart::plane, place, pair.after == nullptr, any.id);
     } else {
       note_renaming("plane", was.id, is.id, place, &renamed_planes_);
-      add(compare_plane_question(was, is, is_same_light_, place));
       is_only_finer_ = is_same_light_ && is_finer_grid(was, is);
+      add(compare_plane_question(was, is, is_only_finer_, place));
       if (auto values = compare_values(was, is, place)) {
         revision_.planes.push_back(std::move(*values));
       }

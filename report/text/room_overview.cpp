@@ -6,12 +6,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace report {
 namespace {
 
-// "412 ≥ 500": what was calculated, and what is required.
+// Whether the limit is so near that the interval must be seen.
+bool is_near_limit(const rules::Finding& finding) {
+  constexpr double kHalfWidths = 4.0;
+  const calc::Estimate& measured = finding.measured;
+  const double half_width = std::max(measured.value - measured.low, measured.high - measured.value);
+  const double distance = std::abs(measured.value - finding.requirement.limit);
+  return finding.verdict == rules::Verdict::undecided || !(distance > kHalfWidths * half_width);
+}
+
+// "412 ≥ 500": what was calculated, and what is required. "503 ± 9 ≥ 500" near the limit.
 std::string value_cell(const Texts& t, const rules::Finding* finding) {
   if (finding == nullptr) return "";
   const rules::Requirement& requirement = finding->requirement;
@@ -19,10 +29,9 @@ std::string value_cell(const Texts& t, const rules::Finding* finding) {
   const std::string required = format_required(t, threshold, "");
   if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
   if (calc::is_nothing(finding->measured)) return t[Text::none] + (" " + required);  // no glare
-  const bool is_ratio = rules::is_ratio(requirement.metric);
-  const double value = finding->measured.value;
-  const std::string number =
-      is_ratio ? format_fixed(t, value, 2) : format_cell(t, value, threshold);
+  const std::string number = is_near_limit(*finding)
+                                 ? format_measured(t, finding->measured, "", threshold)
+                                 : format_cell(t, finding->measured.value, threshold);
   return number + " " + required;
 }
 

@@ -46,7 +46,7 @@ struct RuleOrigin {
   std::map<std::string, double> facts;    // by id, in base units
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
   bool is_weakened = false;               // its limit is easier than what the row requires
-  bool is_of_own_role = true;  // of the role that the pack is about, such as the task
+  bool is_of_own_role = true;             // of the role that the pack is about, such as the task
   bool is_user_supplied = false;  // the pack does not come with luxgate: its numbers are the user's
 };
 

@@ -173,11 +173,11 @@ request("a plane renamed, which says so", 0, OPEN, plane="table", was_plane=' wa
 request("a plane renamed", 1, "asks less", STOPPED, plane="table")
 request("a room renamed, which says so", 0, OPEN, room_id="corner", was_room=' was="room"')
 request("a room renamed", 1, "asks less", STOPPED, room_id="corner")
-request("a file split", 0, OPEN, "rooms that moved", edit=splits())
+request("a file split", 0, OPEN, "rooms moved", edit=splits())
 request("a file split, one half easier", 1, "asks less", "≥ 200 lx", edit=splits(lambda text: text.replace('at-least="300"', 'at-least="200"')))
 request("a file split, one half forgotten", 1, "asks less", edit=all_of(splits(), lambda folder: (folder / FLOORS / "second.xml").unlink()))
 request("a room taken out", 1, "asks less", edit=lambda folder: puts(f"{FLOORS}/floor.xml", FLOOR.replace(re.findall("<room.*?</room>", FLOOR, re.DOTALL)[1], ""))(folder))
-request("two files merged", 0, OPEN, "rooms that moved", edit=all_of(
+request("two files merged", 0, OPEN, "rooms moved", edit=all_of(
     replaces(("</luxgate>", re.search("<room.*</room>", ATTIC, re.DOTALL)[0] + "</luxgate>"), file=f"{FLOORS}/floor.xml"),
     lambda folder: (folder / FLOORS / "attic.xml").unlink()))
 request("a design deleted", 1, "asks less", "room-00.xml", edit=lambda folder: (folder / R0).unlink())
