@@ -14,10 +14,12 @@ namespace {
 
 // Whether the limit is so near that the interval must be seen.
 bool is_near_limit(const rules::Finding& finding) {
-  constexpr double kHalfWidths = 4.0;
+  constexpr double kHalfWidths = 4.0;  // towards the limit
   const calc::Estimate& measured = finding.measured;
-  const double half_width = std::max(measured.value - measured.low, measured.high - measured.value);
-  const double distance = std::abs(measured.value - finding.requirement.limit);
+  const double limit = finding.requirement.limit;
+  const double half_width =
+      measured.value > limit ? measured.value - measured.low : measured.high - measured.value;
+  const double distance = std::abs(measured.value - limit);
   return finding.verdict == rules::Verdict::undecided || !(distance > kHalfWidths * half_width);
 }
 

@@ -128,6 +128,18 @@ TEST(RoomSummary, NoGlareIsNotAMissingValue) {
   EXPECT_THAT(text, HasSubstr("Office  2 of 3   412 ≥ 500  17.2 ≤ 19\n"));
 }
 
+TEST(RoomSummary, NearALimitTheIntervalIsSeenAndNothingIsRoundedOverIt) {
+  Document document = rooms();
+  SpacePart& office = document.projects[0].spaces[1];
+  finding(office, 0).requirement.limit = 0.6;
+  finding(office, 0).requirement.metric = rules::Metric::uniformity_min_avg;
+  set_average(finding(office, 0), 0.5996, 0.0);
+  set_average(finding(office, 1), 460.0, 9.0);
+  const std::string text = render_text(document);
+  EXPECT_THAT(text, HasSubstr("0.5996 ≥ 0.60"));
+  EXPECT_THAT(text, HasSubstr("460.0 ± 9.0 ≥ 450"));
+}
+
 TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
   Document document = rooms();
   document.projects[0].path = "a.xml";
