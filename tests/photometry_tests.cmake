@@ -10,6 +10,7 @@ luxgate_test(photometry_tests
     unit/calc/photometry/read/ies_tilt_test.cpp
     unit/calc/photometry/read/ies_types_ab_test.cpp
     unit/calc/base/line_cursor_test.cpp
+    unit/calc/base/message_test.cpp
     unit/calc/photometry/read/number_stream_test.cpp
     unit/calc/photometry/read/photometry_file_test.cpp
     unit/calc/photometry/read/pitfalls_test.cpp

@@ -30,12 +30,14 @@ luxgate_test(report_tests
     unit/report/html/pass_factor_test.cpp
     unit/report/html/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
+    unit/report/text/notices_test.cpp
     unit/report/text/sentences_test.cpp
     unit/report/html/plan_layout_test.cpp
     unit/report/html/shared_scale_test.cpp
     unit/report/images/png_test.cpp
     unit/report/images/polar_diagram_test.cpp
     unit/report/result_file/read_json_test.cpp
+    unit/report/result_file/message_json_test.cpp
     unit/report/result_file/redact_test.cpp
     unit/report/result_file/result_schema_test.cpp
     unit/report/revision/revise_test.cpp

@@ -1,5 +1,7 @@
 #include "calc/base/budget.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <fmt/format.h>
 
 namespace calc {

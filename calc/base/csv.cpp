@@ -1,5 +1,6 @@
 #include "calc/base/csv.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/encoding.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/text.h"

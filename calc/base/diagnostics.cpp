@@ -1,5 +1,7 @@
 #include "calc/base/diagnostics.h"
 
+#include "calc/base/diagnostic_ids.h"
+#include "calc/base/message.h"
 #include "calc/base/utf8.h"
 
 #include <algorithm>
@@ -82,6 +84,8 @@ void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string 
   // Messages quote files, which may hold anything.
   all_.push_back(Diagnostic{id, where, printable(shorten_utf8(message, kLongestMessage))});
 }
+
+std::string Diagnostics::shown(const Message& message) { return message.english(); }
 
 bool Diagnostics::take(DiagnosticId id, std::size_t count, const std::string& file) {
   if (diagnostic_severity(id) == Severity::error) error_count_ += count;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,11 +32,8 @@ struct EnumNames<Severity> {
                                                 {Severity::warning, "warning"}};
 };
 
-enum class DiagnosticId {
-#define LUXGATE_DIAGNOSTIC(id, severity, text) id,
-#include "calc/base/diagnostics.def"
-#undef LUXGATE_DIAGNOSTIC
-};
+enum class DiagnosticId : std::uint16_t;  // see calc/base/diagnostic_ids.h
+class Message;
 
 // Stable kebab-case name of an id, e.g. "unknown-attribute". Scripts may rely on it.
 std::string diagnostic_name(DiagnosticId id);
@@ -66,11 +64,12 @@ inline constexpr std::size_t kLongestMessage = 4000;
 class Diagnostics {
  public:
   // Arguments fill the template's {} in order; a count that does not match is our own mistake and
-  // throws fmt::format_error, which the tests of each message would show.
+  // throws fmt::format_error, which the tests of each message would show. A Message among them is
+  // told in English.
   template <class... Args>
   void report(DiagnosticId id, const SourceLocation& where, const Args&... args) {
     if (!take(id, 1, where.file)) return;  // not even written
-    add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
+    write(id, where, shown(args)...);
   }
 
   // Those of `others`, after its own.
@@ -85,6 +84,16 @@ class Diagnostics {
   void sort_by_line(std::string_view file, std::size_t first);
 
  private:
+  template <class T>
+  static const T& shown(const T& argument) {
+    return argument;
+  }
+  static std::string shown(const Message& message);
+
+  template <class... Args>
+  void write(DiagnosticId id, const SourceLocation& where, const Args&... args) {
+    add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
+  }
   void add(DiagnosticId id, const SourceLocation& where, std::string message);
   // Counts them. Whether there is room for one more of the id. file: of which the first one that is
   // left out is told.

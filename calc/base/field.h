@@ -1,6 +1,7 @@
 #pragma once
 // What the calculation hands to rules and report: illuminance per replicate, channel and point.
 
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 
 #include <array>
@@ -110,7 +111,7 @@ struct GlareField {
 // independent and identically distributed, each an unbiased estimate, but for is_cut_off.
 struct PlaneField {
   std::string plane_id;
-  std::string problem;         // why the plane could not be computed; "" = it was
+  Message problem;             // why the plane could not be computed; "" = it was
   std::size_t points = 0;      // of a derived quantity: receivers, [receiver of the point][point]
   std::size_t replicates = 0;  // >= 2; the sampled parts are empty when nothing was sampled
   std::vector<LightChannel> channels;

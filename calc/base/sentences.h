@@ -1,15 +1,21 @@
 #pragma once
-// What results say in words: why a verdict, how a grid, from where a plane. In English wherever
-// data are kept; report/text/sentences.h has them in the reader's language, so what is to be
-// translated is said with these templates and in no other way.
+// The sentences of messages, see message.h: what is to be translated is said with this table and in
+// no other way.
+
+#include "calc/base/message.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace calc {
 
@@ -26,11 +32,56 @@ inline constexpr auto kSentences = std::to_array<std::string_view>({
 #undef SENTENCE
 });
 
-// Its placeholders filled in. The compiler holds the text against the arguments.
+// "one-source" of one_source, as result files have it; and the inverse, empty if there is none.
+std::string sentence_name(Sentence id);
+std::optional<Sentence> sentence_from_name(std::string_view name);
+
+// What stands between the placeholders of a sentence's text, one more than there are of these.
+struct SentenceTemplate {
+  struct Placeholder {
+    std::size_t argument = 0;  // in the order of the English text
+    std::string_view format;   // "{:.4g}"
+  };
+  std::vector<std::string_view> literals;
+  std::vector<Placeholder> placeholders;
+};
+// text: with the placeholders of fmt, {} in their order or {1} by their number.
+SentenceTemplate sentence_template(std::string_view text);
+const SentenceTemplate& english_template(Sentence id);
+
+namespace message_detail {
+
+// As which type fmt checks an argument against the text.
+template <class T>
+using Checked = std::conditional_t<std::is_arithmetic_v<T>, T, std::string_view>;
+
+template <class T>
+Message argument(Sentence id, std::size_t place, const T& value) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    return Message::number(fmt::vformat(english_template(id).placeholders[place].format,
+                                        fmt::make_format_args(value)));
+  } else if constexpr (std::same_as<T, Message>) {
+    return value;
+  } else {
+    return Message::words(std::string(value));
+  }
+}
+
+template <class... Args, std::size_t... Places>
+Message say(Sentence id, std::index_sequence<Places...>, const Args&... args) {
+  return Message::of(id, {argument(id, Places, args)...});
+}
+
+}  // namespace message_detail
+
+// A sentence with its placeholders filled in: with numbers, which have the format of the English
+// text, with texts, which are names or words of people, and with messages. The compiler holds the
+// English text against the arguments.
 template <Sentence id, class... Args>
-std::string say(const Args&... args) {
-  return fmt::format(fmt::format_string<const Args&...>(kSentences[static_cast<std::size_t>(id)]),
-                     args...);
+Message say(const Args&... args) {
+  static_cast<void>(fmt::format_string<const message_detail::Checked<std::decay_t<Args>>&...>(
+      kSentences[static_cast<std::size_t>(id)]));
+  return message_detail::say(id, std::index_sequence_for<Args...>(), args...);
 }
 
 }  // namespace calc

@@ -1,7 +1,7 @@
 #include "calc/base/text.h"
 
 #include "calc/base/edit_distance.h"
-#include "calc/base/sentences.h"
+#include "calc/base/message.h"
 
 #include <algorithm>
 #include <charconv>
@@ -77,10 +77,7 @@ std::string and_more(std::size_t left_out, std::string_view what) {
 }
 
 std::string list_names(const std::vector<std::string>& names, std::size_t most) {
-  const std::size_t told = std::min(names.size(), most);
-  std::string text;
-  for (std::size_t i = 0; i < told; ++i) text += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > told ? say<Sentence::and_more>(text, names.size() - told) : text;
+  return names_message(names, most).english();
 }
 
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices) {

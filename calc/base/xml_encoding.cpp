@@ -1,5 +1,6 @@
 #include "calc/base/xml_encoding.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/encoding.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"

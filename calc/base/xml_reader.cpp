@@ -1,5 +1,6 @@
 #include "calc/base/xml_reader.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/text_lengths.h"
 #include "calc/base/utf8.h"

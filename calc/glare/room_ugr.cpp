@@ -105,7 +105,7 @@ constexpr double kLevel = 0.9998;  // cosine of one degree
 constexpr double kSameHeight_m = 0.01;
 
 // Why a luminaire that gives light hangs in no way that the method is for; "" = it does.
-std::string why_misplaced(const Luminaire& luminaire, const Space& space, const Rectangle& room) {
+Message why_misplaced(const Luminaire& luminaire, const Space& space, const Rectangle& room) {
   constexpr double kInRoom_m = 0.05;
   const glm::dmat3& turned = luminaire.world_from_luminaire;
   if (!(std::abs(turned[2].z) >= kLevel)) return say<Sentence::ugr_table_tilted>(luminaire.id);
@@ -117,7 +117,7 @@ std::string why_misplaced(const Luminaire& luminaire, const Space& space, const 
   const bool is_inside = above_floor_m <= space.shell->height_m + kInRoom_m &&
                          glm::all(glm::greaterThanEqual(place_m, glm::dvec2(-kInRoom_m))) &&
                          glm::all(glm::lessThanEqual(place_m, room.side_m + kInRoom_m));
-  return is_inside ? "" : say<Sentence::ugr_table_outside>(luminaire.id);
+  return is_inside ? Message() : say<Sentence::ugr_table_outside>(luminaire.id);
 }
 
 bool shines_down(const Luminaire& luminaire, const PhotometricWeb& web) {
@@ -144,17 +144,17 @@ double seen_area_m2(const Luminaire& luminaire, const PhotometricWeb& web) {
 }
 
 // Why its opening is none for the formula; "" = it is one, or nobody sees it.
-std::string why_unfit(const Luminaire& luminaire, const PhotometricWeb& web) {
+Message why_unfit(const Luminaire& luminaire, const PhotometricWeb& web) {
   if (!shines_down(luminaire, web)) return {};
   const double area_m2 = seen_area_m2(luminaire, web);
   if (!(area_m2 > 0.0)) return say<Sentence::ugr_table_no_area>(luminaire.id);
   return area_m2 > kLargestGlareSource_m2
              ? say<Sentence::ugr_table_too_large>(luminaire.id, area_m2, kLargestGlareSource_m2)
-             : "";
+             : Message();
 }
 
 // The same of openings that make one, as the tiles of a luminous ceiling do.
-std::string why_joined_unfit(const Project& project, const std::vector<const Luminaire*>& lit) {
+Message why_joined_unfit(const Project& project, const std::vector<const Luminaire*>& lit) {
   std::vector<OpeningInPlace> openings;
   std::vector<const Luminaire*> of;
   for (const Luminaire* luminaire : lit) {
@@ -186,7 +186,7 @@ bool are_alike(const Kind& kind, const Kind& other) {
 
 // In order of their first luminaires.
 std::vector<Kind> kinds_of(const Project& project, const Space& space, const LightScene* scene,
-                           const Rectangle& room, std::string& problem) {
+                           const Rectangle& room, Message& problem) {
   std::vector<Kind> kinds;
   std::vector<const Luminaire*> lit;
   for (const Luminaire& luminaire : space.luminaires) {
@@ -303,14 +303,14 @@ Rating rating_of(const std::vector<Kind>& kinds, const UgrReflectances& reflecta
 
 // What a rating is calculated from.
 struct Arrays {
-  std::string problem;
+  Message problem;
   Rectangle room;
   std::vector<Kind> kinds;
 };
 
 Arrays arrays_of(const Project& project, const Space& space, const LightScene* scene) {
   Arrays arrays;
-  const auto refuse = [&arrays](std::string why) {
+  const auto refuse = [&arrays](Message why) {
     arrays.problem = std::move(why);
     return arrays;
   };
@@ -338,7 +338,7 @@ Arrays arrays_of(const Project& project, const Space& space, const LightScene* s
 
 }  // namespace
 
-std::string why_no_room_ugr(const Project& project, const Space& space, const LightScene* scene) {
+Message why_no_room_ugr(const Project& project, const Space& space, const LightScene* scene) {
   return arrays_of(project, space, scene).problem;
 }
 

@@ -17,6 +17,7 @@
 // alone, which is the upper end.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 
 #include <string>
@@ -27,9 +28,9 @@ inline constexpr double kSeatedEye_m = 1.2;  // above the floor
 
 struct RoomUgr {
   // Why there is no rating, in words; "" = there is: why_no_room_ugr(), or no light is reflected.
-  std::string problem;
-  Estimate ugr;  // is_nothing() where no luminaire shines to where the eye has one in its field
-  std::string words;  // what it was calculated for
+  Message problem;
+  Estimate ugr;   // is_nothing() where no luminaire shines to where the eye has one in its field
+  Message words;  // what it was calculated for
 };
 
 // The method is for rectangular rooms with a ceiling, and for luminaires in the room that hang
@@ -41,7 +42,7 @@ struct RoomUgr {
 //
 // scene: null, or one of the project's: the luminaires count with its levels. Why it is not for
 // this room, in words; "" = it is.
-std::string why_no_room_ugr(const Project& project, const Space& space, const LightScene* scene);
+Message why_no_room_ugr(const Project& project, const Space& space, const LightScene* scene);
 
 RoomUgr room_ugr(const Project& project, const Space& space, const LightScene* scene);
 

@@ -1,5 +1,6 @@
 #include "calc/meshes/gbxml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"

@@ -1,3 +1,4 @@
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "calc/meshes/gbxml.h"

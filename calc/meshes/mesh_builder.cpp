@@ -1,5 +1,6 @@
 #include "calc/meshes/mesh_builder.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/scene/polygon.h"
 
 #include <fmt/format.h>

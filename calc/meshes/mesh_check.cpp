@@ -1,5 +1,7 @@
 #include "calc/meshes/mesh_check.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

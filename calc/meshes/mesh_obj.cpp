@@ -1,5 +1,6 @@
 #include "calc/meshes/mesh_obj.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/meshes/mesh_builder.h"
 

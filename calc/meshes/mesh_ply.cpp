@@ -1,5 +1,6 @@
 #include "calc/meshes/mesh_ply.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/line_cursor.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"

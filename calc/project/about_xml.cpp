@@ -1,6 +1,7 @@
 #include "calc/project/about_xml.h"
 
 #include "calc/base/day.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "calc/project/project_elements.h"

@@ -1,5 +1,6 @@
 #include "calc/project/bodies_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/frame.h"
 #include "calc/project/luminous_surface.h"
 #include "calc/project/mesh_attributes.h"

@@ -1,5 +1,6 @@
 #include "calc/project/coincident_surfaces.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/doubled_faces.h"
 #include "calc/project/flat_pieces.h"
 #include "calc/project/warning_words.h"

@@ -1,5 +1,7 @@
 #include "calc/project/former_ids.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 namespace calc {
 
 std::string FormerIds::read(ElementReader& reader, const std::string& id) {

@@ -1,5 +1,6 @@
 #include "calc/project/gbxml_space.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/meshes/gbxml.h"
 #include "calc/project/material_map.h"
 #include "calc/scene/polygon.h"

@@ -1,5 +1,6 @@
 #include "calc/project/housing_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/utf8.h"
 #include "calc/project/mesh_attributes.h"
 #include "calc/project/project_elements.h"

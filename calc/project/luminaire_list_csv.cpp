@@ -1,6 +1,7 @@
 #include "calc/project/luminaire_list_csv.h"
 
 #include "calc/base/csv.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"

@@ -1,5 +1,6 @@
 #include "calc/project/luminaires_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"

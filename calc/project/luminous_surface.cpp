@@ -1,5 +1,6 @@
 #include "calc/project/luminous_surface.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/elementary.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"

@@ -1,5 +1,6 @@
 #include "calc/project/maintenance_plan_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/project/project_elements.h"
 

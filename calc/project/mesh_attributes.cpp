@@ -1,5 +1,6 @@
 #include "calc/project/mesh_attributes.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/frame.h"
 #include "calc/project/material_map.h"
 #include "calc/project/object_set.h"

@@ -1,5 +1,6 @@
 #include "calc/project/mesh_room.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
@@ -254,8 +255,8 @@ class MeshRoomReader {
       piece.body.is_closed = true;
       add_body(std::move(piece.body), fmt::format("solid{}", ++solids));
     }
-    space_.notes.push_back(say<Sentence::mesh_room_between>(space_.surfaces_file, solids,
-                                                            open_.shell.triangle.size()));
+    space_.notes.push_back(say<Sentence::mesh_room_between>(Message::path(space_.surfaces_file),
+                                                            solids, open_.shell.triangle.size()));
     return true;
   }
 
@@ -335,13 +336,13 @@ class MeshRoomReader {
   void describe(const Piece& room, RoomPlan& plan) {
     const MeshShell& shell = room.shell;
     if (shell.is_closed) {
-      const std::string look =
+      const Message look =
           shell.faces == FacesLook::inward ? say<Sentence::faces_inward>()
           : shell.faces == FacesLook::outward
               ? say<Sentence::faces_outward>()
               : say<Sentence::faces_mixed>(shell.triangle.size() - shell.outward, shell.outward);
       space_.notes.push_back(
-          say<Sentence::mesh_room_faces>(space_.surfaces_file, shell.volume, look));
+          say<Sentence::mesh_room_faces>(Message::path(space_.surfaces_file), shell.volume, look));
     }
     const MeshFloor floor = find_floor(room.body.vertex_m, room.body.triangle);
     plan.corners_m = floor.outline;

@@ -1,5 +1,6 @@
 #include "calc/project/objects_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/bodies_xml.h"
 #include "calc/project/frame.h"
 #include "calc/project/luminaires_xml.h"

@@ -1,5 +1,6 @@
 #include "calc/project/plane_warnings.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/surface_overlap.h"
 #include "calc/project/warning_words.h"
 #include "calc/scene/plane_place.h"

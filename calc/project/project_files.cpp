@@ -1,5 +1,6 @@
 #include "calc/project/project_files.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_hash.h"
 #include "calc/base/relative_path.h"
 #include "calc/base/xml_encoding.h"

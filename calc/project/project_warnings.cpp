@@ -1,5 +1,6 @@
 #include "calc/project/project_warnings.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/project/luminaire_warnings.h"
 #include "calc/project/plane_warnings.h"

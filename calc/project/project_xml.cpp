@@ -1,5 +1,6 @@
 #include "calc/project/project_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/units.h"
 #include "calc/base/xml_document.h"

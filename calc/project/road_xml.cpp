@@ -1,5 +1,6 @@
 #include "calc/project/road_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/elementary.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"

@@ -1,5 +1,6 @@
 #include "calc/project/route_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_elements.h"
 

@@ -1,5 +1,6 @@
 #include "calc/project/spaces_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/project/coincident_surfaces.h"
 #include "calc/project/gbxml_space.h"

@@ -1,5 +1,6 @@
 #include "calc/project/upright_task.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/project/project_elements.h"

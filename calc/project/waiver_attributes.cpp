@@ -1,6 +1,7 @@
 #include "calc/project/waiver_attributes.h"
 
 #include "calc/base/day.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "calc/project/workplace_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/plane_area.h"
 #include "calc/project/project_elements.h"
 #include "calc/project/upright_task.h"

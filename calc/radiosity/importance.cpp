@@ -193,8 +193,8 @@ void add_direct(const Tracer& tracer, const ImportanceTarget& target, RandomKey 
 
 ImportancePool trace_importance(const Tracer& tracer, std::span<const ImportanceTarget> targets,
                                 const SurfaceClasses& classes, const ImportanceSettings& settings) {
-  ImportancePool pool{targets.size(), classes.count, settings.batches, {}, {}, {}, {}, 0, ""};
-  pool.problem = importance_problem(targets, classes, tracer.scene(), settings);
+  ImportancePool pool{targets.size(), classes.count, settings.batches, {}, {}, {}, {}, 0, {}};
+  pool.problem = Message::words(importance_problem(targets, classes, tracer.scene(), settings));
   if (!pool.problem.empty()) return pool;
   std::vector<PathVertices> parts(settings.batches * targets.size());
   std::atomic<bool> is_endless{false}, is_stopped{false};
@@ -219,7 +219,7 @@ ImportancePool trace_importance(const Tracer& tracer, std::span<const Importance
   });
   if (is_stopped) pool.problem = say<Sentence::interrupted>();
   if (is_endless) {
-    pool.problem = fmt::format("a path did not end after {} reflections", kMostReflections);
+    pool.problem = say<Sentence::endless_path>(kMostReflections);
   }
   if (!pool.problem.empty()) return pool;
   pool.first.push_back(0);
@@ -239,12 +239,12 @@ LightByLuminaire light_of_luminaires(const Tracer& tracer,
                                      const ImportanceSettings& settings) {
   const std::size_t luminaires = tracer.scene().luminaires.size();
   LightByLuminaire light{
-      pool.batches, pool.targets, luminaires, pool.classes, {}, {}, {}, {}, 0, ""};
+      pool.batches, pool.targets, luminaires, pool.classes, {}, {}, {}, {}, 0, {}};
   light.problem = pool.problem;
   if (light.problem.empty() &&
       (targets.size() != pool.targets || pool.first.size() != pool.batches * pool.targets + 1 ||
        tracer.scene().channels.size() != luminaires)) {
-    light.problem = "pool, targets and luminaires do not belong together";
+    light.problem = Message::words("pool, targets and luminaires do not belong together");
   }
   if (!light.problem.empty()) return light;
   const std::size_t parts = pool.batches * pool.targets;

@@ -8,6 +8,7 @@
 // hang on luminaires [reciprocity; the adjoint of light paths]. What a reflectance counts for
 // follows from the same paths: how often its surface stands in the product.
 
+#include "calc/base/message.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 
@@ -58,7 +59,7 @@ struct ImportancePool {
   // step.
   std::vector<double> slope, step;
   std::uint64_t rays = 0;
-  std::string problem;  // why there is none; "" = there is
+  Message problem;  // why there is none; "" = there is
 };
 
 // After the first reflection paths go on with the reflectance for their probability, but a quarter
@@ -76,7 +77,7 @@ struct LightByLuminaire {
   // [((batch * targets + target) * classes + class) * luminaires + l]
   std::vector<double> slope_lx, step_lx;
   std::uint64_t rays = 0;
-  std::string problem;  // why there is none; "" = there is
+  Message problem;  // why there is none; "" = there is
 
   double total_lx(std::size_t batch, std::size_t target, std::size_t luminaire) const {
     const std::size_t i = (batch * targets + target) * luminaires + luminaire;

@@ -141,7 +141,7 @@ PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
     field.stop = StopReason::interrupted;
     field.problem = say<Sentence::interrupted>();
   } else if (is_endless) {
-    field.problem = fmt::format("a path did not end after {} reflections", kMostReflections);
+    field.problem = say<Sentence::endless_path>(kMostReflections);
   }
   return field;
 }

@@ -36,7 +36,7 @@ PlaneState::PlaneState(const std::string& plane_id, const SensorGrid& grid,
   sums_.has_seen_opening.assign(points(), 0);
 }
 
-void PlaneState::refuse(std::string problem) {
+void PlaneState::refuse(Message problem) {
   is_active_ = false;
   field_.problem = std::move(problem);
 }

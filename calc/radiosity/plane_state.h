@@ -3,6 +3,7 @@
 // made of them.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/sensor_grid.h"
 
 #include <cstddef>
@@ -40,8 +41,8 @@ class PlaneState {
 
   // Whether looks still add to this plane.
   bool is_active() const { return is_active_; }
-  void refuse(std::string problem);  // ends the work; field().problem says why
-  void finish(StopReason reason);    // ends the work with what was published last
+  void refuse(Message problem);    // ends the work; field().problem says why
+  void finish(StopReason reason);  // ends the work with what was published last
   PlaneField& field() { return field_; }
   const PlaneField& field() const { return field_; }
   PlaneSums& sums() { return sums_; }

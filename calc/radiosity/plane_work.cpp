@@ -63,7 +63,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const SensorGrid& grid, const PlaneDe
 
 void PlaneWork::begin(const SensorGrid& grid) {
   sums_.may_be_sampled = has_indirect_;
-  if (std::string problem = point_problem(tracer_, grid, receiver_, settings_.refuses_close_points);
+  if (Message problem = point_problem(tracer_, grid, receiver_, settings_.refuses_close_points);
       !problem.empty()) {
     state_.refuse(std::move(problem));
   }

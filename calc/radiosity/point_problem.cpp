@@ -20,8 +20,8 @@ namespace {
 // Room for rounding where rays begin: 2 ulp of the largest coordinate.
 constexpr double kRounding = 1.0 / 16.0;
 
-std::string words(const glm::dvec3& p) {
-  return say<Sentence::the_point>(fmt::format("({:.12g} {:.12g} {:.12g})", p.x, p.y, p.z));
+Message words(const glm::dvec3& p) {
+  return Message::number(fmt::format("({:.12g} {:.12g} {:.12g})", p.x, p.y, p.z));
 }
 
 std::optional<CloseSurface> close_surface(const Tracer& tracer, const glm::dvec3& position_m,
@@ -56,22 +56,23 @@ std::optional<CloseSurface> surface_before(const Tracer& tracer, const PlacedLum
   return found;
 }
 
-std::string luminaire_problem(const Tracer& tracer, const SensorGrid& grid,
-                              std::span<const Receiver> receivers) {
+Message luminaire_problem(const Tracer& tracer, const SensorGrid& grid,
+                          std::span<const Receiver> receivers) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const int touching =
         find_touching_luminaire(tracer.scene(), receivers[i].position_m, tracer.offset_m());
     if (touching < 0) continue;
     const bool is_inside =
         tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
-    const std::string point = words(grid.position_m[i % grid.position_m.size()]);
+    const Message point =
+        say<Sentence::the_point>(words(grid.position_m[i % grid.position_m.size()]));
     return is_inside ? say<Sentence::point_in_body>(point) : say<Sentence::point_at_source>(point);
   }
   return {};
 }
 
-std::string closeness_problem(const Tracer& tracer, const SensorGrid& grid,
-                              std::span<const Receiver> receivers) {
+Message closeness_problem(const Tracer& tracer, const SensorGrid& grid,
+                          std::span<const Receiver> receivers) {
   const std::size_t points = grid.position_m.size();
   const glm::dvec3& origin_m = tracer.scene().origin_m;
   std::vector<std::uint8_t> is_close(points, 0);
@@ -95,25 +96,26 @@ std::string closeness_problem(const Tracer& tracer, const SensorGrid& grid,
   const PreparedScene& scene = tracer.scene();
   const std::size_t body = scene.body[found->triangle];
   const double needed_m = (2.0 + 2.0 * kRounding) * tracer.offset_m();
-  return fmt::format(
-      "{} is {:.2g} m from a surface{} that it does not lie in{}; in a model of {:.3g} m rays tell "
-      "a point from a surface from {:.2g} m on: put it into the surface or at least that far away",
-      words(grid.position_m[first]), found->distance_m,
-      body < scene.body_id.size() ? fmt::format(" of '{}'", scene.body_id[body]) : "",
-      count > 1 ? fmt::format(", the first of {} such points", count) : "", scene.extent_m,
-      needed_m);
+  const Message point = say<Sentence::the_point>(words(grid.position_m[first]));
+  const Message surface = body < scene.body_id.size()
+                              ? say<Sentence::surface_of>(scene.body_id[body])
+                              : say<Sentence::some_surface>();
+  return count > 1 ? say<Sentence::points_too_close>(point, found->distance_m, surface, count,
+                                                     scene.extent_m, needed_m)
+                   : say<Sentence::point_too_close>(point, found->distance_m, surface,
+                                                    scene.extent_m, needed_m);
 }
 
 }  // namespace
 
-std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
-                          std::span<const Receiver> receivers, bool refuses_close) {
-  std::string problem = luminaire_problem(tracer, grid, receivers);
+Message point_problem(const Tracer& tracer, const SensorGrid& grid,
+                      std::span<const Receiver> receivers, bool refuses_close) {
+  Message problem = luminaire_problem(tracer, grid, receivers);
   if (problem.empty() && refuses_close) problem = closeness_problem(tracer, grid, receivers);
   return problem;
 }
 
-std::string source_problem(const Tracer& tracer) {
+Message source_problem(const Tracer& tracer) {
   const PreparedScene& scene = tracer.scene();
   for (const PlacedLuminaire& luminaire : scene.luminaires) {
     for (const double side : {-1.0, 1.0}) {
@@ -122,10 +124,9 @@ std::string source_problem(const Tracer& tracer) {
           surface_before(tracer, luminaire, side * luminaire.world_from_luminaire[2]);
       if (!found) continue;
       const glm::dvec3 at_m = luminaire.position_m + scene.origin_m;
-      return say<Sentence::source_covered>(
-          scene.body_id.at(scene.body[found->triangle]), found->distance_m,
-          fmt::format("({:.12g} {:.12g} {:.12g})", at_m.x, at_m.y, at_m.z), scene.extent_m,
-          (2.0 + 2.0 * kRounding) * tracer.offset_m());
+      return say<Sentence::source_covered>(scene.body_id.at(scene.body[found->triangle]),
+                                           found->distance_m, words(at_m), scene.extent_m,
+                                           (2.0 + 2.0 * kRounding) * tracer.offset_m());
     }
   }
   return {};

@@ -1,6 +1,7 @@
 #pragma once
 // Points at which nothing can be measured, and sources whose light nobody can tell.
 
+#include "calc/base/message.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 #include "calc/scene/sensor_grid.h"
@@ -17,12 +18,12 @@ namespace calc {
 //   ray offset, or about two where the point looks at it. Only what reaches farther in front of a
 //   planar point than Tracer::touching_m() counts; for points that lie in other surfaces the grid
 //   has a shift off them.
-std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
-                          std::span<const Receiver> receivers, bool refuses_close);
+Message point_problem(const Tracer& tracer, const SensorGrid& grid,
+                      std::span<const Receiver> receivers, bool refuses_close);
 
 // Why light of the first such luminaire cannot be computed; "" if all can: a surface stands before
 // its opening, nearer than rays from it or to it begin, which would pass it by. Of the side along
 // its axis and, if the luminaire sends light straight up, the other one.
-std::string source_problem(const Tracer& tracer);
+Message source_problem(const Tracer& tracer);
 
 }  // namespace calc

@@ -142,22 +142,16 @@ class Solver {
   }
 
  private:
-  static std::string why_no_result(StopReason stopped) {
+  static Message why_no_result(StopReason stopped) {
     switch (stopped) {
       case StopReason::memory_limit:
-        return fmt::format(
-            "the light of the first look takes more than {} light vertices: surfaces that absorb "
-            "next to nothing; fewer paths may do (--max-paths)",
-            kMostVertices);
+        return say<Sentence::too_many_vertices>(kMostVertices);
       case StopReason::time_limit:
-        return "the time limit was reached before the first result";
+        return say<Sentence::time_was_up>();
       case StopReason::endless_path:
-        return fmt::format(
-            "a light path did not end after {} reflections: a closed space whose surfaces absorb "
-            "next to nothing has no steady state within reach",
-            kMostReflections);
+        return say<Sentence::no_steady_state>(kMostReflections);
       default:
-        return "the calculation was interrupted before the first result";
+        return say<Sentence::interrupted_at_first>();
     }
   }
 
@@ -247,7 +241,7 @@ class Solver {
       planes_[p].work->begin(*tasks_[p].grid);
     }
     if (any_missing() && settings_.refuses_close_points) {
-      const std::string covered = source_problem(workshop_->tracer);
+      const Message covered = source_problem(workshop_->tracer);
       if (!covered.empty()) refuse_missing(covered);
     }
     refuse_missing_of_store();
@@ -301,8 +295,9 @@ class Solver {
     const bool is_unlimited = workshop_ != nullptr && is_endless();
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing()) continue;
-      const char* why = plane.key ? kNotInStore : kTooLargeForStore;
-      plane.state.refuse(is_unlimited ? endless_words() : why);
+      plane.state.refuse(is_unlimited ? endless_words()
+                         : plane.key  ? say<Sentence::not_in_store>()
+                                      : say<Sentence::too_large_for_store>());
     }
   }
 
@@ -311,11 +306,8 @@ class Solver {
                        [](const SolvedPlane& plane) { return plane.is_missing(); });
   }
 
-  static std::string endless_words() {
-    return fmt::format(
-        "light is reflected more than {} times on the way, on average: a closed space "
-        "whose surfaces absorb next to nothing has no steady state within reach",
-        kMostMeanReflections);
+  static Message endless_words() {
+    return say<Sentence::no_steady_state_on_average>(kMostMeanReflections);
   }
 
   bool any_active() const {
@@ -329,13 +321,13 @@ class Solver {
     }
   }
 
-  void refuse_missing(const std::string& problem) {
+  void refuse_missing(const Message& problem) {
     for (SolvedPlane& plane : planes_) {
       if (plane.is_missing()) plane.state.refuse(problem);
     }
   }
 
-  void refuse_active(const std::string& problem) {
+  void refuse_active(const Message& problem) {
     for (SolvedPlane& plane : planes_) {
       if (plane.state.is_active()) plane.state.refuse(problem);
     }

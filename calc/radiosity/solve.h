@@ -24,12 +24,10 @@ struct VertexCache;
 struct LookStore {
   EntryStore& entries;
   std::string backend;  // who computes, with versions: looks of one are not another's
-  // Nothing is computed: a plane of which a look is not there is refused, with one of the words
-  // below.
+  // Nothing is computed: a plane of which a look is not there is refused, with not_in_store or
+  // too_large_for_store of calc/base/sentences.def.
   bool is_all_there_is = false;
 };
-inline constexpr const char* kNotInStore = "its light is not in the store";
-inline constexpr const char* kTooLargeForStore = "a look at it is too large for a store";
 
 // What became of a space's looks; none of it is in a result.
 struct LookCounts {

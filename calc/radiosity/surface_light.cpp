@@ -258,14 +258,14 @@ class CornerLight {
     for (std::size_t i = 0; i < result.size(); ++i) result[i] += direct_lx_[i];
     return result;
   }
-  const std::string& problem() const { return problem_; }
+  const Message& problem() const { return problem_; }
   double error_share() const { return points_ > 0 ? std::sqrt(squares_ / points_) : 0.0; }
 
  private:
   bool estimate_new(const PreparedScene& scene, const SurfaceMesh& mesh) {
     const std::vector<glm::dvec3> position_m = mesh.sample_positions_m(scene.ray_offset_m());
     SensorGrid grid;
-    grid.rule = "corners of surfaces";
+    // Nobody reads the rule of this grid.
     std::vector<std::size_t> corner;
     for (std::vector<float>* lx : {&direct_lx_, &indirect_lx_}) {
       lx->resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
@@ -334,7 +334,7 @@ class CornerLight {
   Gatherer& gatherer_;
   std::vector<float> direct_lx_, indirect_lx_;  // NaN: at a luminaire without size
   std::size_t known_ = 0;
-  std::string problem_;
+  Message problem_;
   double squares_ = 0.0, points_ = 0.0;
 };
 
@@ -401,7 +401,7 @@ LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSi
       2.2 *
       std::sqrt(area_m2(mesh) / static_cast<double>(std::max<std::size_t>(1, settings.points)));
   if (!split_long_edges(mesh, most_m, settings.most_points)) {
-    result.problem = "the room has too many surfaces for a picture";
+    result.problem = say<Sentence::too_many_surfaces>();
     return result;
   }
   CornerLight light(scene, settings, gatherer);

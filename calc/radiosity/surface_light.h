@@ -2,6 +2,7 @@
 // Illuminance on the surfaces of a room, for pictures: estimated at the corners of a mesh, linear
 // between them.
 
+#include "calc/base/message.h"
 #include "calc/radiosity/cutaway.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/scene/prepared_scene.h"
@@ -29,7 +30,7 @@ struct SurfaceLightSettings {
 
 // Maintained, every luminaire at full output.
 struct LitSurfaces {
-  std::string problem;                // why there is nothing; "" = there is
+  Message problem;                    // why there is nothing; "" = there is
   std::vector<glm::vec3> position_m;  // local
   std::vector<float> lx;              // [position]
   std::vector<glm::uvec3> triangle;   // counter-clockwise as seen from the lit side

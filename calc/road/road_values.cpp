@@ -34,23 +34,22 @@ Estimate worst_of(const std::vector<Estimate>& all, Worst worst) {
   return found;
 }
 
-std::string numbers_words(const std::vector<Estimate>& all, int digits) {
+Message numbers_words(const std::vector<Estimate>& all, int digits) {
   std::vector<std::string> numbers;
   for (const Estimate& one : all) numbers.push_back(fmt::format("{:.{}f}", one.value, digits));
-  return fmt::format("{}", fmt::join(numbers, " "));
+  return Message::number(fmt::format("{}", fmt::join(numbers, " ")));
 }
 
 // of: what an observer has of it, empty if there is none.
 template <class Of>
-RoadValue of_lanes(const RoadLight& light, Worst worst, int digits, const std::string& problem,
-                   Of of) {
+RoadValue of_lanes(const RoadLight& light, Worst worst, int digits, const Message& problem, Of of) {
   std::vector<Estimate> all;
   for (const RoadObserver& observer : light.observers) {
     const std::optional<Estimate> one = of(observer);
     if (!one) return {problem};
     all.push_back(*one);
   }
-  RoadValue value{"", worst_of(all, worst)};
+  RoadValue value{{}, worst_of(all, worst)};
   if (all.size() > 1) value.words = say<Sentence::road_by_lane>(numbers_words(all, digits));
   return value;
 }
@@ -64,7 +63,7 @@ RoadValue of_edges(const RoadLight& light, const RoadLayout& layout) {
     if (ratio) all.push_back(*ratio);
   }
   constexpr int kDigits = 3;
-  RoadValue value{"", worst_of(all, Worst::lowest)};
+  RoadValue value{{}, worst_of(all, Worst::lowest)};
   value.words = all.size() > 1
                     ? say<Sentence::road_by_edge>(numbers_words(all, kDigits),
                                                   *layout.right_strip_m, *layout.left_strip_m)
@@ -107,19 +106,19 @@ RoadLayout road_layout(const Project& project, const Space& space, const LightSc
   return layout;
 }
 
-std::string road_method_words(const Road& road) {
+Message road_method_words(const Road& road) {
   const RTable& table = known_table(road.surface);
   const int across = kRoadRowsPerLane * static_cast<int>(road.is_oncoming.size());
-  const std::string words = say<Sentence::road_method>(road_points_along(road.spacing_m), across,
-                                                       road.surface, road.q0.value_or(table.q0));
+  const Message words = say<Sentence::road_method>(road_points_along(road.spacing_m), across,
+                                                   road.surface, road.q0.value_or(table.q0));
   return table.is_wet ? words + "; " + say<Sentence::road_wet>() : words;
 }
 
-std::string road_stated_words(const Road& road) {
+Message road_stated_words(const Road& road) {
   std::string lanes;
   for (const bool is_oncoming : road.is_oncoming) lanes += is_oncoming ? '-' : '+';
   const auto strip = [](const std::optional<double>& width_m) {
-    return fmt::format("{:.6g} m", width_m.value_or(0.0));
+    return Message::number(fmt::format("{:.6g} m", width_m.value_or(0.0)));
   };
   return say<Sentence::road_stated>(road.surface, road.q0.value_or(known_table(road.surface).q0),
                                     road.width_m, lanes, strip(road.right_strip_m),
@@ -131,7 +130,7 @@ RoadValues road_values(const Project& project, const Space& space, const LightSc
   const RoadLight light = road_light(layout);
   RoadValues values;
   constexpr int kLuminanceDigits = 3, kRatioDigits = 3, kPercentDigits = 1;
-  const std::string dark = say<Sentence::road_dark>();
+  const Message dark = say<Sentence::road_dark>();
   values.luminance_cd_m2 =
       of_lanes(light, Worst::lowest, kLuminanceDigits, dark,
                [](const RoadObserver& o) { return std::optional(o.average_cd_m2); });

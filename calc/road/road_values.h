@@ -2,6 +2,7 @@
 // What can be required of a project's road, from its description: see road_light.h.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/road/road_light.h"
 #include "calc/scene/project.h"
 
@@ -12,23 +13,23 @@ namespace calc {
 
 // One quantity of the whole road.
 struct RoadValue {
-  std::string problem;  // why there is no value, in words; "" = there is
+  Message problem;  // why there is no value, in words; "" = there is
   Estimate value{};
-  std::string words{};  // of every lane or edge, for reports
+  Message words{};  // of every lane or edge, for reports
 };
 
 struct RoadValues {
   RoadValue luminance_cd_m2, uo, ul, ti_percent, rei;
-  std::string words{};       // by which standard
-  std::string stated{};      // what the project says of the road itself, which no design changes
-  std::string why_no_row{};  // why no row of a rule pack is about it, in words; "" = one may be
+  Message words{};       // by which standard
+  Message stated{};      // what the project says of the road itself, which no design changes
+  Message why_no_row{};  // why no row of a rule pack is about it, in words; "" = one may be
 };
 
 // scene: null, or one of the project's: the rows count with its levels. space.road must be there.
 RoadLayout road_layout(const Project& project, const Space& space, const LightScene* scene);
 
 // How it is calculated, for reports: once for a road.
-std::string road_method_words(const Road& road);
+Message road_method_words(const Road& road);
 
 // The worst observer of each quantity, and the darker edge.
 RoadValues road_values(const Project& project, const Space& space, const LightScene* scene);

@@ -7,7 +7,7 @@
 
 namespace calc {
 
-std::string InstalledPower::problem() const {
+Message InstalledPower::problem() const {
   if (without_power > 0) {
     return of_other_flux == 0
                ? say<Sentence::no_power>(without_power, luminaires)
@@ -15,7 +15,7 @@ std::string InstalledPower::problem() const {
   }
   // A building file's rooms and the open space have no outline here.
   if (!(area_m2 > 0.0)) return say<Sentence::no_floor_area>();
-  return luminaires > 0 ? "" : say<Sentence::no_luminaire>();
+  return luminaires > 0 ? Message() : say<Sentence::no_luminaire>();
 }
 
 std::optional<double> InstalledPower::density_w_m2() const {

@@ -1,6 +1,7 @@
 #pragma once
 // Installed power of a space's luminaires.
 
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct InstalledPower {
   std::map<std::pair<std::string, std::string>, std::size_t> luminaires_of = {};
 
   // Why there is no power density; "" = there is one.
-  std::string problem() const;
+  Message problem() const;
   std::optional<double> density_w_m2() const;  // empty with a problem
 };
 

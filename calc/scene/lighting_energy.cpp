@@ -31,25 +31,33 @@ double full_hours(const EnergyUse& use, const EnergyFactors& factors) {
          (use.day_h * factors.daylight.value_or(kNotStated) + use.night_h);
 }
 
-std::string factor_words(const char* name, const std::optional<double>& factor) {
-  return factor ? fmt::format("{} {:.6g}", name, *factor) : say<Sentence::factor_assumed>(name);
+Message number(const char* name, double value) {
+  return Message::number(fmt::format("{} {:.6g}", name, value));
 }
 
-std::string words_of(const EnergyUse& use, const Space& space) {
-  std::string words = fmt::format(
-      "{}, {}, {}", factor_words("Fc", use.factors.constant_illuminance),
-      factor_words("Fo", use.factors.occupancy), factor_words("FD", use.factors.daylight));
+Message factor_words(const char* name, const std::optional<double>& factor) {
+  return factor ? number(name, *factor) : say<Sentence::factor_assumed>(name);
+}
+
+Message words_of(const EnergyUse& use, const Space& space) {
+  Message words =
+      joined({factor_words("Fc", use.factors.constant_illuminance),
+              factor_words("Fo", use.factors.occupancy), factor_words("FD", use.factors.daylight)},
+             ", ");
   for (const auto& [group, own] : use.of_group) {
     const bool is_here = std::any_of(
         space.luminaires.begin(), space.luminaires.end(),
         [&name = group](const Luminaire& luminaire) { return luminaire.group == name; });
     if (!is_here) continue;
-    words += fmt::format(", group {}:", group);
-    if (own.constant_illuminance) words += fmt::format(" Fc {:.6g}", *own.constant_illuminance);
-    if (own.occupancy) words += fmt::format(" Fo {:.6g}", *own.occupancy);
-    if (own.daylight) words += fmt::format(" FD {:.6g}", *own.daylight);
+    Message factors;
+    for (const auto& [name, factor] :
+         {std::pair("Fc", own.constant_illuminance), std::pair("Fo", own.occupancy),
+          std::pair("FD", own.daylight)}) {
+      if (factor) append(factors, number(name, *factor), " ");
+    }
+    append(words, say<Sentence::factors_of_group>(group, factors), ", ");
   }
-  words += ", " + say<Sentence::parasitic>(use.parasitic_kwh_m2);
+  append(words, say<Sentence::parasitic>(use.parasitic_kwh_m2), ", ");
   return say<Sentence::energy_stated>(use.day_h, use.night_h, words);
 }
 

@@ -6,6 +6,7 @@
 // P in W, t in h, W in kWh, A in m2, LENI in kWh/m2 and year. [EN 15193-1; formula from two public
 // sources]
 
+#include "calc/base/message.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 
@@ -18,9 +19,9 @@ namespace calc {
 struct LightingEnergy {
   double lighting_kwh = 0.0;  // in a year, without the parasitic part
   double leni_kwh_m2 = 0.0;   // with it
-  std::string problem;        // why there is no LENI; the numbers are then 0. "" = there is one
+  Message problem;            // why there is no LENI; the numbers are then 0. "" = there is one
   // What was put in, with every factor that nobody states as 1; "" with a problem.
-  std::string words;
+  Message words;
   // Of lighting_kwh, dimming group by dimming group; "" = luminaires without one. Results do not
   // have it.
   std::map<std::string, double> kwh_of_group = {};

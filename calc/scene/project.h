@@ -2,6 +2,7 @@
 // A project as read: plain data, world coordinates, metres, radians. Made by load_project().
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/base/xml_document.h"
 #include "calc/photometry/luminaire_light.h"
@@ -138,7 +139,7 @@ struct EnumNames<GridRounding> {
 // The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,
 // or the shorter one if longer / shorter >= shorter_from_ratio. As it stands: EN 12464-1.
 struct GridByRule {
-  std::string name = "EN 12464-1";  // of whoever asks for it, for reports
+  Message name = Message::words("EN 12464-1");  // of whoever asks for it, for reports
   double factor_m = 0.2, base = 5.0, max_spacing_m = 10.0;
   double shorter_from_ratio = 2.0;
   GridRounding rounding = GridRounding::nearest;
@@ -151,7 +152,7 @@ struct GridByCount {
 // Rounded up: no cell is larger.
 struct GridBySpacing {
   double along_u_m = 0.0, along_v_m = 0.0;
-  std::string name;  // of whoever asks for it; "" = the project
+  Message name;  // of whoever asks for it; "" = the project
   bool operator==(const GridBySpacing&) const = default;
 };
 using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
@@ -233,7 +234,7 @@ struct CalcPlane {
   std::vector<RequirementText> requirements;
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;
   // else "".
-  std::string made_by, changed;
+  Message made_by, changed;
   bool has_own_area = false;           // of such a plane: around the task, where the project says
   std::optional<double> own_margin_m;  // what the project, or the room's width, makes of the rule's
   std::string usual_role;  // that packs know what the road has made by; "" of any other plane
@@ -253,7 +254,8 @@ struct ZoneText {
 
 // A zone of a workplace, or a part of it ("wall.2"), that has no plane.
 struct UnmadeZone {
-  std::string role, why;
+  std::string role;
+  Message why;
   std::optional<Waiver> left_out;  // by the project; else there is no place for it
   bool is_place_unknown = false;   // there is one, but nobody knows where: the project may say it
 };
@@ -326,7 +328,7 @@ struct Space {
   std::vector<LeftOutPlane> left_out;  // of its workplaces
   std::vector<Workplace> workplaces;
   std::optional<EnergyUse> energy;  // its own, or else the project's
-  std::vector<std::string> notes;   // for reports: zones that were not made, and why
+  std::vector<Message> notes;       // for reports: zones that were not made, and why
   std::vector<glm::dvec2>
       outline_m;  // of the floor of a room of a building file, world x and y; empty: not known
   SourceLocation where;

@@ -1,5 +1,6 @@
 #include "calc/scene/sensor_grid.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/elementary.h"
 #include "calc/base/sentences.h"
 #include "calc/scene/grid_coverage.h"
@@ -79,7 +80,7 @@ Counts cell_counts(const GridRule& rule, glm::dvec2 side_m) {
   return counts_by_rule(std::get<GridByRule>(rule), side_m.x, side_m.y);
 }
 
-std::string rule_words(const GridRule& rule, glm::dvec2 side_m) {
+Message rule_words(const GridRule& rule, glm::dvec2 side_m) {
   if (std::holds_alternative<GridByCount>(rule)) return say<Sentence::grid_by_count>();
   if (const auto* spacing = std::get_if<GridBySpacing>(&rule)) {
     if (spacing->name.empty()) return say<Sentence::grid_by_spacing>();
@@ -114,7 +115,7 @@ Counts route_counts(const EscapeRoute& route, const std::vector<double>& station
   return {columns, std::fmod(rows, 2.0) < 0.5 ? rows + 1.0 : rows};
 }
 
-std::string route_words(const EscapeRoute& route) {
+Message route_words(const EscapeRoute& route) {
   const double along_m = route.spacing.along_u_m, across_m = route.spacing.along_v_m;
   return route.is_spacing_given
              ? say<Sentence::grid_of_route>(along_m, across_m)
@@ -556,7 +557,7 @@ std::vector<double> point_weights(const SensorGrid& grid) {
   return area_m2;
 }
 
-std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
+Message grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
   const std::array rounded{say<Sentence::rounded_nearest>(), say<Sentence::rounded_up>(),
                            say<Sentence::rounded_odd>()};
   const RuleSpacing spacing = spacing_by_rule(rule, side_u_m, side_v_m);
@@ -566,7 +567,7 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
       spacing.is_shorter ? say<Sentence::shorter_side>(rule.shorter_from_ratio)
                          : say<Sentence::longer_side>(),
       spacing.is_capped ? say<Sentence::most_spacing>(spacing.spacing_m)
-                        : fmt::format("{:.3g} m", spacing.spacing_m),
+                        : Message::number(fmt::format("{:.3g} m", spacing.spacing_m)),
       side_u_m / spacing.spacing_m, side_v_m / spacing.spacing_m,
       rounded[static_cast<std::size_t>(rule.rounding)], counts.columns, counts.rows);
 }

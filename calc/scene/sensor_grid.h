@@ -2,6 +2,7 @@
 // Calculation points of a plane, and an account of how they were chosen.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/scene/point_filter.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
@@ -42,7 +43,7 @@ struct RouteGrid {
 // its right side to its left one, and u and v are the world's x and y.
 struct SensorGrid {
   // Words: "count", "spacing", "point list", or the whole derivation: see grid_words().
-  std::string rule;
+  Message rule;
   int columns = 0, rows = 0;
   // Cell size; 0 for point lists; of routes the largest one along, and across.
   double spacing_u_m = 0.0, spacing_v_m = 0.0;
@@ -84,7 +85,7 @@ GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m)
 
 // What a report prints: the rule, the side it went by, the spacing, both quotients, the rounding
 // and the counts.
-std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m);
+Message grid_words(const GridByRule& rule, double side_u_m, double side_v_m);
 
 // How many points a plane's grid has before any is left out, as make_sensor_grid() makes it; what
 // that refuses may have any number. Nothing is made for it.

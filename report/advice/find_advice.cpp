@@ -2,7 +2,7 @@
 
 #include "calc/base/sentences.h"
 #include "report/advice/level_solver.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/words.h"
 #include "rules/measure/level_conditions.h"
 #include "rules/verdict/judge.h"
@@ -64,7 +64,7 @@ class SceneSearch {
   SceneAdvice search(const CheckLevels& check) {
     settle_costs();
     take_now();
-    if (const std::string why = why_none(); !why.empty()) {
+    if (const calc::Message why = why_none(); !why.empty()) {
       advice_.reason = why;
       return std::move(advice_);
     }
@@ -73,7 +73,7 @@ class SceneSearch {
       if (!found) break;
       take(*found);
       advice_.outcome = AdviceOutcome::levels;
-      std::string reason;
+      calc::Message reason;
       const std::optional<report::ProjectPart> changed = check(advice_, reason);
       if (!changed) {
         advice_.outcome = AdviceOutcome::none_found;
@@ -191,11 +191,11 @@ class SceneSearch {
               std::string(report::title_of(plane.name, plane.id)),
               finding,
               finding,
-              ""};
+              {}};
           if (!is_of_points(requirement)) {
-            told.not_searched = "not of the light of the plane's points alone";
+            told.not_searched = calc::say<calc::Sentence::condition_elsewhere>();
           } else if (known == light.end() || !known->second.field.problem.empty()) {
-            told.not_searched = "its plane was not calculated";
+            told.not_searched = calc::say<calc::Sentence::condition_not_calculated>();
           } else {
             asked.light = &known->second;
             asked.conditions.emplace(requirement, asked.light->grid, asked.light->field, names,
@@ -249,7 +249,7 @@ class SceneSearch {
     }
   }
 
-  std::string why_none() const {
+  calc::Message why_none() const {
     if (advice_.groups.empty()) return calc::say<calc::Sentence::advice_no_luminaires>();
     for (const AdvisedRequirement& one : advice_.requirements) {
       if (one.before.requirement.state == rules::LightState::end_of_duration) {
@@ -258,10 +258,11 @@ class SceneSearch {
     }
     const bool is_any = std::any_of(asked_.begin(), asked_.end(),
                                     [](const Asked& asked) { return asked.is_searched(); });
-    if (is_any) return "";
+    if (is_any) return {};
     const AdvisedRequirement& first = advice_.requirements.front();
-    return fmt::format("{}; {}, {}: {}", calc::say<calc::Sentence::advice_no_condition>(),
-                       first.plane, first.before.requirement.id, first.not_searched);
+    return calc::say<calc::Sentence::advice_no_condition>() + "; " +
+           calc::say<calc::Sentence::advice_first_of>(first.plane, first.before.requirement.id,
+                                                      first.not_searched);
   }
 
   // without: indices of requirements that are left out.
@@ -433,7 +434,7 @@ class SceneSearch {
         levels.cost += problem_.cost[g] * levels.level.back();
       }
       take(levels);
-      std::string reason;
+      calc::Message reason;
       const std::optional<report::ProjectPart> changed = check(advice_, reason);
       if (!changed) break;
       if (take_findings(*changed) && broken_by_levels().empty()) {
@@ -518,7 +519,7 @@ class SceneSearch {
           rules::Finding& after = advice_.requirements[i].after;
           after = advice_.requirements[i].before;
           after.verdict = rules::Verdict::not_judged;
-          after.reason = "nobody has calculated it for more light than there is";
+          after.reason = calc::say<calc::Sentence::more_light_not_calculated>();
           continue;
         }
         rules::Finding finding = judged(asked_[i], answer.levels->level);

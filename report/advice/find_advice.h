@@ -36,7 +36,7 @@ struct AdviceSettings {
 // The changed project, checked with other random numbers. Empty: it could not be; `reason` says
 // why.
 using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
-                                                                     std::string& reason)>;
+                                                                     calc::Message& reason)>;
 
 // Likewise of the changed project's text.
 using CheckText =

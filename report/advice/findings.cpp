@@ -1,6 +1,6 @@
 #include "report/advice/findings.h"
 
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/words.h"
 #include "rules/catalogue/metric.h"
 #include "rules/verdict/outcome.h"

@@ -1,6 +1,7 @@
 #pragma once
 // What was found for one light scene: plain data.
 
+#include "calc/base/message.h"
 #include "report/advice/findings.h"
 #include "report/document/level_advice.h"
 #include "rules/catalogue/finding.h"
@@ -25,7 +26,7 @@ struct AdvisedRequirement {
   rules::Finding before, after;
   // Why it is no condition on the sum of groups: it took no part in the search, and was checked
   // all the same. "" = it took part.
-  std::string not_searched;
+  calc::Message not_searched;
 };
 
 // What holds the least cost up.
@@ -40,7 +41,7 @@ struct AdvisedLimit {
 struct SceneAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
-  std::string reason;  // of none_found, in words
+  calc::Message reason;  // of none_found, in words
   CostUnit unit = CostUnit::watt;
   // With the levels now, with those advised, and what no levels undercut.
   double now = 0.0, advised = 0.0, least = 0.0;

@@ -13,7 +13,7 @@
 namespace cli {
 namespace {
 
-std::string no_group_words(std::size_t without, std::size_t all) {
+calc::Message no_group_words(std::size_t without, std::size_t all) {
   return calc::say<calc::Sentence::advice_no_group>(without, all);
 }
 
@@ -47,37 +47,37 @@ LevelsText with_levels(const std::string& bytes, const std::string& file,
     calc::Diagnostics diagnostics;
     auto changed = check::with_scene_levels(text, file, levels_of(scene, part), diagnostics);
     if (!changed) return {std::nullopt, diagnostics.all().front().message};
-    text = *std::move(changed);
+    text = std::move(changed->text);
   }
   return {std::move(text), ""};
 }
 
 CheckLevels levels_check(const std::string& bytes, const std::string& file,
                          const report::ProjectPart& part, const CheckText& check) {
-  return [&](const SceneAdvice& advice, std::string& reason) -> std::optional<report::ProjectPart> {
-    calc::Diagnostics diagnostics;
-    const check::SceneLevels levels = levels_of(advice, part);
-    const auto text = check::with_scene_levels(bytes, file, levels, diagnostics);
-    if (!text) {
-      reason = diagnostics.all().front().message;
-      return std::nullopt;
-    }
-    auto changed = check(*text, reason);
-    if (changed) {
-      reason = not_dimmed(advice, levels, *changed);
-    } else if (!levels.group_of_others.empty() &&
-               reason.find(fmt::format("'{}'", levels.group_of_others)) != std::string::npos) {
-      // Nothing has the group that the scene names.
-      for (const AdvisedGroup& group : advice.groups) {
-        if (group.group.empty()) reason = no_group_words(group.luminaires, group.luminaires);
-      }
-    }
-    return reason.empty() ? std::move(changed) : std::nullopt;
-  };
+  return
+      [&](const SceneAdvice& advice, calc::Message& reason) -> std::optional<report::ProjectPart> {
+        calc::Diagnostics diagnostics;
+        const check::SceneLevels levels = levels_of(advice, part);
+        const auto text = check::with_scene_levels(bytes, file, levels, diagnostics);
+        if (!text) {
+          reason = calc::Message::words(diagnostics.all().front().message);
+          return std::nullopt;
+        }
+        if (!levels.group_of_others.empty() && text->grouped == 0) {
+          for (const AdvisedGroup& group : advice.groups) {
+            if (group.group.empty()) reason = no_group_words(group.luminaires, group.luminaires);
+          }
+          return std::nullopt;
+        }
+        std::string problem;
+        auto changed = check(text->text, problem);
+        reason = changed ? not_dimmed(advice, levels, *changed) : calc::Message::words(problem);
+        return reason.empty() ? std::move(changed) : std::nullopt;
+      };
 }
 
-std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
-                       const report::ProjectPart& changed) {
+calc::Message not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
+                         const report::ProjectPart& changed) {
   for (const AdvisedGroup& group : advice.groups) {
     const std::string& name = group.group.empty() ? levels.group_of_others : group.group;
     std::size_t count = 0;
@@ -90,10 +90,10 @@ std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& leve
     return group.group.empty()
                ? no_group_words(group.luminaires - std::min(count, group.luminaires),
                                 group.luminaires)
-               : fmt::format("group '{}' has {} luminaires, and {} in the changed project",
-                             group.group, group.luminaires, count);
+               : calc::say<calc::Sentence::advice_group_differs>(group.group, group.luminaires,
+                                                                 count);
   }
-  return "";
+  return {};
 }
 
 std::string lost_by_writing(const std::vector<SceneAdvice>& scenes,

@@ -28,8 +28,8 @@ CheckLevels levels_check(const std::string& bytes, const std::string& file,
 
 // "" or why the levels are not those of the luminaires in the changed project: not every luminaire
 // can be given a group in the text of the file.
-std::string not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
-                       const report::ProjectPart& changed);
+calc::Message not_dimmed(const SceneAdvice& advice, const check::SceneLevels& levels,
+                         const report::ProjectPart& changed);
 
 // What passes now, or was said to pass, and does not in the written project as a whole; "" = all
 // does. Each scene was checked alone.

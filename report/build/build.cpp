@@ -246,10 +246,10 @@ void add_asked_light(const calc::PlaneField& field, double confidence,
   part.asked_light = std::move(light);
 }
 
-std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
-                           const std::vector<std::size_t>& all, std::size_t see_none) {
-  std::string words = calc::say<calc::Sentence::ugr_method>(calc::kTableOfIndicesDiffers) + "; " +
-                      calc::say<calc::Sentence::ugr_background>();
+calc::Message ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
+                             const std::vector<std::size_t>& all, std::size_t see_none) {
+  calc::Message words = calc::say<calc::Sentence::ugr_method>(calc::kTableOfIndicesDiffers) + "; " +
+                        calc::say<calc::Sentence::ugr_background>();
   if (see_none > 0) {
     words += "; " + calc::say<calc::Sentence::observers_see_none>(see_none, all.size());
   }
@@ -302,7 +302,7 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
 }
 
 // How far the four planes are from the true integral, on average, with the interval of that.
-std::string four_planes_remark(const rules::PointValues& receivers, double confidence) {
+calc::Message four_planes_remark(const rules::PointValues& receivers, double confidence) {
   const std::vector<double> four = rules::plane_means(rules::mean_of_four_planes(receivers));
   const std::vector<double> cylinder = rules::plane_means(rules::true_cylinders(receivers));
   std::vector<double> difference;
@@ -311,8 +311,9 @@ std::string four_planes_remark(const rules::PointValues& receivers, double confi
   if (!(mean_lx > 0.0)) return calc::say<calc::Sentence::four_planes>();
   calc::Estimate share = calc::t_interval(difference, confidence);
   for (double* value : {&share.value, &share.low, &share.high}) *value *= 100.0 / mean_lx;
-  return calc::say<calc::Sentence::four_planes_off>(
-      format_fixed(share.value, 1), format_fixed(share.low, 1), format_fixed(share.high, 1));
+  const auto percent = [](double value) { return calc::Message::number(format_fixed(value, 1)); };
+  return calc::say<calc::Sentence::four_planes_off>(percent(share.value), percent(share.low),
+                                                    percent(share.high));
 }
 
 }  // namespace
@@ -351,7 +352,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
   return part;
 }
 
-PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reason,
+PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, calc::Message reason,
                                  std::vector<rules::Finding> findings) {
   PlanePart part = named_plane(plane, std::move(findings));
   part.reason = std::move(reason);

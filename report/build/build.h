@@ -22,7 +22,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
                       double confidence, const std::vector<calc::LightScene>& scenes = {});
 
 // A plane without result; reason in words. findings: all not judged.
-PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reason,
+PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, calc::Message reason,
                                  std::vector<rules::Finding> findings);
 
 // planes: in the order of space.planes; their space_id is set here.

@@ -1,5 +1,7 @@
 #include "report/check/check_project.h"
 
+#include "calc/base/diagnostic_ids.h"
+#include "calc/base/sentences.h"
 #include "calc/forecast/cost_model.h"
 #include "calc/radiosity/look_key.h"
 #include "calc/radiosity/solve.h"
@@ -100,8 +102,8 @@ Tasks make_tasks(const std::vector<PlaneJob>& jobs, const std::vector<std::strin
 
 // "" where the light of single luminaires can be kept apart, else why not: it takes so many
 // numbers.
-std::string problem_with_separation(const calc::PreparedScene& scene, const Tasks& tasks,
-                                    const Settings& settings) {
+calc::Message problem_with_separation(const calc::PreparedScene& scene, const Tasks& tasks,
+                                      const Settings& settings) {
   constexpr double kMostNumbers = 1 << 24;  // 128 MiB for each of the field's parts
   constexpr std::size_t kMostLuminaires = 4096;
   double receivers = 0.0;
@@ -112,10 +114,8 @@ std::string problem_with_separation(const calc::PreparedScene& scene, const Task
   const std::size_t luminaires = scene.luminaires.size();
   const double numbers =
       receivers * static_cast<double>(luminaires) * settings.radiosity.replicates;
-  if (luminaires <= kMostLuminaires && numbers <= kMostNumbers) return "";
-  return fmt::format(
-      "light by luminaire is left out: {} luminaires at {:.0f} points are too many to keep apart",
-      luminaires, receivers);
+  if (luminaires <= kMostLuminaires && numbers <= kMostNumbers) return {};
+  return calc::say<calc::Sentence::not_by_luminaire>(luminaires, receivers);
 }
 
 // The project's settings with what is left of its time; a limit of 0 would mean none.
@@ -130,18 +130,18 @@ calc::RadiositySettings remaining_settings(const Settings& settings, const Stopw
 
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
                           Tasks& tasks, const Context& context, const Stopwatch& watch,
-                          const calc::VertexCache* cache) {
+                          const calc::VertexCache* cache, double& judge_s) {
   const Settings& wanted = context.settings;
   const rules::StopRule rule{wanted.goal, wanted.tolerance, wanted.confidence};
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
+    const Stopwatch look_watch;
     const PlaneJob& job = *tasks.job[task];
-    tasks.looks[task].push_back(report::build_look(
-        field, job.grid->derived,
-        rules::judge_plane(job.requirements, *job.grid, field, project.scenes, wanted.confidence),
-        wanted.confidence));
-    rules::StopAnswer answer =
-        rules::stop_or_go_on(rule, job.requirements, *job.grid, field, project.scenes);
-    return calc::LookAnswer{answer.finished, std::move(answer.active)};
+    rules::LookJudgement look =
+        rules::judge_look(rule, job.requirements, *job.grid, field, project.scenes);
+    tasks.looks[task].push_back(
+        report::build_look(field, job.grid->derived, look.findings, wanted.confidence));
+    judge_s += look_watch.seconds();
+    return calc::LookAnswer{look.finished, std::move(look.active)};
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
     return context.observer.go_on(solve_progress);
@@ -253,7 +253,7 @@ struct LitSpace {
   std::vector<PlaneJob> jobs;
   calc::PreparedScene scene;
   std::optional<calc::PreparedScene> apart;  // each luminaire for itself
-  std::string not_apart;                     // why not, although it was asked for
+  calc::Message not_apart;                   // why not, although it was asked for
   Tasks tasks;
   calc::SpaceSolution solution;
 };
@@ -284,7 +284,7 @@ std::unique_ptr<LitSpace> light_space(const calc::Space& space, const rules::Jud
   }
   const calc::VertexCache* cache = is_traced ? nullptr : &context.vertices->cache;
   if (!lit->tasks.list.empty()) {
-    lit->solution = solve(loaded.project, solved, lit->tasks, context, watch, cache);
+    lit->solution = solve(loaded.project, solved, lit->tasks, context, watch, cache, times.judge_s);
     context.observer.solved(loaded.project.path, space.id, solved, lit->tasks.list, lit->solution);
   }
   add_times(lit->solution, times);
@@ -503,8 +503,10 @@ namespace {
 
 // "" if every look that a check needs of it has been taken, and a store can keep it. A space whose
 // first look takes too much memory has no light at all, which only calculating it again can tell.
-std::string why_not_kept(const LitSpace& lit) {
-  if (lit.solution.looks.too_large > 0) return calc::kTooLargeForStore;
+calc::Message why_not_kept(const LitSpace& lit) {
+  if (lit.solution.looks.too_large > 0) {
+    return calc::say<calc::Sentence::too_large_for_store>();
+  }
   for (const calc::PlaneField& field : lit.solution.fields) {
     if (!field.problem.empty()) continue;  // a check comes to it by itself
     switch (field.stop) {
@@ -514,11 +516,10 @@ std::string why_not_kept(const LitSpace& lit) {
       case calc::StopReason::path_limit:
         break;
       default:
-        return fmt::format("the calculation of plane '{}' was stopped: {}", field.plane_id,
-                           calc::name_of(field.stop));
+        return calc::say<calc::Sentence::plane_stopped>(field.plane_id, calc::name_of(field.stop));
     }
   }
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -554,8 +555,10 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
     const std::unique_ptr<LitSpace> lit =
         light_space(*space, *loaded, context, watch, &units[u].planes, told, times);
     if (context.observer.is_stopped()) return;
-    std::string why = why_not_kept(*lit);
-    if (lit->tasks.list.size() != units[u].planes.size()) why = "the project has other planes";
+    calc::Message why = why_not_kept(*lit);
+    if (lit->tasks.list.size() != units[u].planes.size()) {
+      why = calc::say<calc::Sentence::other_planes>();
+    }
     if (why.empty()) return;
     of_unit[u].report(calc::DiagnosticId::unit_not_kept, space->where, unit_name(units[u]), why);
   };

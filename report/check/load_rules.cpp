@@ -1,5 +1,7 @@
 #include "report/check/load_rules.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>

@@ -16,15 +16,15 @@ namespace check {
 namespace {
 
 std::string grid_text(const calc::SensorGrid& grid) {
-  if (grid.columns == 0) return grid.rule;
+  if (grid.columns == 0) return grid.rule.english();
   if (grid.route) {
-    return fmt::format("{}; {} stations and {} rows on {:.4g} m x {:.3g} m", grid.rule,
+    return fmt::format("{}; {} stations and {} rows on {:.4g} m x {:.3g} m", grid.rule.english(),
                        grid.columns, grid.rows, calc::route_length_m(grid.route->line),
                        grid.route->line.width_m);
   }
   return fmt::format("{}; cells of {:.3g} x {:.3g} m in {} columns and {} rows, margin {:.3g} m",
-                     grid.rule, grid.spacing_u_m, grid.spacing_v_m, grid.columns, grid.rows,
-                     grid.margin_m);
+                     grid.rule.english(), grid.spacing_u_m, grid.spacing_v_m, grid.columns,
+                     grid.rows, grid.margin_m);
 }
 
 // jobs: of the space.

@@ -4,6 +4,7 @@
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
+#include "calc/base/message.h"
 #include "calc/forecast/device_cost.h"
 #include "calc/forecast/scene_plan.h"
 #include "report/check/selection.h"
@@ -21,7 +22,7 @@ struct SpacePlan {
   std::size_t triangles = 0;
   calc::ScenePlan plan;
   std::vector<std::string> rule_of_grid;  // of plan.planes: how its points were chosen
-  std::vector<std::string> notes;         // zones of workplaces that are not made
+  std::vector<calc::Message> notes;       // zones of workplaces that are not made
   std::string obstacle;  // id of the body that keeps the space from being convex; may be empty
 };
 

@@ -1,5 +1,6 @@
 #include "report/check/plane_jobs.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/scene/grid_trap.h"
 #include "report/check/between_points_warning.h"
@@ -62,7 +63,7 @@ void warn_of_speck(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
   const auto first = std::find_if(asked.begin(), asked.end(), [](const rules::Requirement& one) {
     return !one.origin.pack.empty() && !rules::is_of_space(one.metric);
   });
-  const std::string words = rules::speck_words(plane, grid);
+  const calc::Message words = rules::speck_words(plane, grid);
   if (first == asked.end() || words.empty()) return;
   diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
 }
@@ -133,7 +134,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
       warn_of_grid_trap(loaded.project, space, job, diagnostics);
       warn_of_lost_points(job, of_grid, diagnostics);
     } else {
-      job.reason = of_grid.all().back().message;
+      job.reason = calc::Message::words(of_grid.all().back().message);
     }
   }
   add_no_longer_left_out(space, loaded, packs, day, jobs, diagnostics);

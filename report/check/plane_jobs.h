@@ -3,6 +3,7 @@
 // judged on them. check, validate and plan say the same of them.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/judged_project.h"
@@ -21,7 +22,7 @@ struct PlaneJob {
   const calc::CalcPlane* plane;
   std::vector<rules::Requirement> requirements;  // with the problems of those that do not fit
   std::optional<calc::SensorGrid> grid;
-  std::string reason;
+  calc::Message reason;
 };
 
 // Of all planes of the space, in order, and then of those that are no longer left out. A plane

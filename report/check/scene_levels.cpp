@@ -44,9 +44,9 @@ std::string dim(const std::string& group, double level) {
 
 }  // namespace
 
-std::optional<std::string> with_scene_levels(const std::string& bytes, const std::string& file,
-                                             const SceneLevels& levels,
-                                             calc::Diagnostics& diagnostics) {
+std::optional<TextWithLevels> with_scene_levels(const std::string& bytes, const std::string& file,
+                                                const SceneLevels& levels,
+                                                calc::Diagnostics& diagnostics) {
   std::optional<std::string> text = calc::decoded_xml(bytes, file, diagnostics);
   if (!text) return std::nullopt;
   const std::optional<XmlElement> root = calc::parse_xml(bytes, file, diagnostics);
@@ -57,6 +57,7 @@ std::optional<std::string> with_scene_levels(const std::string& bytes, const std
     return group.empty() ? levels.group_of_others : group;
   };
   const XmlElement* scene = nullptr;
+  std::size_t grouped = 0;
   for (const Place& place : places.all()) {
     const XmlElement& element = *place.element;
     if (element.name == "scene" && value_of(element, "id") == levels.scene) scene = &element;
@@ -67,6 +68,7 @@ std::optional<std::string> with_scene_levels(const std::string& bytes, const std
     if (!levels.group_of_others.empty() && is_luminaire(element) && takes(place, "group") &&
         value_of(element, "group").empty()) {
       change.set(element, "group", levels.group_of_others);
+      ++grouped;
     }
   }
   std::string more;
@@ -91,7 +93,7 @@ std::optional<std::string> with_scene_levels(const std::string& bytes, const std
   } else if (!more.empty()) {
     change.add_children(*scene, more);
   }
-  return change.apply();
+  return TextWithLevels{change.apply(), grouped};
 }
 
 }  // namespace check

@@ -3,6 +3,7 @@
 
 #include "calc/base/diagnostics.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,10 +18,15 @@ struct SceneLevels {
   std::string group_of_others;                                 // what these are called from then on
 };
 
-// The text of a project file in UTF-8. Levels that a scene has already are replaced, further ones
+struct TextWithLevels {
+  std::string text;         // of a project file, in UTF-8
+  std::size_t grouped = 0;  // luminaires, or rows of them, that were given `group_of_others`
+};
+
+// Levels that a scene has already are replaced, further ones
 // added. Empty after an error: what parse_xml() refuses.
-std::optional<std::string> with_scene_levels(const std::string& bytes, const std::string& file,
-                                             const SceneLevels& levels,
-                                             calc::Diagnostics& diagnostics);
+std::optional<TextWithLevels> with_scene_levels(const std::string& bytes, const std::string& file,
+                                                const SceneLevels& levels,
+                                                calc::Diagnostics& diagnostics);
 
 }  // namespace check

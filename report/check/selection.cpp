@@ -1,5 +1,6 @@
 #include "report/check/selection.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "report/text/shell_words.h"
 

@@ -1,5 +1,6 @@
 #include "report/check/set_values.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/element_table.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"

@@ -1,5 +1,6 @@
 #include "report/check/vertex_source.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/numbers_version.h"
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/scene_fingerprint.h"

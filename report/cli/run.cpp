@@ -1,5 +1,6 @@
 #include "report/cli/run.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/rays/instruction_set.h"
 #include "report/check/backend.h"
 #include "report/cli/commands.h"

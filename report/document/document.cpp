@@ -1,5 +1,7 @@
 #include "report/document/document.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,6 +4,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/about_project.h"
@@ -181,11 +182,11 @@ struct PlanePart {
   // What all values below are that do not name a unit; calc::unit_of(derived) is theirs.
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
-  std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
-  bool is_computed = false;          // false: `reason` says why; the rest is then empty
-  std::string reason;
-  std::string made_by, changed;  // see calc::CalcPlane
-  calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
+  std::vector<calc::Message> remarks;  // how the quantity was come by, where that is to be told
+  bool is_computed = false;            // false: `reason` says why; the rest is then empty
+  calc::Message reason;
+  calc::Message made_by, changed;  // see calc::CalcPlane
+  calc::SensorGrid grid;           // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
   // Maintained; of ratings and ratios only minimum and maximum exist.
   calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
@@ -269,7 +270,7 @@ struct SpacePart {
   // results of earlier versions. Equal ones: the same light.
   std::string scene_sha256;
   std::vector<PlanePart> planes;
-  std::vector<std::string> notes;            // zones of workplaces that were not made, and why
+  std::vector<calc::Message> notes;          // zones of workplaces that were not made, and why
   std::vector<rules::RowCoverage> coverage;  // what is asked of which rows
   RoomPictures pictures;
 };

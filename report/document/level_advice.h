@@ -1,6 +1,7 @@
 #pragma once
 // Dimming levels that would make a project pass, as reports say them: see check --advice.
 
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 
 #include <cstddef>
@@ -45,7 +46,7 @@ struct RequirementName {
 struct LevelAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
-  std::string reason;  // of none_found, in words
+  calc::Message reason;  // of none_found, in words
   CostUnit unit = CostUnit::watt;
   // At the levels of now and at those advised; 0 without levels.
   double now = 0.0, advised = 0.0;

@@ -4,6 +4,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "rules/catalogue/compare.h"
 #include "rules/verdict/judge.h"
@@ -153,7 +154,7 @@ struct Revision {
   std::vector<ChangedInput> inputs;
   std::vector<ChangedPlane> planes;
   std::vector<KnownWarnings> known_warnings;  // of projects that have some
-  std::vector<std::string> notes;             // why something could not be compared
+  std::vector<calc::Message> notes;           // why something could not be compared
 };
 
 }  // namespace report

@@ -31,8 +31,8 @@ void add_finding(const SpacePart& space, const std::string& plane, const rules::
 
 std::vector<RowUse> row_uses(const ProjectPart& project) {
   std::vector<RowUse> uses;
-  std::map<std::pair<std::string, bool>, std::size_t> index;  // by clause, and who supplies it
-  std::map<std::size_t, std::set<Name>> taken;                // by use: walls that workplaces share
+  std::map<std::pair<calc::Message, bool>, std::size_t> index;  // by clause, and who supplies it
+  std::map<std::size_t, std::set<Name>> taken;  // by use: walls that workplaces share
   for (const SpacePart& space : project.spaces) {
     std::map<Name, const rules::Finding*> findings;
     for (const PlanePart& plane : space.planes) {

@@ -12,7 +12,7 @@
 namespace report {
 
 struct RowUse {
-  std::string clause;              // "EN 12464-1:2021 34.2"
+  calc::Message clause;            // "EN 12464-1:2021 34.2"
   bool is_user_supplied = false;   // see rules::RuleOrigin
   std::vector<std::string> rooms;  // ids, each once
   int times = 0;                   // it is asked, by workplaces or by planes of a room together

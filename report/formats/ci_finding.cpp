@@ -3,12 +3,12 @@
 #include "calc/base/file_hash.h"
 #include "report/revision/gate.h"
 #include "report/text/aggregate_words.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
+#include "report/text/notices.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
-#include "rules/verdict/waiver.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   if (is_judged && std::isfinite(finding.margin)) text += ", margin " + margin_words({}, finding);
   if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
   if (!requirement.clause.empty()) text += " [" + clause_words({}, requirement) + "]";
-  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (!finding.reason.empty()) text += ": " + finding.reason.english();
   if (const std::string note = note_words(finding); !note.empty()) text += " (" + note + ")";
   if (finding.is_close) text += " (" + close_words(finding) + ")";
   return printable(text);
@@ -70,8 +70,7 @@ CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& 
   entry.where = plane.where;
   entry.place =
       printable(title_of(space.name, space.id)) + " / " + printable(plane_title(t, plane));
-  entry.message =
-      t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason, known_words(t, space))));
+  entry.message = t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason)));
   return entry;
 }
 
@@ -90,7 +89,7 @@ std::string aggregate_message(const rules::AggregateFinding& finding) {
   std::string text = fmt::format("{}: {}, required {}", aggregate_title({}, finding),
                                  aggregate_measured({}, finding), aggregate_required({}, finding));
   if (!finding.clause.empty()) text += " [" + clause_words({}, finding) + "]";
-  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (!finding.reason.empty()) text += ": " + finding.reason.english();
   if (const std::string note = aggregate_note({}, finding); !note.empty())
     text += " (" + note + ")";
   return printable(text);
@@ -125,20 +124,6 @@ void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
   }
 }
 
-void add_plane_notes(const Texts& t, const std::string& room, const PlanePart& plane,
-                     std::vector<std::string>& notes) {
-  const std::string place = room + " / " + printable(plane_title(t, plane));
-  if (!plane.changed.empty()) {
-    notes.push_back(t.say<Text::changed_note>(place, printable(changed_words(t, plane.changed))));
-  }
-  for (const std::string& remark : plane.remarks) {
-    notes.push_back(place + t[Text::colon] + printable(sentence(t, remark)));
-  }
-  if (const std::string doubt = doubt_words(t, plane); !doubt.empty()) {
-    notes.push_back(place + t[Text::colon] + doubt);
-  }
-}
-
 }  // namespace
 
 bool is_waived(const CiFinding& entry) {
@@ -147,35 +132,19 @@ bool is_waived(const CiFinding& entry) {
 }
 
 std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
-  std::vector<std::string> notes;
-  for (const SpacePart& space : project.spaces) {
-    const std::string room = printable(title_of(space.name, space.id));
-    for (const std::string& note : space.notes)
-      notes.push_back(room + ": " + printable(sentence(t, note, known_words(t, space))));
-    for (const rules::RowCoverage& row : space.coverage) {
-      notes.push_back(room + ": " + coverage_words(t, row));
-    }
-    for (const PlanePart& plane : space.planes) add_plane_notes(t, room, plane, notes);
+  std::vector<std::string> lines;
+  for (const Notice& notice : notices_of(project)) {
+    if (notice.kind != NoticeKind::left_out) lines.push_back(notice_line(t, notice));
   }
-  return notes;
+  return lines;
 }
 
 std::vector<std::string> ci_left_out(const ProjectPart& project) {
-  std::vector<std::string> list;
-  for (const SpacePart& space : project.spaces) {
-    for (const rules::RowCoverage& row : space.coverage) {
-      for (const rules::RoleCoverage& role : row.roles) {
-        for (const rules::LeftOutZone& zone : role.left_out) {
-          if (zone.has_ended) continue;  // told by its plane, which is not judged
-          list.push_back(printable(fmt::format(
-              "{}: {}, {}: left out: {} ({})", title_of(space.name, space.id), row.workplace,
-              clause_words({}, row.clause, rules::source_of_pack(row.is_user_supplied)), zone.zone,
-              rules::waiver_words(zone.by))));
-        }
-      }
-    }
+  std::vector<std::string> lines;
+  for (const Notice& notice : notices_of(project)) {
+    if (notice.kind == NoticeKind::left_out) lines.push_back(notice_line({}, notice));
   }
-  return list;
+  return lines;
 }
 
 CiFindings::CiFindings(const Texts& t, const Revision* revision) : t_(t), revision_(revision) {

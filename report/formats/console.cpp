@@ -7,8 +7,8 @@
 #include "report/text/about_words.h"
 #include "report/text/advice_words.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/decides.h"
-#include "report/text/known_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"
@@ -110,8 +110,7 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   // Clauses have no column here; who must not be taken for a standard is named all the same.
   if (const std::string words = foreign_clause_words(t, requirement); !words.empty())
     note(printable(words));
-  if (!finding.reason.empty())
-    note(printable(sentence(t, finding.reason, known_words(t, finding))));
+  if (!finding.reason.empty()) note(printable(sentence(t, finding.reason)));
   if (const std::string words = note_words(t, finding); !words.empty()) note(printable(words));
   if (finding.is_close) note(close_words(t, finding));
 }
@@ -122,7 +121,7 @@ void add_doubt(const Texts& t, const PlanePart& plane, std::vector<TableLine>& l
 }
 
 void add_remarks(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
-  for (const std::string& remark : plane.remarks)
+  for (const calc::Message& remark : plane.remarks)
     lines.emplace_back().note = printable(sentence(t, remark));
 }
 
@@ -140,7 +139,7 @@ std::string statistics_text(const Texts& t, const PlanePart& plane) {
 void add_change(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
   if (plane.changed.empty()) return;
   lines.emplace_back().note = printable(
-      t.say<Text::made_and_changed>(sentence(t, plane.made_by), changed_words(t, plane.changed)));
+      t.say<Text::made_and_changed>(sentence(t, plane.made_by), sentence(t, plane.changed)));
 }
 
 void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
@@ -158,9 +157,8 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   lines.push_back(std::move(line));
   const std::string quantity =
       is_plain_illuminance(plane) ? "" : std::string(plane_words(t, plane)) + ": ";
-  lines.emplace_back().note = plane.is_computed
-                                  ? quantity + statistics_text(t, plane)
-                                  : printable(sentence(t, plane.reason, known_words(t, space)));
+  lines.emplace_back().note = plane.is_computed ? quantity + statistics_text(t, plane)
+                                                : printable(sentence(t, plane.reason));
   add_remarks(t, plane, lines);
   add_doubt(t, plane, lines);
 }
@@ -211,7 +209,7 @@ std::vector<std::string> folded_notes(const Texts& t, const FoldedPasses& folded
       add(printable(foreign_clause_words(t, finding.requirement)));
       add(printable(note_words(t, finding)));
     }
-    for (const std::string& remark : plane->remarks) add(printable(sentence(t, remark)));
+    for (const calc::Message& remark : plane->remarks) add(printable(sentence(t, remark)));
   }
   return notes;
 }
@@ -274,8 +272,7 @@ void number_repeated_notes(std::vector<TableLine>& lines) {
 }
 
 void add_aggregate(const Texts& t, const ProjectPart& project,
-                   const rules::AggregateFinding& finding, const std::vector<KnownWords>& known,
-                   std::vector<TableLine>& lines) {
+                   const rules::AggregateFinding& finding, std::vector<TableLine>& lines) {
   TableLine line;
   const bool counts = rules::counts(rules::outcome_of(finding));
   line.colour = counts ? verdict_colour(finding.verdict) : kDim;
@@ -290,7 +287,7 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   const bool is_of_pack = !finding.sum && !finding.is_user_supplied;
   if (!is_of_pack && !finding.clause.empty()) note(printable(clause_words(t, finding)));
-  if (!finding.reason.empty()) note(printable(sentence(t, finding.reason, known)));
+  if (!finding.reason.empty()) note(printable(sentence(t, finding.reason)));
   if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
 }
 
@@ -421,17 +418,14 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
   std::vector<TableLine> lines;
   for (const SpacePart& space : project.spaces) {
     add_planes(t, space, lists_passes, lines);
-    for (const std::string& note : space.notes)
-      lines.emplace_back().note = printable(sentence(t, note, known_words(t, space)));
+    for (const calc::Message& note : space.notes)
+      lines.emplace_back().note = printable(sentence(t, note));
     for (const rules::RowCoverage& row : together(t, space.coverage)) {
       lines.emplace_back().note = coverage_words(t, row);
     }
   }
-  if (!project.aggregates.empty()) {
-    const std::vector<KnownWords> known = known_words(t, project);
-    for (const rules::AggregateFinding& finding : project.aggregates)
-      add_aggregate(t, project, finding, known, lines);
-  }
+  for (const rules::AggregateFinding& finding : project.aggregates)
+    add_aggregate(t, project, finding, lines);
   number_repeated_notes(lines);
   if (!lines.empty()) lines.insert(lines.begin(), heading(t));
   return lines;

@@ -6,7 +6,7 @@
 #include "report/text/about_words.h"
 #include "report/text/advice_words.h"
 #include "report/text/aggregate_words.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/markup.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"
@@ -31,8 +31,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
     std::string words = aggregate_title(t, *aggregate);
     if (!aggregate->clause.empty()) words += ", " + clause_words(t, *aggregate);
     if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
-    if (!aggregate->reason.empty())
-      words += "; " + sentence(t, aggregate->reason, known_words(t, *entry.project));
+    if (!aggregate->reason.empty()) words += "; " + sentence(t, aggregate->reason);
     const bool has_margin = aggregate->sum && aggregate->verdict != rules::Verdict::not_judged;
     return fmt::format("{} | {} | {} | {}", escape_markdown(words),
                        escape_markdown(aggregate_required(t, *aggregate)),
@@ -49,8 +48,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   if (const std::string note = note_words(t, *finding); !note.empty()) {
     quantity += " (" + escape_markdown(note) + ")";
   }
-  if (!finding->reason.empty())
-    quantity += ": " + escape_markdown(sentence(t, finding->reason, known_words(t, *finding)));
+  if (!finding->reason.empty()) quantity += ": " + escape_markdown(sentence(t, finding->reason));
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
                      is_judged ? format_measured(t, finding->measured, unit, threshold) : "",

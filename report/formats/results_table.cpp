@@ -1,6 +1,7 @@
 #include "report/formats/ci_revision.h"
 #include "report/formats/table.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/notices.h"
 #include "report/text/number_format.h"
 #include "report/text/shown_decimals.h"
 #include "report/text/words.h"
@@ -129,13 +130,13 @@ void add_finding(ResultRow row, const rules::Finding& finding, const VisitRow& v
   row.set("unit", rules::unit_of(requirement));
   row.set("scene", requirement.scene);
   row.set("state", calc::name_of(requirement.state));
-  row.set("clause", requirement.clause);
+  row.set("clause", requirement.clause.english());
   row.set("source", calc::name_of(rules::source_of(requirement)));
   row.set("comparison", calc::name_of(requirement.comparison));
   if (!std::isnan(requirement.limit)) row.set("limit", requirement.limit);
   if (finding.verdict != rules::Verdict::not_judged) add_numbers(finding, row);
   row.set("verdict", rules::verdict_name(finding.verdict));
-  row.set("reason", finding.reason);
+  row.set("reason", finding.reason.english());
   row.set("pack", requirement.origin.pack);
   row.set("row", requirement.origin.row);
   row.set("check", requirement.origin.check);
@@ -169,10 +170,10 @@ void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& fi
   }
   const std::string required = aggregate_required({}, finding);
   std::string words = required + ": " + aggregate_measured({}, finding);
-  if (!finding.reason.empty()) words += "; " + finding.reason;
+  if (!finding.reason.empty()) words += "; " + finding.reason.english();
   ResultRow row =
       row_of(project, finding.space_id, finding.plane_id, finding.id, calc::name_of(finding.kind));
-  row.set("clause", finding.clause);
+  row.set("clause", finding.clause.english());
   row.set("source", calc::name_of(rules::source_of_pack(finding.is_user_supplied)));
   row.set("verdict", rules::verdict_name(finding.verdict));
   row.set("reason", words);
@@ -191,67 +192,27 @@ void add_warning(const ProjectPart& project, const calc::Diagnostic& warning,
   row.visit_with(visit);
 }
 
-// What of a row of a standard was never asked is a doubt, too.
-void add_row_in_part(const ProjectPart& project, const SpacePart& space,
-                     const rules::RowCoverage& coverage, const VisitRow& visit) {
+// What must be read with the numbers, though it is of no single one. What of a row of a standard
+// was never asked is a doubt, too.
+void add_notice(const ProjectPart& project, const Notice& notice, const VisitRow& visit) {
+  if (notice.kind == NoticeKind::row) return;
   ResultRow row;
   row.set("project", project.path);
-  row.set("space", space.id);
-  row.set("requirement", coverage.workplace);
-  row.set("clause", coverage.clause);
-  row.set("source", calc::name_of(rules::source_of_pack(coverage.is_user_supplied)));
-  row.set("verdict", "in part");
-  row.set("reason", coverage_words({}, coverage));
-  row.visit_with(visit);
-}
-
-// What somebody leaves out of a row is to be read with it.
-void add_left_out(const ProjectPart& project, const SpacePart& space,
-                  const rules::RowCoverage& coverage, const rules::LeftOutZone& zone,
-                  const VisitRow& visit) {
-  ResultRow row;
-  row.set("project", project.path);
-  row.set("space", space.id);
-  row.set("plane", coverage.workplace + "." + zone.zone);
-  row.set("clause", coverage.clause);
-  row.set("source", calc::name_of(rules::source_of_pack(coverage.is_user_supplied)));
-  row.set("verdict", "left out");
-  row.set("waiver", waiver_text(zone.by));
-  row.visit_with(visit);
-}
-
-void add_said(const ProjectPart& project, const SpacePart& space, const std::string& plane_id,
-              const char* kind, const std::string& words, const VisitRow& visit) {
-  if (words.empty()) return;
-  ResultRow row;
-  row.set("project", project.path);
-  row.set("space", space.id);
-  row.set("plane", plane_id);
-  row.set("verdict", kind);
-  row.set("reason", words);
-  row.visit_with(visit);
-}
-
-// What must be read with the numbers, though it is of no single one.
-void add_notes(const ProjectPart& project, const SpacePart& space, const VisitRow& visit) {
-  for (const std::string& note : space.notes) add_said(project, space, "", "note", note, visit);
-  for (const PlanePart& plane : space.planes) {
-    for (const std::string& remark : plane.remarks) {
-      add_said(project, space, plane.id, "note", remark, visit);
-    }
-    add_said(project, space, plane.id, "doubt", doubt_words({}, plane), visit);
+  row.set("space", notice.space->id);
+  if (notice.plane != nullptr) row.set("plane", notice.plane->id);
+  row.set("verdict", calc::name_of(notice.kind));
+  if (notice.row != nullptr) {
+    row.set("clause", notice.row->clause.english());
+    row.set("source", calc::name_of(rules::source_of_pack(notice.row->is_user_supplied)));
   }
-}
-
-void add_coverage(const ProjectPart& project, const SpacePart& space, const VisitRow& visit) {
-  for (const rules::RowCoverage& row : space.coverage) {
-    if (!row.is_whole()) add_row_in_part(project, space, row, visit);
-    for (const rules::RoleCoverage& role : row.roles) {
-      for (const rules::LeftOutZone& zone : role.left_out) {
-        if (!zone.has_ended) add_left_out(project, space, row, zone, visit);
-      }
-    }
+  if (notice.left_out != nullptr) {
+    row.set("plane", notice.row->workplace + "." + notice.left_out->zone);
+    row.set("waiver", waiver_text(notice.left_out->by));
+  } else {
+    if (notice.row != nullptr) row.set("requirement", notice.row->workplace);
+    row.set("reason", notice_words({}, notice));
   }
+  row.visit_with(visit);
 }
 
 void visit_results(const ProjectPart& project, const VisitRow& visit) {
@@ -270,8 +231,11 @@ void visit_results(const ProjectPart& project, const VisitRow& visit) {
     add_aggregate(project, finding, visit);
   }
   for (const SpacePart& space : project.spaces) {
-    add_coverage(project, space, visit);
-    add_notes(project, space, visit);
+    std::vector<Notice> notices = notices_of(space);
+    // Of rows first.
+    std::stable_partition(notices.begin(), notices.end(),
+                          [](const Notice& notice) { return notice.row != nullptr; });
+    for (const Notice& notice : notices) add_notice(project, notice, visit);
   }
   for (const calc::Diagnostic& diagnostic : project.diagnostics) {
     if (is_warning(diagnostic)) add_warning(project, diagnostic, visit);

@@ -78,9 +78,9 @@ const char* rule_words(std::string_view rule) {
 
 // Who lives with it, until when and why.
 std::string justification(const CiFinding& entry) {
-  if (entry.aggregate != nullptr) return printable(entry.aggregate->reason);
+  if (entry.aggregate != nullptr) return printable(entry.aggregate->reason.english());
   const std::optional<rules::Waiver>& waiver = entry.finding->requirement.waiver;
-  if (!waiver) return printable(entry.finding->reason);
+  if (!waiver) return printable(entry.finding->reason.english());
   return printable(
       fmt::format("{} (by {} until {})", waiver->reason, waiver->owner, waiver->until));
 }

@@ -6,9 +6,8 @@
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/about_words.h"
-#include "report/text/known_words.h"
+#include "report/text/notices.h"
 #include "report/text/number_format.h"
-#include "report/text/sentences.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 
@@ -195,17 +194,13 @@ std::string place_text(const calc::SourceLocation& where) {
 void add_plane_remarks(const std::string& room, const PlanePart& plane,
                        std::vector<Remark>& remarks) {
   const std::string where = room + " / " + std::string(report::title_of(plane.name, plane.id));
-  if (!plane.is_computed) remarks.push_back({"not computed", where, plane.reason});
-  if (!plane.changed.empty())
-    remarks.push_back({"changed", where, changed_words({}, plane.changed)});
-  for (const std::string& remark : plane.remarks) remarks.push_back({"note", where, remark});
-  if (const std::string doubt = doubt_words(plane); !doubt.empty())
-    remarks.push_back({"doubt", where, doubt});
+  if (!plane.is_computed) remarks.push_back({"not computed", where, plane.reason.english()});
   for (const rules::Finding& finding : plane.findings) {
     const std::string place = where + " / " + finding.requirement.id;
     if (finding.is_close) remarks.push_back({"close", place, close_words(finding)});
     if (finding.is_waived)
-      remarks.push_back({"waived", place, rules::waiver_words(*finding.requirement.waiver)});
+      remarks.push_back(
+          {"waived", place, rules::waiver_words(*finding.requirement.waiver).english()});
   }
 }
 
@@ -220,9 +215,10 @@ std::vector<Remark> remarks_of(const ProjectPart& project) {
   }
   for (const SpacePart& space : project.spaces) {
     const std::string room(report::title_of(space.name, space.id));
-    for (const std::string& note : space.notes) remarks.push_back({"note", room, note});
-    for (const rules::RowCoverage& row : space.coverage) {
-      if (!row.is_whole()) remarks.push_back({"in part", room, coverage_words({}, row)});
+    for (const Notice& notice : notices_of(space)) {
+      if (notice.kind == NoticeKind::row || notice.kind == NoticeKind::left_out) continue;
+      remarks.push_back({std::string(calc::name_of(notice.kind)), notice_place({}, notice),
+                         notice_words({}, notice)});
     }
     for (const PlanePart& plane : space.planes) add_plane_remarks(room, plane, remarks);
   }

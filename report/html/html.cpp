@@ -26,7 +26,6 @@
 #include "report/html/html_values.h"
 #include "report/html/print_pages.h"
 #include "report/text/base64.h"
-#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -174,10 +173,9 @@ std::string space_title(const SpacePart& space) {
 
 // Zones that were not made, and why.
 std::string notes_html(const Texts& t, const SpacePart& space) {
-  const std::vector<KnownWords> known = known_words(t, space);
   std::string html;
-  for (const std::string& note : space.notes)
-    html += "<p class=\"quiet note-of-room\">" + sentence_html(t, note, known) + "</p>\n";
+  for (const calc::Message& note : space.notes)
+    html += "<p class=\"quiet note-of-room\">" + sentence_html(t, note) + "</p>\n";
   for (const rules::RowCoverage& row : space.coverage) {
     html += fmt::format("<p class=\"note-of-room{}\">{}</p>\n", row.is_whole() ? " quiet" : "",
                         escape_html(coverage_words(t, row)));

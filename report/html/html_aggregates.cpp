@@ -2,7 +2,7 @@
 
 #include "report/html/html_markup.h"
 #include "report/text/aggregate_words.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -43,7 +43,7 @@ std::string member_text(const Texts& t, const rules::AggregateFinding& finding,
 }
 
 std::string rows_of(const Texts& t, const ProjectPart& project,
-                    const rules::AggregateFinding& finding, const std::vector<KnownWords>& known) {
+                    const rules::AggregateFinding& finding) {
   constexpr std::size_t kMostMembers = 100;  // of a building with very many rooms
   std::string members;
   for (std::size_t i = 0; i < std::min(finding.members.size(), kMostMembers); ++i) {
@@ -62,17 +62,16 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
       escape_html(aggregate_measured(t, finding)), members);
   if (finding.reason.empty()) return html;
   return html + fmt::format("<tr class=\"remark\"><td></td><td colspan=\"5\">{}</td></tr>\n",
-                            sentence_html(t, finding.reason, known));
+                            sentence_html(t, finding.reason));
 }
 
 }  // namespace
 
 std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index) {
   if (project.aggregates.empty()) return {};
-  const std::vector<KnownWords> known = known_words(t, project);
   std::string rows;
   for (const rules::AggregateFinding& finding : project.aggregates) {
-    rows += rows_of(t, project, finding, known);
+    rows += rows_of(t, project, finding);
   }
   const char* title = t[Text::aggregates_and_classes];
   const std::string table = fmt::format(
@@ -89,7 +88,6 @@ std::string html_aggregates(const Texts& t, const ProjectPart& project, std::siz
 std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart& project,
                                               std::size_t index, rules::Verdict verdict) {
   if (project.aggregates.empty()) return {};
-  const std::vector<KnownWords> known = known_words(t, project);
   std::vector<std::string> items;
   for (const rules::AggregateFinding& finding : project.aggregates) {
     if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
@@ -103,7 +101,7 @@ std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart&
         notes_html(t, finding),
         finding.reason.empty()
             ? ""
-            : "<p class=\"quiet\">" + sentence_html(t, finding.reason, known) + "</p>"));
+            : "<p class=\"quiet\">" + sentence_html(t, finding.reason) + "</p>"));
   }
   return items;
 }

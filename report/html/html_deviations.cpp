@@ -1,7 +1,7 @@
 #include "report/html/html_deviations.h"
 
 #include "report/html/html_markup.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -63,8 +63,8 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
                      deviation.stated ? by_words(t, *deviation.stated) : "");
   }
   if (requirement.origin.is_weakened)
-    rows += row_html(t[Text::weaker_than_row], where, asked,
-                     sentence_html(t, requirement.note, known_words(t, finding)), "");
+    rows +=
+        row_html(t[Text::weaker_than_row], where, asked, sentence_html(t, requirement.note), "");
   if (finding.by_tolerance) rows += row_html(t[Text::met_by_tolerance], where, asked, "", "");
   return rows;
 }

@@ -2,7 +2,6 @@
 
 #include "report/html/html_findings.h"
 #include "report/html/html_markup.h"
-#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -33,8 +32,7 @@ std::string requirement_html(const Texts& t, const PlanePart& plane,
   std::string html = escape_html(quantity_words(t, finding.requirement, plane.kernel)) +
                      html_finding_notes(t, finding);
   if (!finding.reason.empty())
-    html += "<span class=\"note\">" + sentence_html(t, finding.reason, known_words(t, finding)) +
-            "</span>";
+    html += "<span class=\"note\">" + sentence_html(t, finding.reason) + "</span>";
   return html;
 }
 

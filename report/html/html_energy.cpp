@@ -46,7 +46,7 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
   }
   std::string words = escape_html(title_of(space.name, space.id));
   if (space.energy) {
-    const std::string& remark =
+    const calc::Message& remark =
         space.energy->problem.empty() ? space.energy->words : space.energy->problem;
     if (!remark.empty()) words += "<span class=\"note\">" + sentence_html(t, remark) + "</span>";
   }

@@ -4,8 +4,8 @@
 #include "report/html/pass_factor.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
+#include "report/text/clause_words.h"
 #include "report/text/decides.h"
-#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/svg.h"
@@ -92,7 +92,7 @@ std::string as_sentence(std::string html) {
 
 // Reason and closeness as sentences; finished HTML, "" if there is nothing to say.
 std::string remarks(const Texts& t, const rules::Finding& finding) {
-  std::string text = as_sentence(sentence_html(t, finding.reason, known_words(t, finding)));
+  std::string text = as_sentence(sentence_html(t, finding.reason));
   if (finding.is_close) {
     std::string words = close_words(t, finding);
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
@@ -168,13 +168,12 @@ std::string statistics_words(const Texts& t, const PlanePart& plane) {
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
-std::string plain_row(const Texts& t, const std::string& head, const SpacePart& space,
-                      const PlanePart& plane) {
+std::string plain_row(const Texts& t, const std::string& head, const PlanePart& plane) {
   if (!plane.is_computed) {
     return fmt::format(
         "<tr class=\"finding not-judged\">{}<td data-v=\"0\">{}</td><td "
         "colspan=\"6\">{}</td></tr>\n",
-        head, t[Text::not_computed], sentence_html(t, plane.reason, known_words(t, space)));
+        head, t[Text::not_computed], sentence_html(t, plane.reason));
   }
   return fmt::format(
       "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">{}</td><td "
@@ -192,7 +191,7 @@ std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
                         finding_cells(t, plane, finding));
   }
   return plane.findings.empty()
-             ? plain_row(t, row_head(t, index, space, plane, folder, true), space, plane)
+             ? plain_row(t, row_head(t, index, space, plane, folder, true), plane)
              : html;
 }
 
@@ -316,11 +315,10 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
   if (requirement.state != rules::LightState::maintained)
     note(light_state_words(t, requirement.state));
   if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
-  const std::vector<KnownWords> known = known_words(t, finding);
   std::string words;
   for (const NotePart& part : note_parts(t, finding)) {
     words += words.empty() ? "" : "; ";
-    words += part.is_english ? sentence_html(t, part.text, known) : escape_html(part.text);
+    words += part.message.empty() ? escape_html(part.text) : sentence_html(t, part.message);
   }
   if (!words.empty()) note(words);
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";

@@ -11,7 +11,6 @@
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
 #include "report/text/decides.h"
-#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -198,15 +197,15 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
   std::string rows = fact(t[Text::quantity], quantity_fact(t, plane));
   if (!plane.made_by.empty()) rows += fact(t[Text::made_by], sentence_html(t, plane.made_by));
   if (!plane.changed.empty())
-    rows += fact(t[Text::changed], escape_html(changed_words(t, plane.changed)));
-  rows += fact(t[Text::rule], escape_html(phrases(t, grid.rule)));
+    rows += fact(t[Text::changed], escape_html(sentence(t, plane.changed)));
+  rows += fact(t[Text::rule], escape_html(sentence(t, grid.rule)));
   if (grid.columns > 0) {
     rows += fact(t[Text::cells], fmt::format("{} × {}", grid.columns, grid.rows));
     rows += fact(t[Text::spacing], fmt::format("{} × {} m", format_metres(t, grid.spacing_u_m),
                                                format_metres(t, grid.spacing_v_m)));
     rows += grid.route ? route_facts(t, *grid.route) : place_facts(t, space, grid);
   }
-  for (const std::string& remark : plane.remarks)
+  for (const calc::Message& remark : plane.remarks)
     rows += calculated_fact(t[Text::method], sentence_html(t, remark));
   rows += fact(t[Text::points], fmt::format("{}", plane.points.size()));
   rows += fact(t[Text::left_out], dropped_words(t, grid));
@@ -286,10 +285,8 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
       level_attributes(t, space, own_plane, scales, groups),
       escape_html(title_of(space.name, space.id)));
   if (!plane.is_computed) {
-    html +=
-        "<p class=\"message\">" +
-        t.say<Text::not_computed_because>(sentence_html(t, plane.reason, known_words(t, space))) +
-        "</p>\n";
+    html += "<p class=\"message\">" +
+            t.say<Text::not_computed_because>(sentence_html(t, plane.reason)) + "</p>\n";
     return html + html_plane_findings(t, plane) + "</div></details></article>\n";
   }
   html += html_plane_findings(t, plane);

@@ -2,7 +2,7 @@
 
 #include "report/document/row_uses.h"
 #include "report/html/html_markup.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/markup.h"
 #include "report/text/room_overview.h"
 #include "report/text/words.h"

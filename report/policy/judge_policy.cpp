@@ -1,6 +1,7 @@
 #include "report/policy/judge_policy.h"
 
 #include "calc/base/day.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/project/project_files.h"
 #include "calc/scene/polygon.h"
@@ -153,7 +154,7 @@ class PolicyJudge {
           if (zone.has_ended) continue;
           judge_permit(policy_.left_out, zone.by, {project_.path, 0, 0},
                        fmt::format("leaving out zone '{}' of {} in space '{}'", zone.zone,
-                                   row.clause, space.id));
+                                   row.clause.english(), space.id));
         }
       }
     }
@@ -303,7 +304,7 @@ class PolicyJudge {
       } else if (row.zones == PolicyZones::unchanged && !plane->changed.empty()) {
         fail(plane->where,
              fmt::format("{} is asked on plane '{}', which the project has changed: {}", name,
-                         plane->id, plane->changed));
+                         plane->id, plane->changed.english()));
       }
     }
   }

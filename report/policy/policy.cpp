@@ -1,5 +1,6 @@
 #include "report/policy/policy.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/element_table.h"
 #include "calc/base/file_hash.h"
 #include "calc/base/text.h"

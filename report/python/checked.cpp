@@ -1,5 +1,6 @@
 #include "report/python/checked.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "calc/radiosity/solve.h"
 #include "calc/store/entry_folder.h"

@@ -1,6 +1,7 @@
 // The compiled half of the Python module; luxgate/ is the other, which users see.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/base/numbers_version.h"
 #include "calc/base/text.h"
@@ -249,6 +250,8 @@ py::object object_of(const Makers& makers, const T& value, const std::string& na
     return makers.outcome(text_of(calc::name_of(value)));
   } else if constexpr (report::Named<T>) {
     return text_of(calc::name_of(value));
+  } else if constexpr (std::is_same_v<T, calc::Message>) {
+    return text_of(value.english());
   } else if constexpr (std::is_convertible_v<T, std::string_view>) {
     return text_of(value);
   } else if constexpr (std::is_class_v<T>) {

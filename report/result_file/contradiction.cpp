@@ -1,6 +1,7 @@
 #include "report/result_file/contradiction.h"
 
 #include "calc/base/day.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/names.h"
 #include "report/result_file/json_cursor.h"
 #include "report/text/number_format.h"
@@ -466,7 +467,7 @@ void check_coverage(const Place& place, const Findings& findings, const SpacePar
                     std::string_view day) {
   for (std::size_t r = 0; r < space.coverage.size(); ++r) {
     const rules::RowCoverage& row = space.coverage[r];
-    const Place own = place.at("coverage", r, "row " + row.clause);
+    const Place own = place.at("coverage", r, "row " + row.clause.english());
     for (std::size_t k = 0; k < row.roles.size(); ++k) {
       check_role(own.at("roles", k, fmt::format("role '{}'", row.roles[k].role)), findings,
                  row.roles[k], row.is_user_supplied, day);

@@ -2,6 +2,7 @@
 // Values of a document as JSON, by their description in result_fields.h.
 
 #include "report/result_file/describe.h"
+#include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 
 #include <nlohmann/json.hpp>
@@ -31,6 +32,9 @@ class Writer : public Visitor {
   void field(const char* key, const T& value, const About& about = {}) {
     if (!about.presence.is_there) return;
     json_[key] = about.null_if.value_or(false) ? OrderedJson() : json_of(value);
+    if constexpr (kIsMessage<T> || kIsMessageList<T>) {
+      if (has_parts(value)) json_[message_key(key)] = message_json(value);
+    }
   }
   template <class Make, class Choices = int>
   void written(const char* key, const Make& make, const About& about = {},
@@ -89,6 +93,8 @@ OrderedJson json_of(const T& value) {
     return array;
   } else if constexpr (Named<T>) {
     return OrderedJson(calc::name_of(value));
+  } else if constexpr (kIsMessage<T>) {
+    return OrderedJson(value.english());
   } else if constexpr (std::is_class_v<T> && !std::is_convertible_v<T, std::string_view>) {
     OrderedJson json = OrderedJson::object();
     Writer writer(json);

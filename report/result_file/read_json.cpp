@@ -6,6 +6,7 @@
 #include "report/result_file/contradiction.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
+#include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 #include "report/result_file/written_check.h"
 
@@ -52,7 +53,16 @@ class Reader : public Visitor {
   void field(const char* key, T&& value, const About& about = {}) {
     const std::optional<JsonCursor> found = find(key, about);
     if (!found) return;
-    if (!about.null_if.value_or(false)) return read(*found, value, about);
+    using Value = std::remove_cvref_t<T>;
+    if constexpr (kIsMessage<Value>) {
+      value = read_message(*found, at_.find(message_key(key)));
+      return;
+    } else if constexpr (kIsMessageList<Value>) {
+      value = read_messages(*found, at_.find(message_key(key)));
+      return;
+    } else if (!about.null_if.value_or(false)) {
+      return read(*found, value, about);
+    }
     if (!found->is_null()) found->refuse("null is needed, since nothing is judged");
   }
   template <class Fields>

@@ -1,6 +1,7 @@
 #include "report/result_file/redact.h"
 
 #include "report/result_file/describe.h"
+#include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 #include "report/text/shell_words.h"
 
@@ -100,6 +101,15 @@ class FileNames {
     const bool is_own = fs::path(file).is_relative() && file.find("..") == std::string::npos;
     const bool is_new = prefix_.empty() || !file.starts_with(prefix_);
     return is_own && is_new ? prefix_ + file : of(file);
+  }
+
+  // What somebody has written may hold paths, too.
+  void redact(calc::Message& message) const {
+    for (calc::MessagePart& part : message.parts()) {
+      if (part.kind == calc::PartKind::path) part.text = of(part.text);
+      if (part.kind == calc::PartKind::words) part.text = within(part.text);
+      for (calc::Message& argument : part.arguments) redact(argument);
+    }
   }
 
   // Paths may stand anywhere in a text.
@@ -210,7 +220,9 @@ class Redactor : public Visitor {
 
   template <class T>
   void walk(T& value, Holds holds) {
-    if constexpr (std::is_same_v<T, std::string>) {
+    if constexpr (kIsMessage<T>) {
+      names_.redact(value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
       value = redacted(value, holds);
     } else if constexpr (kIsList<T>) {
       for (auto& item : value) walk(item, holds);
@@ -253,8 +265,8 @@ void redact_revision(const std::vector<std::string>& paths, const std::vector<Fi
   for (ChangedInput& input : revision.inputs) redact_change(input);
   for (ChangedPlane& plane : revision.planes) redact_change(plane);
   if (revision.commits.empty()) revision.baseline = last_name(revision.baseline);
-  for (std::string& note : revision.notes) {
-    for (const FileNames& own : names) note = own.within(note);
+  for (calc::Message& note : revision.notes) {
+    for (const FileNames& own : names) own.redact(note);
   }
   std::string& reason = revision.gate.weaker_accepted_by;
   for (const FileNames& own : names) reason = own.within(reason);

@@ -1,6 +1,7 @@
 #include "report/result_file/result_schema.h"
 
 #include "report/result_file/describe.h"
+#include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 #include "report/text/json_layout.h"
 
@@ -67,6 +68,12 @@ class SchemaMaker : public Visitor {
     if (about.null_if && json.value("type", Json()) != number_or_null())
       json = {{"oneOf", {std::move(json), {{"type", "null"}}}}};
     add(key, std::move(json), about);
+    if constexpr (kIsMessage<T> || kIsMessageList<T>) {
+      definitions_["message_part"] = message_part_schema();
+      Json parts = list_of(reference("message_part"));
+      if constexpr (kIsMessageList<T>) parts = list_of(std::move(parts));
+      add(message_key(key).c_str(), std::move(parts), {.presence = kSinceLater});
+    }
   }
   template <class Make, class Choices = std::vector<int>>
   void written(const char* key, const Make& /*make*/, const About& about = {},
@@ -190,6 +197,8 @@ Json schema_of(const About& about, Json& definitions) {
     return list_of(schema_of<typename T::value_type>({}, definitions));
   } else if constexpr (Named<T>) {
     return {{"enum", choices_of<T>(about)}};
+  } else if constexpr (kIsMessage<T>) {
+    return {{"type", "string"}};
   } else if constexpr (std::is_convertible_v<T, std::string_view>) {
     return about.choices.empty() ? Json{{"type", "string"}} : Json{{"enum", about.choices}};
   } else if constexpr (std::is_same_v<T, bool>) {

@@ -1,6 +1,7 @@
 #include "report/result_file/written_check.h"
 
 #include "report/result_file/json_writer.h"
+#include "report/result_file/message_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,7 +60,7 @@ class WrittenCheck : public Visitor {
   template <class T>
   static constexpr bool kIsPart =
       std::is_class_v<T> && !kIsOptional<T> && !kIsOrNull<T> && !Vector<T> &&
-      !std::is_same_v<T, Line> && !std::is_convertible_v<T, std::string_view>;
+      !std::is_same_v<T, Line> && !kIsMessage<T> && !std::is_convertible_v<T, std::string_view>;
 
   template <class T>
   static void walk(const JsonCursor& at, const T& value) {

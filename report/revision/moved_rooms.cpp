@@ -207,18 +207,19 @@ class Arrangement {
   std::set<std::size_t> touched_;                // in now_
 };
 
-std::vector<std::string> notes_of(const Document& before, const Document& after,
-                                  const std::vector<Move>& moves) {
+std::vector<calc::Message> notes_of(const Document& before, const Document& after,
+                                    const std::vector<Move>& moves) {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::string>> rooms;
   for (const Move& move : moves) {
     rooms[{move.from.project, move.to.project}].push_back(move.from.space->id);
   }
   constexpr std::size_t kMostNamed = 6;
-  std::vector<std::string> notes;
+  std::vector<calc::Message> notes;
   for (const auto& [projects, ids] : rooms) {
-    notes.push_back(calc::say<calc::Sentence::rooms_moved>(before.projects[projects.first].path,
-                                                           after.projects[projects.second].path,
-                                                           calc::list_names(ids, kMostNamed)));
+    notes.push_back(calc::say<calc::Sentence::rooms_moved>(
+        calc::Message::path(before.projects[projects.first].path),
+        calc::Message::path(after.projects[projects.second].path),
+        calc::names_message(ids, kMostNamed)));
   }
   return notes;
 }

@@ -2,6 +2,7 @@
 // Rooms that a design has given to another one: who splits a file, or makes one of two, asks for
 // nothing less.
 
+#include "calc/base/message.h"
 #include "report/document/document.h"
 
 #include <optional>
@@ -11,8 +12,8 @@
 namespace report {
 
 struct MovedRooms {
-  Document before;                 // as if each room had been where it is now
-  std::vector<std::string> notes;  // which went where, a sentence for each two projects
+  Document before;                   // as if each room had been where it is now
+  std::vector<calc::Message> notes;  // which went where, a sentence for each two projects
 };
 
 // A room has moved if its project has lost it and exactly one other has got one of its id, name and

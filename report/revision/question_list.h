@@ -30,8 +30,9 @@ class QuestionList {
     list_.push_back(std::move(question));
   }
   // Nothing where they are the same.
-  void exchange(QuestionPart part, const std::string& before, const std::string& after) {
-    if (before != after) add(QuestionChange::exchanged, part, before, after);
+  void exchange(QuestionPart part, const std::string& before, const std::string& after,
+                const std::string& item = "") {
+    if (before != after) add(QuestionChange::exchanged, part, before, after, item);
   }
   // A number of which more asks for more, or for less.
   void compare(QuestionPart part, double before, double after, bool more_is_stricter,

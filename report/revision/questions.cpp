@@ -23,7 +23,7 @@ void compare_leave(QuestionList& questions, QuestionPart part,
                    const std::optional<calc::Waiver>& before,
                    const std::optional<calc::Waiver>& after, const std::string& item = "") {
   const auto words = [](const std::optional<calc::Waiver>& leave) {
-    return leave ? rules::waiver_words(*leave) : std::string();
+    return leave ? rules::waiver_words(*leave).english() : std::string();
   };
   if (words(before) == words(after)) return;
   QuestionChange change = QuestionChange::exchanged;
@@ -117,10 +117,8 @@ void compare_rooms(QuestionList& questions, const rules::AggregateFinding& befor
   }
   for (const rules::AggregateMember& is : after.members) {
     for (const rules::AggregateMember& was : before.members) {
-      if (was.name == is.name && was.stated != is.stated) {
-        questions.add(QuestionChange::exchanged, QuestionPart::energy, was.stated, is.stated,
-                      is.name);
-      }
+      if (was.name != is.name) continue;
+      questions.exchange(QuestionPart::energy, was.stated.english(), is.stated.english(), is.name);
     }
   }
 }
@@ -144,7 +142,7 @@ void compare_masks(QuestionList& questions, const rules::Requirement& before,
                    const rules::Requirement& after) {
   const auto words = [](const rules::Requirement& requirement) {
     if (requirement.mask.id.empty()) return std::string("all points");
-    return requirement.mask_words.empty() ? requirement.mask.id : requirement.mask_words;
+    return requirement.mask_words.empty() ? requirement.mask.id : requirement.mask_words.english();
   };
   const bool is_unknown = before.mask_words.empty() != after.mask_words.empty() &&
                           before.mask.id == after.mask.id;  // results of earlier versions
@@ -210,7 +208,7 @@ void compare_deviations(QuestionList& questions, const rules::Requirement& befor
 bool is_asked(const rules::RoleCoverage& role) { return rules::is_of_findings(role.state); }
 
 std::string row_name(const rules::RowCoverage& row) {
-  return row.workplace.empty() ? row.clause : row.workplace;
+  return row.workplace.empty() ? row.clause.english() : row.workplace;
 }
 
 void compare_left_out(QuestionList& questions, const rules::RoleCoverage& before,
@@ -228,9 +226,10 @@ void compare_left_out(QuestionList& questions, const rules::RoleCoverage& before
 
 void compare_rows(QuestionList& questions, const rules::RowCoverage& before,
                   const rules::RowCoverage& after) {
-  if (before.clause != after.clause) {
-    questions.add(QuestionChange::exchanged, QuestionPart::rule, before.clause, after.clause,
-                  row_name(after));
+  // Results of earlier versions have the text alone.
+  const std::string was = before.clause.english(), is = after.clause.english();
+  if (was != is) {
+    questions.add(QuestionChange::exchanged, QuestionPart::rule, was, is, row_name(after));
   }
   const auto roles = match_parts(before.roles, after.roles,
                                  [](const rules::RoleCoverage& role) { return role.role; });
@@ -439,10 +438,10 @@ std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, cons
                                   [](const rules::RowCoverage& row) { return row.was; });
   for (const PartPair<rules::RowCoverage>& pair : rows) {
     if (pair.after == nullptr) {
-      questions.add(QuestionChange::weaker, QuestionPart::rule, pair.before->clause, "",
+      questions.add(QuestionChange::weaker, QuestionPart::rule, pair.before->clause.english(), "",
                     row_name(*pair.before));
     } else if (pair.before == nullptr) {
-      questions.add(QuestionChange::stricter, QuestionPart::rule, "", pair.after->clause,
+      questions.add(QuestionChange::stricter, QuestionPart::rule, "", pair.after->clause.english(),
                     row_name(*pair.after));
     } else {
       compare_rows(questions, *pair.before, *pair.after);
@@ -466,7 +465,7 @@ std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& befor
   compare_masks(questions, before, after);
   questions.exchange(
       after.metric == rules::Metric::leni ? QuestionPart::energy : QuestionPart::stated,
-      before.stated_words, after.stated_words);
+      before.stated_words.english(), after.stated_words.english());
   return questions.take();
 }
 

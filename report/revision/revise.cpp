@@ -168,14 +168,14 @@ class Reviser {
       return std::any_of(project.inputs.begin(), project.inputs.end(),
                          [&](const calc::InputFile& input) { return input.sha256 == sha256; });
     };
-    std::vector<std::string> names;
+    std::vector<calc::Message> names;
     for (const calc::InputFile& input : after.inputs) {
-      if (!has(before, input.sha256)) names.push_back(input.path);
+      if (!has(before, input.sha256)) names.push_back(calc::Message::path(input.path));
     }
     if (names.empty()) return;
     constexpr std::size_t kMostNamed = 3;
     revision_.notes.push_back(calc::say<calc::Sentence::baseline_other_files>(
-        place.project, calc::list_names(names, kMostNamed)));
+        calc::Message::path(place.project), calc::listed(names, kMostNamed)));
   }
 
   // Of planes without anything that says so: whoever has renamed one should say `was`.
@@ -211,9 +211,10 @@ class Reviser {
       if (pair.after == nullptr) return;  // that says it all
     } else {
       if (was.is_judged != is.is_judged) {
-        revision_.notes.push_back(
-            is.is_judged ? calc::say<calc::Sentence::baseline_not_judged>(place.project)
-                         : calc::say<calc::Sentence::now_not_judged>(place.project));
+        const calc::Message project = calc::Message::path(place.project);
+        revision_.notes.push_back(is.is_judged
+                                      ? calc::say<calc::Sentence::baseline_not_judged>(project)
+                                      : calc::say<calc::Sentence::now_not_judged>(project));
       }
       // Of what could not be read nothing is known: it is not gone. What could not be judged before
       // is new to the last failure.

@@ -359,7 +359,7 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
     remarks.push_back(
         t.say<Text::revision_untold>(revision.untold, allowed_words(revision.gate, t)));
   }
-  for (const std::string& note : revision.notes) remarks.push_back(sentence(t, note));
+  for (const calc::Message& note : revision.notes) remarks.push_back(sentence(t, note));
   add_gate(document, revision, t, remarks);
   return remarks;
 }

@@ -1,5 +1,6 @@
 #include "report/shell/chosen_space.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 
 #include <fmt/format.h>

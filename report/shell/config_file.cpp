@@ -1,5 +1,6 @@
 #include "report/shell/config_file.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "calc/base/text.h"
 #include "report/git/git_tree_reader.h"

@@ -1,5 +1,6 @@
 #include "report/shell/data_output.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/write.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"

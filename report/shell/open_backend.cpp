@@ -1,5 +1,6 @@
 #include "report/shell/open_backend.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/check/load_rules.h"
 #include "report/shell/print.h"
 

@@ -1,4 +1,5 @@
 #include "report/shell/outputs.h"
+#include "calc/base/diagnostic_ids.h"
 #include "report/document/shown_plane.h"
 
 #include "calc/base/real_path.h"

@@ -1,6 +1,6 @@
 #include "report/shell/pdf_printer.h"
 
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/utf8.h"
 #include "report/shell/pdf_places.h"
 #include "report/shell/print.h"

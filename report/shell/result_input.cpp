@@ -1,5 +1,6 @@
 #include "report/shell/result_input.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/result_file/read_json.h"
 #include "report/shell/print.h"
 

@@ -1,6 +1,6 @@
 #include "report/shell/sandbox.h"
 
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 

@@ -1,5 +1,6 @@
 #include "report/shell/selection_option.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 

@@ -1,5 +1,6 @@
 #include "report/shell/warning_tally.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "report/shell/print.h"
 

@@ -2,7 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -302,8 +302,7 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
   for (const rules::RoleCoverage& role : row.roles) {
     if (std::find(states.begin(), states.end(), role.state) == states.end()) continue;
     words += (words.empty() ? "" : ", ") + role_words(t, role.role);
-    if (!role.words.empty())
-      words += " (" + printable(sentence(t, role.words, known_words(t, role))) + ")";
+    if (!role.words.empty()) words += " (" + printable(sentence(t, role.words)) + ")";
   }
   return words;
 }
@@ -312,13 +311,9 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
 
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
-  const std::size_t scene = std::min(row.clause.rfind(rules::kClauseScene), row.clause.size());
-  std::string title =
+  const std::string title =
       (row.workplace.empty() ? "" : printable(row.workplace) + ", ") +
-      clause_words(t, row.clause.substr(0, scene), rules::source_of_pack(row.is_user_supplied));
-  if (scene < row.clause.size()) {
-    title += ", " + t.say<Text::scene>(row.clause.substr(scene + rules::kClauseScene.size()));
-  }
+      clause_words(t, row.clause, rules::source_of_pack(row.is_user_supplied));
   const auto end = [&](const std::string& words) { return words.empty() ? "" : "; " + words; };
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);
@@ -357,8 +352,8 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
   std::vector<NotePart> parts;
   const rules::Requirement& requirement = finding.requirement;
-  if (!requirement.note.empty()) parts.push_back({requirement.note, true});
-  const auto add = [&parts](std::string text) { parts.push_back({std::move(text), false}); };
+  if (!requirement.note.empty()) parts.push_back({requirement.note, ""});
+  const auto add = [&parts](std::string text) { parts.push_back({{}, std::move(text)}); };
   if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
   if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
   if (requirement.direct_only) add(t[Text::note_direct_only]);
@@ -368,7 +363,7 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
             : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
   }
   if (!requirement.policy.is_default())
-    parts.push_back({rules::policy_text(requirement.policy), true});
+    parts.push_back({calc::Message::words(rules::policy_text(requirement.policy)), ""});
   if (finding.by_tolerance) add(t[Text::note_tolerance]);
   for (const rules::Deviation& deviation : requirement.deviations) {
     if (!deviation.is_accepted || !deviation.stated) continue;
@@ -380,11 +375,11 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
 }
 
 std::string note_words(const Texts& t, const rules::Finding& finding) {
-  const std::vector<KnownWords> known = known_words(t, finding);
   std::string words;
-  for (const NotePart& part : note_parts(t, finding))
-    words +=
-        (words.empty() ? "" : "; ") + (part.is_english ? sentence(t, part.text, known) : part.text);
+  for (const NotePart& part : note_parts(t, finding)) {
+    words += words.empty() ? "" : "; ";
+    words += part.message.empty() ? part.text : sentence(t, part.message);
+  }
   return words;
 }
 

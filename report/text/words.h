@@ -75,8 +75,8 @@ const char* comparison_sign(rules::Comparison comparison);
 // What must be read with a finding: trust in the requirement, its mask, its decision policy; empty
 // if there is nothing to say.
 struct NotePart {
-  std::string text;
-  bool is_english = false;  // in every language: a rule pack's words
+  calc::Message message;
+  std::string text;  // without a message, in the reader's language
 };
 // ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
 // nothing.

@@ -1,5 +1,6 @@
 #include "rules/binding/bind.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/glare/field_glare.h"
@@ -77,7 +78,7 @@ class ElementsOnce {
 
 // Why light is not what is calculated: it may be more, or it may be more or less.
 struct OtherLight {
-  std::string missing, unsure;  // "" = it is as calculated
+  calc::Message missing, unsure;  // "" = it is as calculated
 };
 
 // Of a luminaire that is on: where its table ends in the light nobody knows what it sends beyond;
@@ -284,8 +285,8 @@ void set_road(const calc::RoadValues* road, Requirement& requirement) {
 }
 
 // Why there is no GR of this plane; "" = there is.
-std::string why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_count,
-                         const Requirement& requirement) {
+calc::Message why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_count,
+                           const Requirement& requirement) {
   constexpr double kLevel = 0.9998;  // cosine of one degree
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   const bool is_level = area != nullptr && plane.usual_role.empty() && area->normal().z >= kLevel &&
@@ -300,7 +301,7 @@ std::string why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_cou
   const double points = calc::planned_points(plane);
   const auto luminaires = static_cast<double>(luminaire_count);
   return points * luminaires <= calc::kMostFieldPairs
-             ? ""
+             ? calc::Message()
              : calc::say<calc::Sentence::field_too_many>(points, luminaires, calc::kMostFieldPairs);
 }
 

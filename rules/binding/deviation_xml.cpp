@@ -1,5 +1,6 @@
 #include "rules/binding/deviation_xml.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/names.h"
 #include "calc/project/project_elements.h"
 #include "calc/project/waiver_attributes.h"

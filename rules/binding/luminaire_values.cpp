@@ -16,7 +16,7 @@ namespace {
 using calc::say;
 using calc::Sentence;
 
-std::string place_words(const glm::dvec3& place) {
+calc::Message place_words(const glm::dvec3& place) {
   return say<Sentence::place_of_point>(place.x, place.y, place.z);
 }
 
@@ -90,9 +90,9 @@ void add_full_output(const LuminaireFacts& facts, AngleZone zone,
 }
 
 // Of a range of heights that holds none of these luminaires.
-std::string no_luminaire_words(const ValueRange& range,
-                               const std::vector<calc::ZoneIntensity>& luminaires,
-                               const std::vector<MountingHeight>& heights) {
+calc::Message no_luminaire_words(const ValueRange& range,
+                                 const std::vector<calc::ZoneIntensity>& luminaires,
+                                 const std::vector<MountingHeight>& heights) {
   MountingHeight all{std::numeric_limits<double>::infinity(), 0.0};
   for (const calc::ZoneIntensity& one : luminaires) {
     all.least_m = std::min(all.least_m, heights[one.luminaire].least_m);

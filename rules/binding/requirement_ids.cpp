@@ -1,5 +1,7 @@
 #include "rules/binding/requirement_ids.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <fmt/format.h>
 
 namespace rules {

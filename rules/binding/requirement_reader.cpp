@@ -1,5 +1,6 @@
 #include "rules/binding/requirement_reader.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
@@ -222,7 +223,7 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   }
   requirement.scene = read_scene(reader, context.scenes);
   requirement.direct_only = read_light(reader, requirement);
-  requirement.clause = calc::trim(reader.text_or("clause", ""));
+  requirement.clause = calc::Message::words(std::string(calc::trim(reader.text_or("clause", ""))));
   return {requirement};
 }
 
@@ -237,7 +238,7 @@ bool dims_nothing(const std::string& scene, const std::vector<calc::LightScene>&
 
 // Luminaires that a scene does not name are at full output, which in an emergency must be said, not
 // forgotten. "" = all are named.
-std::string unnamed_luminaires(const std::string& scene, const RequirementContext& context) {
+calc::Message unnamed_luminaires(const std::string& scene, const RequirementContext& context) {
   if (scene.empty() || context.space == nullptr) return {};
   const auto is_named = [&](const std::string& group) {
     return std::any_of(context.scenes.begin(), context.scenes.end(), [&](const auto& candidate) {
@@ -257,7 +258,7 @@ std::string unnamed_luminaires(const std::string& scene, const RequirementContex
 }
 
 // Why no single luminaire can be put out: what dims together goes out together. "" = each can.
-std::string outage_problem(const std::string& scene, const RequirementContext& context) {
+calc::Message outage_problem(const std::string& scene, const RequirementContext& context) {
   if (scene.empty()) return calc::say<calc::Sentence::outage_not_said>();
   if (context.space == nullptr) return {};
   const auto chosen = std::find_if(context.scenes.begin(), context.scenes.end(),
@@ -302,8 +303,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {
-    requirement.note += requirement.note.empty() ? "" : "; ";
-    requirement.note += calc::say<calc::Sentence::dims_nothing>(scene);
+    add_note(calc::say<calc::Sentence::dims_nothing>(scene), requirement);
   }
   return requirements;
 }

@@ -1,5 +1,6 @@
 #include "rules/binding/rule_reference.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "rules/binding/requirement_attributes.h"
@@ -77,15 +78,19 @@ std::string find_role(ElementReader& reader, const RulePack& pack, std::string_v
   return {};
 }
 
+calc::Message number_of(double value, const char* unit) {
+  return calc::Message::number(fmt::format("{:.6g}{}{}", value, *unit == '\0' ? "" : " ", unit));
+}
+
 // Light that luxgate does not calculate; "" = it does.
-std::string uncalculated_light(const RuleCheck& check) {
+calc::Message uncalculated_light(const RuleCheck& check) {
   if (check.sources == LightSources::daylight) return calc::say<calc::Sentence::no_daylight>();
   if (!is_metric_of(check.metric, check.quantity->derived)) {
-    return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
-                       calc::name_of(check.metric), check.quantity->name);
+    return calc::say<calc::Sentence::check_means_nothing>(check.id, calc::name_of(check.metric),
+                                                          check.quantity->name);
   }
   if (check.metric == Metric::value_at_point && !check.quantity->of_space) {
-    return fmt::format("check '{}' is about a single value, not about a plane", check.id);
+    return calc::say<calc::Sentence::check_of_one_value>(check.id);
   }
   return {};
 }
@@ -101,29 +106,26 @@ void add_facts(const RulePack& pack, const Expression& expression, std::set<std:
 }
 
 // What the project says, and nothing compares with anything.
-std::string facts_words(const RuleCheck& check, const LimitScope& scope) {
+calc::Message facts_words(const RuleCheck& check, const LimitScope& scope) {
   std::set<std::string> used;
   add_facts(scope.pack, check.limit, used);
-  std::string words;
+  calc::Message words;
   for (const std::string& id : used) {
     const auto stated = scope.facts.find(id);
     const RuleName* fact = scope.pack.find_fact(id);
     if (stated == scope.facts.end() || fact == nullptr) continue;
-    const char* unit = base_unit(fact->unit.dimension);
-    words += words.empty() ? "" : "; ";
-    words += calc::say<calc::Sentence::stated_fact>(
-        id, fmt::format("{:.6g}{}{}", stated->second, *unit == '\0' ? "" : " ", unit));
+    append(words, calc::say<calc::Sentence::stated_fact>(
+                      id, number_of(stated->second, base_unit(fact->unit.dimension))));
   }
   return words;
 }
 
-std::string note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
-  std::string note = trust_remark(trust);
-  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+calc::Message note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
+  calc::Message note = trust_remark(trust);
   if (pack.status != "published") {
-    add(calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
+    append(note, calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
   }
-  if (!check.note.empty()) add(check.note);
+  append(note, calc::Message::words(check.note));
   return note;
 }
 
@@ -152,19 +154,17 @@ bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& s
 }
 
 // Of a number that is in place of the row's; "" of any other.
-std::string special_words(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
+calc::Message special_words(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
   if (limit.special == nullptr) return {};
   const Limit usual = evaluate_limit(check, {scope.pack, scope.row, scope.level, scope.facts});
   const char* unit = base_unit(check.dimension());
-  const auto text = [&](double number) {
-    return fmt::format("{:.6g}{}{}", number, *unit == '\0' ? "" : " ", unit);
-  };
-  const std::string is = text(limit.value.value);
-  const std::string was = usual.status == LimitStatus::known ? text(usual.value.value) : "?";
-  std::string words = limit.special->place == calc::SpecialPlace::unknown_task
-                          ? calc::say<calc::Sentence::unknown_task>(is, was)
-                          : calc::say<calc::Sentence::other_wall>(is, was);
-  if (!limit.special->note.empty()) words += "; " + limit.special->note;
+  const calc::Message is = number_of(limit.value.value, unit);
+  const calc::Message was = usual.status == LimitStatus::known ? number_of(usual.value.value, unit)
+                                                               : calc::Message::words("?");
+  calc::Message words = limit.special->place == calc::SpecialPlace::unknown_task
+                            ? calc::say<calc::Sentence::unknown_task>(is, was)
+                            : calc::say<calc::Sentence::other_wall>(is, was);
+  append(words, calc::Message::words(limit.special->note));
   return words;
 }
 
@@ -185,12 +185,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.scene = reference.scene.id;
   requirement.clause = clause_text(reference.pack, check, reference.row, limit.level, limit.trust);
   requirement.note = note_of(reference.pack, check, limit.trust);
-  if (const std::string facts = facts_words(check, reference.scope); !facts.empty()) {
-    requirement.note += (requirement.note.empty() ? "" : "; ") + facts;
-  }
-  if (const std::string words = special_words(check, limit, reference.scope); !words.empty()) {
-    requirement.note += (requirement.note.empty() ? "" : "; ") + words;
-  }
+  add_note(facts_words(check, reference.scope), requirement);
+  add_note(special_words(check, limit, reference.scope), requirement);
   requirement.severity = check.severity;
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
@@ -205,16 +201,15 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                         check.role == reference.pack.role,
                         !reference.pack.is_built_in};
   if (limit.level != RowLevel::required && !reference.level_because.empty()) {
-    requirement.note += requirement.note.empty() ? "" : "; ";
-    requirement.note +=
-        calc::say<calc::Sentence::level_because>(level_words(limit.level), reference.level_because);
+    add_note(
+        calc::say<calc::Sentence::level_because>(level_words(limit.level), reference.level_because),
+        requirement);
   }
-  requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
+  if (limit.status == LimitStatus::unknown) requirement.problem = limit.reason;
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   requirement.any_one_unit_out = check.any_one_unit_out;
   if (check.any_one_unit_out) {
-    requirement.note +=
-        std::string(requirement.note.empty() ? "" : "; ") + calc::say<calc::Sentence::one_out>();
+    add_note(calc::say<calc::Sentence::one_out>(), requirement);
     if (requirement.problem.empty()) requirement.problem = reference.scene.outage_problem;
   }
   if (requirement.problem.empty() && check.sources == LightSources::emergency) {
@@ -323,8 +318,8 @@ ChosenLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRo
   return {level, reader.has("level-because") ? reader.text("level-because") : ""};
 }
 
-std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
-                        const RowLevel& level, Trust trust) {
+calc::Message clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
+                          const RowLevel& level, Trust trust) {
   std::string text = fmt::format("{}:{}", pack.title, pack.edition);
   if (!check.clause.empty()) {
     text += " " + check.clause;
@@ -332,7 +327,7 @@ std::string clause_text(const RulePack& pack, const RuleCheck& check, const Rule
     text += " " + row->ref;
   }
   if (level != RowLevel::required) text += fmt::format(" ({})", level_words(level));
-  return with_trust(text, trust);
+  return with_trust(calc::Message::words(text), trust);
 }
 
 std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& pack) {

@@ -1,6 +1,7 @@
 #pragma once
 // <require pack="..." row="..." role="..."/>: what a rule pack requires of a plane.
 
+#include "calc/base/message.h"
 #include "calc/base/xml_reader.h"
 #include "rules/binding/requirement_reader.h"
 #include "rules/catalogue/requirement.h"
@@ -17,8 +18,8 @@ namespace rules {
 // The scene that a requirement names, and why it does not do for emergency lighting; "" = it does.
 struct ChosenScene {
   std::string id;
-  std::string problem;
-  std::string outage_problem;  // why no single luminaire can be put out in it
+  calc::Message problem;
+  calc::Message outage_problem;  // why no single luminaire can be put out in it
 };
 
 // One requirement for each check of the pack with the role, in order, without those for which the
@@ -51,8 +52,8 @@ void check_row_values(calc::ElementReader& reader);
 
 // "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with
 // level_words() of the values in the limit, and with trust_remark() where there is one.
-std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
-                        const RowLevel& level, Trust trust);
+calc::Message clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
+                          const RowLevel& level, Trust trust);
 
 // "task-illuminance=500 lx; ..." in base units, by id. Only facts of the pack, each once.
 std::map<std::string, double> read_facts(calc::ElementReader& reader, const RulePack& pack);

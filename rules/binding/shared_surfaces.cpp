@@ -62,7 +62,7 @@ bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
 }
 
 // Of a plane that several workplaces ask for, the others than the first.
-std::string shared_with(const calc::CalcPlane& plane) {
+calc::Message shared_with(const calc::CalcPlane& plane) {
   std::vector<std::string> ids;
   const std::string& role = plane.requirements.front().role;
   for (const calc::RequirementText& text : plane.requirements) {
@@ -70,7 +70,7 @@ std::string shared_with(const calc::CalcPlane& plane) {
     ids.insert(ids.end(), text.workplaces.begin(), text.workplaces.end());
   }
   ids.erase(ids.begin());  // who has made it
-  return calc::list_names(ids, 3);
+  return calc::names_message(ids, 3);
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ void ask_of_space(const calc::RequirementText& text, calc::Space& space, std::si
 void name_shared_planes(calc::Space& space) {
   for (calc::CalcPlane& plane : space.planes) {
     if (plane.made_by.empty()) continue;
-    const std::string words = shared_with(plane);
+    const calc::Message words = shared_with(plane);
     if (words.empty()) continue;
     plane.made_by += "; " + calc::say<calc::Sentence::made_also>(words);
     const std::string& maker = plane.requirements.front().workplaces.front();

@@ -1,5 +1,6 @@
 #include "rules/binding/workplace.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
@@ -79,7 +80,7 @@ enum class Method {
 };
 
 // Why a quantity of the space has no value there; "" = it has.
-using ProblemOfSpace = std::function<std::string(const Quantity&)>;
+using ProblemOfSpace = std::function<calc::Message(const Quantity&)>;
 
 class WorkplaceMaker {
  public:
@@ -127,7 +128,7 @@ class WorkplaceMaker {
   // "EN 12464-1:2021 34.2".
   std::string row() const { return rule_words(); }
   // "left out: ceiling (open)"; "" = there is nothing to say.
-  std::string note() const { return note_words(); }
+  calc::Message note() const { return note_words(); }
   std::vector<std::string> asked() const {
     std::vector<std::string> checks;
     for (const std::string& role : roles_made_) {
@@ -257,16 +258,16 @@ class WorkplaceMaker {
     return found == workplace_.zones.end() ? nullptr : &*found;
   }
 
-  void leave_unmade(const std::string& role, const std::string& why,
+  void leave_unmade(const std::string& role, const calc::Message& why,
                     bool is_place_unknown = false) {
-    not_made_.push_back(fmt::format("{} ({})", role, why));
+    not_made_.push_back(calc::say<calc::Sentence::with_remark>(role, why));
     unmade_.push_back({role, why, std::nullopt, is_place_unknown});
   }
 
   // After the last day the plane is asked for again, and nothing is known of it: it has no area.
   void leave_out(const std::string& name, const RulePlane& rule, const ZoneText& zone,
                  std::optional<std::size_t> part) {
-    calc::CalcPlane plane = plane_of(name, rule, part, "left out");
+    calc::CalcPlane plane = plane_of(name, rule, part, calc::say<calc::Sentence::zone_left_out>());
     plane.where = zone.where;
     left_out_planes_.push_back({std::move(plane), *zone.left_out});
     left_out_names_.push_back(name);
@@ -283,8 +284,8 @@ class WorkplaceMaker {
                           by.where.column != whole->left_out->where.column;
       const std::string& name = is_own ? left_out_names_[i] : role;
       if (!unmade_.empty() && unmade_.back().left_out && unmade_.back().role == name) continue;
-      left_out_.push_back(fmt::format("{} ({})", name, waiver_words(by)));
-      unmade_.push_back({name, by.reason, by, false});
+      left_out_.push_back(calc::say<calc::Sentence::with_remark>(name, waiver_words(by)));
+      unmade_.push_back({name, calc::Message::words(by.reason), by, false});
     }
   }
 
@@ -297,7 +298,7 @@ class WorkplaceMaker {
   }
 
   // Why there is no plane of a role, whatever the room; "" = there is.
-  std::string reason_against(const std::string& role, const RulePlane* plane) const {
+  calc::Message reason_against(const std::string& role, const RulePlane* plane) const {
     const Quantity& quantity = *find_quantity(role);
     if (!quantity.kernel) return calc::say<calc::Sentence::not_on_planes>(quantity.name);
     if (plane == nullptr || !has_area(*plane)) return calc::say<calc::Sentence::no_place>();
@@ -358,7 +359,7 @@ class WorkplaceMaker {
         instead_[check.role] = calc::say<calc::Sentence::judged_instead>(other.id);
         continue;
       }
-      const std::string problem = problem_of_space_(*check.quantity);
+      const calc::Message problem = problem_of_space_(*check.quantity);
       if (problem.empty() || method_ == Method::of_space) {
         roles_of_space_.push_back(check.role);
         roles_made_.push_back(check.role);
@@ -388,7 +389,7 @@ class WorkplaceMaker {
     }
     const RulePlane* plane = pack_.find_plane(role);
     if (is_advice_without_place(role, plane)) return;
-    if (const std::string reason = reason_against(role, plane); !reason.empty()) {
+    if (const calc::Message reason = reason_against(role, plane); !reason.empty()) {
       return leave_unmade(role, reason);
     }
     const std::size_t parts = parts_of(role, *plane);
@@ -441,10 +442,10 @@ class WorkplaceMaker {
   // judge, and the others are judged for themselves; but that must be seen, and said by somebody.
   void warn_of_unchecked(std::size_t first) {
     constexpr std::size_t kMostNamed = 4;
-    const std::vector<std::string> names(not_made_.begin() + static_cast<std::ptrdiff_t>(first),
+    const std::vector<calc::Message> all(not_made_.begin() + static_cast<std::ptrdiff_t>(first),
                                          not_made_.end());
     diagnostics_.report(DiagnosticId::zone_not_checked, workplace_.where, workplace_.id,
-                        calc::list_names(names, kMostNamed));
+                        calc::listed(all, kMostNamed));
   }
 
   void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
@@ -486,7 +487,7 @@ class WorkplaceMaker {
 
   // Without its area.
   calc::CalcPlane plane_of(const std::string& name, const RulePlane& rule,
-                           std::optional<std::size_t> part, std::string words) const {
+                           std::optional<std::size_t> part, calc::Message words) const {
     calc::CalcPlane plane;
     plane.id = fmt::format("{}.{}", workplace_.id, name);
     if (!workplace_.was.empty()) plane.was = fmt::format("{}.{}", workplace_.was, name);
@@ -527,18 +528,17 @@ class WorkplaceMaker {
     return fmt::format("{}:{} {}", pack_.title, pack_.edition, row_.ref);
   }
 
-  std::string note_words() const {
-    const auto joined = [](const std::vector<std::string>& list) {
-      return fmt::format("{}", fmt::join(list, ", "));
-    };
-    using calc::Sentence;
-    std::vector<std::string> parts;
-    if (workplace_.is_task_place_unknown) parts.push_back(calc::say<Sentence::task_anywhere>());
+  calc::Message note_words() const {
+    std::vector<calc::Message> parts;
+    if (workplace_.is_task_place_unknown)
+      parts.push_back(calc::say<calc::Sentence::task_anywhere>());
     if (workplace_.front_wall)
-      parts.push_back(calc::say<Sentence::front_wall>(*workplace_.front_wall + 1));
-    if (!left_out_.empty()) parts.push_back(calc::say<Sentence::left_out>(joined(left_out_)));
-    if (!not_made_.empty()) parts.push_back(calc::say<Sentence::not_made>(joined(not_made_)));
-    return fmt::format("{}", fmt::join(parts, "; "));
+      parts.push_back(calc::say<calc::Sentence::front_wall>(*workplace_.front_wall + 1));
+    if (!left_out_.empty())
+      parts.push_back(calc::say<calc::Sentence::left_out>(joined(left_out_, ", ")));
+    if (!not_made_.empty())
+      parts.push_back(calc::say<calc::Sentence::not_made>(joined(not_made_, ", ")));
+    return joined(parts, "; ");
   }
 
   const RulePack& pack_;
@@ -554,10 +554,10 @@ class WorkplaceMaker {
   std::vector<calc::LeftOutPlane> left_out_planes_;
   std::vector<std::string> left_out_names_;  // of each of these: "wall.2"
   std::vector<std::string> roles_made_;
-  std::vector<std::string> roles_of_space_;       // asked of the room, on the first plane
-  std::map<std::string, std::string> instead_;    // role: why another is asked in its place
-  std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
-  std::vector<calc::UnmadeZone> unmade_;          // the same
+  std::vector<std::string> roles_of_space_;         // asked of the room, on the first plane
+  std::map<std::string, calc::Message> instead_;    // role: why another is asked in its place
+  std::vector<calc::Message> left_out_, not_made_;  // "ceiling (because)"
+  std::vector<calc::UnmadeZone> unmade_;            // the same
 };
 
 // Once here, not once for every plane.
@@ -583,18 +583,19 @@ const calc::LightScene* scene_named(const ElementReader& reader,
 
 // Of a workplace: its row, and what of it has no plane; "" = nothing to say.
 struct WorkplaceNote {
-  std::string id, row, words;
+  std::string id, row;
+  calc::Message words;
 };
 
 // What is the same of several is said once: "workplaces a, b and 6 more, ...".
 void add_notes(const std::vector<WorkplaceNote>& notes, calc::Space& space) {
   using enum calc::Sentence;
-  std::map<std::pair<std::string, std::string>, std::vector<std::string>> ids;  // by what is said
+  std::map<std::pair<std::string, calc::Message>, std::vector<std::string>> ids;  // by what is said
   for (const WorkplaceNote& note : notes) ids[{note.row, note.words}].push_back(note.id);
   for (const WorkplaceNote& note : notes) {
     const auto same = ids.find({note.row, note.words});
     if (note.words.empty() || same == ids.end()) continue;
-    const std::string names = calc::list_names(same->second, 3);
+    const calc::Message names = calc::names_message(same->second, 3);
     space.notes.push_back(same->second.size() == 1
                               ? calc::say<of_workplace>(names, note.row, note.words)
                               : calc::say<of_workplaces>(names, note.row, note.words));
@@ -616,10 +617,11 @@ class RoomUgrProblems {
       : project_(project), space_(space), is_good_(is_good) {}
 
   const std::vector<calc::LightScene>& scenes() const { return project_.scenes; }
-  const std::string& of(const calc::LightScene* scene) {
+  const calc::Message& of(const calc::LightScene* scene) {
     const auto known = of_scene_.find(scene);
     if (known != of_scene_.end()) return known->second;
-    std::string problem = is_good_ ? calc::why_no_room_ugr(project_, space_, scene) : "";
+    calc::Message problem;
+    if (is_good_) problem = calc::why_no_room_ugr(project_, space_, scene);
     return of_scene_.emplace(scene, std::move(problem)).first->second;
   }
 
@@ -627,7 +629,7 @@ class RoomUgrProblems {
   const calc::Project& project_;
   const calc::Space& space_;
   bool is_good_;
-  std::map<const calc::LightScene*, std::string> of_scene_;
+  std::map<const calc::LightScene*, calc::Message> of_scene_;
 };
 
 // Who says so must get what the pack has for it.
@@ -667,7 +669,7 @@ void make_planes(Workplace& workplace, RoomUgrProblems& ugr_problems, calc::Spac
   check_special(reader, *pack, row, "front-wall", calc::SpecialPlace::other_wall);
   if (row == nullptr || workplace.walls.empty()) return;
   const auto problem_of_space = [&](const Quantity& quantity) {
-    if (quantity.of_space != Metric::ugr_table) return std::string();
+    if (quantity.of_space != Metric::ugr_table) return calc::Message();
     return ugr_problems.of(scene_named(reader, ugr_problems.scenes()));
   };
   WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, method,

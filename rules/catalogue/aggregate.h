@@ -4,6 +4,7 @@
 // judge_buildings.h make it.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "rules/catalogue/compare.h"
 #include "rules/catalogue/finding.h"
@@ -33,13 +34,13 @@ struct AggregateMember {
   Verdict verdict = Verdict::not_judged;  // of everything in it together
   bool is_waived = false;                 // something in it is, see waiver.h
   std::optional<double> area_m2 = {};     // its weight in shares of area
-  std::string reason = {};                // why it does not pass
+  calc::Message reason = {};              // why it does not pass
   // What it is made of; besides these it may lack checks that nothing asks for.
   std::vector<RequirementName> of = {};
   // Of a sum: what it has for each square metre, in the unit of the sum's requirement (empty: not
   // known), and what the project states that this rests on.
   std::optional<double> value = {};
-  std::string stated = {};
+  calc::Message stated = {};
   bool is_in_part = false;  // all passes, but is not all that the check is about: not judged
 };
 
@@ -48,9 +49,9 @@ struct AggregateFinding {
   std::string id;                                        // in its pack; "tower/LENI" of a building
   std::string building_id, building_was, building_name;  // "" of all others
   std::string space_id, plane_id;  // what it is about; both "" = the project, no plane = the room
-  std::string clause;              // "LEED v4.1 ..."
+  calc::Message clause;            // "LEED v4.1 ..."
   bool is_user_supplied = false;   // see RuleOrigin; of a building its sum says it
-  std::string note;                // what every report must say with it; or ""
+  calc::Message note;              // what every report must say with it; or ""
   AggregateRule rule = AggregateRule::all;
   AggregateOver over = AggregateOver::checks;
   int count = 0;                        // of at_least
@@ -59,7 +60,7 @@ struct AggregateFinding {
   Severity severity = Severity::shall;  // advice does not count
   Verdict verdict = Verdict::not_judged;
   bool is_waived = false;  // does not pass, but would if all that is waived were met
-  std::string reason;      // of what does not pass
+  calc::Message reason;    // of what does not pass
   std::vector<AggregateMember> members;
   // Of classes: the row that the project asks for, the best one that is reached for certain and the
   // best that may be; "" = none.

@@ -1,6 +1,7 @@
 #pragma once
 // In what a plane may differ from the one that a standard's number is about.
 
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/scene/waiver.h"
 
@@ -23,7 +24,7 @@ enum class FitAspect {
 // Found on a plane; the number is compared all the same if the project states it.
 struct Deviation {
   FitAspect aspect = FitAspect::grid;
-  std::string words;             // what differs, e.g. "1 x 1 points, where ..."
+  calc::Message words;           // what differs, e.g. "1 x 1 points, where ..."
   std::optional<Waiver> stated;  // who lives with it, and until when
   bool is_accepted = false;      // stated, and the last day is not over
 };

@@ -2,6 +2,7 @@
 // A requirement with what was measured and what that comes to: plain data.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "rules/catalogue/compare.h"
 #include "rules/catalogue/requirement.h"
 
@@ -33,7 +34,7 @@ struct Finding {
       place_m;  // of the minimum (of uniformities, too), the maximum or the value
   // For undecided and not_judged, in words; of others that there is nothing to be rated, or the
   // doubt about other points of what one point is enough to fail.
-  std::string reason;
+  calc::Message reason;
   // `measured` without each replicate in turn, see rules/measure/leave_one_out.h; empty: not known.
   std::vector<double> without_replicate = {};
 };

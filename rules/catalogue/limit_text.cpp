@@ -1,5 +1,6 @@
 #include "rules/catalogue/limit_text.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/units.h"
 
 namespace rules {

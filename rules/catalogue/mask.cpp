@@ -158,16 +158,16 @@ std::vector<std::size_t> points_on_plane(const Mask& mask, const calc::SensorGri
   return points;
 }
 
-std::string too_wide_words(const Mask& mask, const MaskOperation& operation, bool is_route,
-                           double width_m) {
+calc::Message too_wide_words(const Mask& mask, const MaskOperation& operation, bool is_route,
+                             double width_m) {
   return is_route
              ? calc::say<calc::Sentence::mask_too_wide_route>(mask.id, operation.up_to_width_m,
                                                               width_m)
              : calc::say<calc::Sentence::mask_too_wide>(mask.id, operation.up_to_width_m, width_m);
 }
 
-std::string problem_of(const Mask& mask, const MaskOperation& operation,
-                       const calc::SensorGrid& grid) {
+calc::Message problem_of(const Mask& mask, const MaskOperation& operation,
+                         const calc::SensorGrid& grid) {
   if (operation.step == MaskStep::walls) {
     if (!grid.has_unknown_walls) return {};
     return calc::say<calc::Sentence::mask_without_walls>(mask.id);
@@ -223,36 +223,47 @@ MaskedPoints apply_mask(const Mask& written, const calc::SensorGrid& grid) {
   return result;
 }
 
-std::string mask_words(const Mask& mask, const glm::dvec3& travel) {
-  std::string words;
+calc::Message mask_words(const Mask& mask, const glm::dvec3& travel) {
+  using enum calc::Sentence;
+  calc::Message words;
   bool is_across = false;
   for (const MaskOperation& operation : mask.operations) {
-    if (!words.empty()) words += ", ";
+    const double metres = operation.metres, share = operation.share;
+    const double narrow_m = operation.up_to_width_m;
     is_across = is_across || operation.step == MaskStep::across ||
-                operation.step == MaskStep::centre_line || operation.up_to_width_m > 0.0;
-    if (operation.step == MaskStep::centre_line) {
-      words += "the points along the middle line";
-      if (operation.up_to_width_m > 0.0) {
-        words += fmt::format(" of planes up to {:g} m wide", operation.up_to_width_m);
-      }
-      continue;
+                operation.step == MaskStep::centre_line || narrow_m > 0.0;
+    switch (operation.step) {
+      case MaskStep::centre_line:
+        append(
+            words,
+            narrow_m > 0.0 ? calc::say<mask_middle_of_narrow>(narrow_m) : calc::say<mask_middle>(),
+            ", ");
+        break;
+      case MaskStep::walls:
+        append(words, calc::say<mask_off_walls>(metres), ", ");
+        break;
+      case MaskStep::border:
+        append(words, calc::say<mask_off_border>(metres), ", ");
+        break;
+      case MaskStep::inset:
+        append(words,
+               narrow_m > 0.0 ? calc::say<mask_off_outline_share>(share, narrow_m, metres)
+                              : calc::say<mask_off_outline>(metres),
+               ", ");
+        break;
+      case MaskStep::across:
+        append(words,
+               narrow_m > 0.0 ? calc::say<mask_off_sides_share>(share, narrow_m, metres)
+                              : calc::say<mask_off_sides>(metres),
+               ", ");
+        break;
     }
-    if (operation.step == MaskStep::walls || operation.step == MaskStep::border) {
-      words +=
-          fmt::format("without what is nearer than {:g} m to a wall of the room", operation.metres);
-      if (operation.step == MaskStep::border) words += " (without known walls: to the outline)";
-      continue;
-    }
-    words += operation.step == MaskStep::inset ? "without a strip along the outline of"
-                                               : "without a strip along the long sides of";
-    if (operation.up_to_width_m > 0.0) {
-      words += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
-                           operation.up_to_width_m);
-    }
-    words += fmt::format(" {:g} m", operation.metres);
   }
   if (is_across && travel != glm::dvec3(0.0)) {
-    words += fmt::format(", people going along ({:g} {:g} {:g})", travel.x, travel.y, travel.z);
+    append(words,
+           calc::say<mask_people>(calc::Message::number(
+               fmt::format("({:g} {:g} {:g})", travel.x, travel.y, travel.z))),
+           ", ");
   }
   return words;
 }

@@ -2,6 +2,7 @@
 // Which points of a plane a statistic counts. It belongs to the statistic, not to the plane: one
 // plane may have several.
 
+#include "calc/base/message.h"
 #include "calc/scene/sensor_grid.h"
 
 #include <cstddef>
@@ -36,7 +37,7 @@ struct Mask {
 
 struct MaskedPoints {
   std::vector<std::size_t> points;  // ascending
-  std::string problem;              // why it cannot be said which points count; "" = none
+  calc::Message problem;            // why it cannot be said which points count; "" = none
 };
 
 // Distances are from the plane's outline (its holes have none), so that a margin of the grid has no
@@ -53,6 +54,6 @@ Mask mask_at(Mask mask, bool has_no_walls);
 
 // "without a strip along the outline of 0.5 m": all operations; "" without any. travel: of the
 // plane, which says what is across; 0: it is not said, or asked.
-std::string mask_words(const Mask& mask, const glm::dvec3& travel = glm::dvec3(0.0));
+calc::Message mask_words(const Mask& mask, const glm::dvec3& travel = glm::dvec3(0.0));
 
 }  // namespace rules

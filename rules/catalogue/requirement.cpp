@@ -5,9 +5,8 @@
 
 namespace rules {
 
-void add_note(const std::string& words, Requirement& requirement) {
-  if (words.empty()) return;
-  requirement.note += (requirement.note.empty() ? "" : "; ") + words;
+void add_note(const calc::Message& words, Requirement& requirement) {
+  append(requirement.note, words);
 }
 
 const char* comparison_name(Comparison comparison) {

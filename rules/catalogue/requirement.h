@@ -3,6 +3,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/deviation.h"
@@ -79,24 +80,24 @@ struct Requirement {
   calc::Estimate of_space{};        // of a metric that is_of_space(): what it is
   calc::Estimate veiling_cd_m2{};   // of Metric::glare_rating: the luminaires' veil
   double field_reflectance = 0.0;   // of Metric::glare_rating, (0, 1]; 0: not stated
-  std::string stated_words{};       // what the project states that the value rests on
+  calc::Message stated_words{};     // what the project states that the value rests on
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
   LightState state = LightState::maintained;
-  std::string scene;   // "" = every luminaire at full output
-  std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
-  std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
+  std::string scene;     // "" = every luminaire at full output
+  calc::Message clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
+  calc::Message note;    // what every report must say with it, e.g. "unverified requirement"; or ""
   Severity severity = Severity::shall;
   Mask mask;                      // which points of the plane count
-  std::string mask_words{};       // of it, for reports; "" = all count, or not known
+  calc::Message mask_words{};     // of it, for reports; "" = all count, or not known
   bool direct_only = false;       // reflected light is left out
   bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
   // Why the light that it is of may be more than what is calculated; "" = it is all there. Nothing
   // passes then that more light could fail.
-  std::string missing_light{};
+  calc::Message missing_light{};
   // The same of light that may be less, or more or less: nothing passes at all.
-  std::string unsure_light{};
-  std::string problem;  // why it cannot be judged, whatever the light; "" = it can
+  calc::Message unsure_light{};
+  calc::Message problem;  // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
   std::vector<StatedDeviation> stated_deviations;  // each aspect once
@@ -132,7 +133,7 @@ constexpr bool has_mounting_heights(Metric metric) {
 const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane);
 
 // What every report must say with it, behind what it says already.
-void add_note(const std::string& words, Requirement& requirement);
+void add_note(const calc::Message& words, Requirement& requirement);
 
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {

@@ -46,11 +46,6 @@ constexpr double kDegrees = 180.0 / calc::kPi;
 // What counts as level and upright: far more than imports round, a hundredth of the light at most.
 constexpr double kLevel_deg = 0.1, kLevelSine = 0.1 / kDegrees;
 
-void add_words(std::string& text, const std::string& words) {
-  if (words.empty()) return;
-  text += (text.empty() ? "" : "; ") + words;
-}
-
 // What one check of a pack says about its plane.
 struct Meant {
   const RulePack& pack;
@@ -61,7 +56,7 @@ struct Meant {
   const Requirement& asked;
 };
 
-std::string role_words(const Meant& meant) {
+calc::Message role_words(const Meant& meant) {
   return say<Sentence::role_of>(meant.check.role, meant.pack.full_id());
 }
 
@@ -85,7 +80,7 @@ class PlaneFit {
 
   std::vector<Deviation> deviations(const Meant& meant) const {
     std::vector<Deviation> found;
-    const auto add = [&](FitAspect aspect, std::string words) {
+    const auto add = [&](FitAspect aspect, calc::Message words) {
       if (!words.empty()) found.push_back({aspect, std::move(words), std::nullopt, false});
     };
     add(FitAspect::orientation, orientation(meant));
@@ -97,15 +92,15 @@ class PlaneFit {
     return found;
   }
 
-  std::string lost_words() const { return lost().words; }
+  calc::Message lost_words() const { return lost().words; }
 
   // What nobody can tell, and who reads the verdict must see.
-  std::string doubts(const Meant& meant) const {
+  calc::Message doubts(const Meant& meant) const {
     const bool is_surface = is_of_surface(meant.plane);
-    std::string words;
+    calc::Message words;
     if (is_surface && !context_.space.shell) words = say<Sentence::surfaces_unknown>();
     if (is_surface || is_route() || !heights_of(meant.plane, meant.row)) return words;
-    add_words(words, platform_words());
+    append(words, platform_words());
     return words;
   }
 
@@ -138,7 +133,7 @@ class PlaneFit {
     return plane().kernel == calc::ReceiverKernel::cylindrical && !faces_somewhere();
   }
 
-  std::string orientation(const Meant& meant) const {
+  calc::Message orientation(const Meant& meant) const {
     if (is_of_cylinders()) return axis(meant);
     if (!faces_somewhere()) return {};
     const std::vector<glm::dvec3> normals = calc::normals_of(plane());
@@ -185,7 +180,7 @@ class PlaneFit {
     return lies_along(plane(), context_.space) ? 0.0 : most_deg;
   }
 
-  std::string axis(const Meant& meant) const {
+  calc::Message axis(const Meant& meant) const {
     const std::vector<glm::dvec3> axes = calc::normals_of(plane());
     const std::string asked = orientation_words(meant);
     const auto unfit = std::find_if(axes.begin(), axes.end(), [&](const glm::dvec3& end) {
@@ -199,7 +194,7 @@ class PlaneFit {
                       : say<Sentence::cylinders_stand>(role_words(meant), leans_deg);
   }
 
-  std::string place(const Meant& meant) const {
+  calc::Message place(const Meant& meant) const {
     if (meant.plane.area == ZoneArea::walls && !lies_on(plane(), context_.space, ".wall")) {
       return is_route() ? say<Sentence::on_no_wall_route>(role_words(meant))
                         : say<Sentence::on_no_wall>(role_words(meant));
@@ -208,14 +203,14 @@ class PlaneFit {
       return is_route() ? say<Sentence::not_on_ceiling_route>(role_words(meant))
                         : say<Sentence::not_on_ceiling>(role_words(meant));
     }
-    const std::string words = extent(meant);
+    const calc::Message words = extent(meant);
     return words.empty() ? around(meant) : words;
   }
 
   // A band is around something of the same row, and a zone may hold another. Who draws such a one
   // draws all of it: of a part whoever draws it chooses where it is bright enough. What a workplace
   // makes by the rule is so.
-  std::string around(const Meant& meant) const {
+  calc::Message around(const Meant& meant) const {
     const RulePlane& role = meant.plane;
     const std::string& inside = role_inside(meant);
     const bool is_by_rule = !plane().made_by.empty() && !plane().has_own_area;
@@ -232,7 +227,7 @@ class PlaneFit {
     if (inner.empty()) return {};  // who reads of the row sees that nothing of it was asked
     const bool is_band = !role.around.empty();
     if (is_band) {
-      const std::string words = beside(meant, inner, to_m);
+      const calc::Message words = beside(meant, inner, to_m);
       if (!words.empty()) return words;
     }
     return all_around(meant, inner, to_m);
@@ -253,8 +248,8 @@ class PlaneFit {
   }
 
   // Outside of the zones inside it, and next to one of them.
-  std::string beside(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
-                     double width_m) const {
+  calc::Message beside(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
+                       double width_m) const {
     double nearest_m = std::numeric_limits<double>::infinity();
     for (const calc::CalcPlane* zone : inner) {
       const ZoneContact contact = contact_with(*zone, context_.grid);
@@ -271,8 +266,8 @@ class PlaneFit {
   }
 
   // All of what is around one of the zones inside it, and of that zone where it belongs to it.
-  std::string all_around(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
-                         double to_m) const {
+  calc::Message all_around(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
+                           double to_m) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr) return {};  // a list: its points are no grid
     const bool has_inner = meant.plane.around.empty();
@@ -295,9 +290,9 @@ class PlaneFit {
     if (zones.empty() || best >= 1.0 - meant.plane.missing_share) return {};
     const std::string& role = role_inside(meant);
     const double width_m = meant.plane.width_m;
-    const std::string whole = !has_inner      ? say<Sentence::whole_band>(width_m, role)
-                              : width_m > 0.0 ? say<Sentence::whole_zone_and_band>(role, width_m)
-                                              : say<Sentence::whole_zone>(role);
+    const calc::Message whole = !has_inner      ? say<Sentence::whole_band>(width_m, role)
+                                : width_m > 0.0 ? say<Sentence::whole_zone_and_band>(role, width_m)
+                                                : say<Sentence::whole_zone>(role);
     return say<Sentence::covers_part>(role_words(meant), whole,
                                       say<Sentence::part_of_zone>(std::floor(100.0 * best)));
   }
@@ -331,7 +326,7 @@ class PlaneFit {
 
   // A number about a wall or the ceiling is about all of it that the role counts: on a part of it
   // whoever draws the plane chooses where it is bright enough.
-  std::string extent(const Meant& meant) const {
+  calc::Message extent(const Meant& meant) const {
     const bool is_wall = meant.plane.area == ZoneArea::walls;
     if (!is_wall && meant.plane.area != ZoneArea::ceiling) return {};
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
@@ -339,13 +334,13 @@ class PlaneFit {
     const double strip_m = allowed_margin_m(meant);
     const double own_strip_m =
         std::max(std::min(area->margin_m, strip_m), mask_strip_m(meant, MaskStep::inset));
-    std::string words;
+    calc::Message words;
     for (const CoveredSurface& surface :
          covered_surfaces(*area, own_strip_m,
                           surfaces_of(context_.space, is_wall ? ".wall" : ".ceiling"), strip_m)) {
       if (surface.share >= 1.0 - meant.plane.missing_share) continue;
-      add_words(words, say<Sentence::part_of_surface>(std::floor(100.0 * surface.share),
-                                                      surface.area_m2, surface.id));
+      append(words, say<Sentence::part_of_surface>(std::floor(100.0 * surface.share),
+                                                   surface.area_m2, surface.id));
     }
     if (words.empty()) return words;
     if (strip_m > 0.0) words += " (" + say<Sentence::edges_count_not>(strip_m) + ")";
@@ -354,7 +349,7 @@ class PlaneFit {
         words);
   }
 
-  std::string height(const Meant& meant) const {
+  calc::Message height(const Meant& meant) const {
     const RulePlane& role = meant.plane;
     const std::optional<RuleRow::Heights> asked = heights_of(role, meant.row);
     if (!asked) return {};
@@ -374,12 +369,12 @@ class PlaneFit {
                                    : lowest_m >= from && highest_m <= to;
     if (fits) return {};
     const auto range = [](double low, double high) {
-      return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)
+      return std::abs(high - low) < 5e-4 ? calc::Message::number(fmt::format("{:.3g} m", low))
                                          : say<Sentence::metres_from_to>(low, high);
     };
     const bool is_of_row = !role.has_heights || from_m != role.lowest_m || to_m != role.highest_m;
-    const std::string role_is = role_words(meant);
-    const std::string of = range(from_m, to_m), own = range(lowest_m, highest_m);
+    const calc::Message role_is = role_words(meant);
+    const calc::Message of = range(from_m, to_m), own = range(lowest_m, highest_m);
     if (is_of_row) {
       return is_route() ? say<Sentence::height_of_row_route>(role_is, of, meant.row->ref, own)
                         : say<Sentence::height_of_row>(role_is, of, meant.row->ref, own);
@@ -394,7 +389,7 @@ class PlaneFit {
 
   // Fewer points than the rule gives to the same area see less: a minimum is higher, a uniformity
   // better. More are fine.
-  std::string grid(const Meant& meant) const {
+  calc::Message grid(const Meant& meant) const {
     const RuleGrid* rule = meant.pack.find_grid(meant.plane.grid);
     if (rule == nullptr || !rule->rule) return {};
     const calc::SensorGrid& own = context_.grid;
@@ -402,7 +397,7 @@ class PlaneFit {
       return say<Sentence::no_grid>(role_words(meant));
     }
     if (own.route) {
-      const std::string words = grid_of_route(meant, *rule);
+      const calc::Message words = grid_of_route(meant, *rule);
       return words.empty() ? grid_behind_mask(meant, *rule) : words;
     }
     const double u_m = own.columns * own.spacing_u_m, v_m = own.rows * own.spacing_v_m;
@@ -411,8 +406,8 @@ class PlaneFit {
       return say<Sentence::grid_too_wide>(own.columns, own.rows, role_words(meant), asked.columns,
                                           asked.rows);
     }
-    if (const std::string words = cells_along_sides(meant, *rule); !words.empty()) return words;
-    if (const std::string words = cut_out(meant); !words.empty()) return words;
+    if (const calc::Message words = cells_along_sides(meant, *rule); !words.empty()) return words;
+    if (const calc::Message words = cut_out(meant); !words.empty()) return words;
     if (own.missed_m2 > 0.0) {
       return say<Sentence::grid_misses>(own.missed_m2);
     }
@@ -422,7 +417,7 @@ class PlaneFit {
   // What holes take of a plane that is drawn, where the role is no band, nor held against what it
   // covers otherwise: more than bodies may take of it is another area, whose dark parts somebody
   // has chosen to leave out.
-  std::string cut_out(const Meant& meant) const {
+  calc::Message cut_out(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     const bool is_held = is_of_surface(meant.plane) || !role_inside(meant).empty();
     if (area == nullptr || !plane().made_by.empty() || is_held) return {};
@@ -434,7 +429,7 @@ class PlaneFit {
 
   // A formula is about the sides of the area itself: a grid that stands at an angle to them may be
   // that of a larger one.
-  std::string cells_along_sides(const Meant& meant, const RuleGrid& rule) const {
+  calc::Message cells_along_sides(const Meant& meant, const RuleGrid& rule) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr || !std::holds_alternative<calc::GridByRule>(*rule.rule)) return {};
     const glm::dvec2 axis = calc::long_axis(area->outline_m);
@@ -458,7 +453,7 @@ class PlaneFit {
   // A formula gives a small area a closer grid than a large one, and the area that a mask leaves is
   // what the number is about. A spacing holds there as everywhere, and a count is of the whole: of
   // these the cells that the mask cuts must not leave out more than they may.
-  std::string grid_behind_mask(const Meant& meant, const RuleGrid& rule) const {
+  calc::Message grid_behind_mask(const Meant& meant, const RuleGrid& rule) const {
     if (std::holds_alternative<calc::GridByRule>(*rule.rule)) {
       if (const std::optional<CellsLeft> left = cells_left(meant.mask, context_.grid)) {
         const calc::GridCounts asked = asked_counts(rule, left->u_m, left->v_m);
@@ -475,12 +470,13 @@ class PlaneFit {
   }
 
   // Leg by leg, each as an area of its own; a number of cells is of the whole route.
-  std::string grid_of_route(const Meant& meant, const RuleGrid& rule) const {
+  calc::Message grid_of_route(const Meant& meant, const RuleGrid& rule) const {
     const calc::SensorGrid& own = context_.grid;
     const calc::RouteLine& line = own.route->line;
     const double width_m = line.width_m, whole_m = calc::route_length_m(line);
-    const auto problem = [&](int columns, const calc::GridCounts& asked, const std::string& where) {
-      if (columns >= asked.columns && own.rows >= asked.rows) return std::string();
+    const auto problem = [&](int columns, const calc::GridCounts& asked,
+                             const calc::Message& where) {
+      if (columns >= asked.columns && own.rows >= asked.rows) return calc::Message();
       return say<Sentence::grid_along>(columns, own.rows, where, role_words(meant), asked.columns,
                                        asked.rows);
     };
@@ -490,7 +486,7 @@ class PlaneFit {
     const std::vector<calc::RouteLeg> legs = calc::route_legs(line);
     for (std::size_t i = 0; i < legs.size(); ++i) {
       const calc::GridCounts asked = asked_counts(rule, legs[i].longer_edge_m(width_m), width_m);
-      std::string words =
+      calc::Message words =
           problem(own.route->stations[i], asked, say<Sentence::leg_of_route>(i + 1));
       if (!words.empty()) return words;
     }
@@ -524,7 +520,7 @@ class PlaneFit {
   }
 
   // What is left out along walls counts wherever there is none: a desk counts up to its edge.
-  std::string margin(const Meant& meant) const {
+  calc::Message margin(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr) return {};
     const double along_walls_m = strip_along_walls_m(meant);
@@ -542,10 +538,10 @@ class PlaneFit {
     return say<Sentence::margin_off_walls>(area->margin_m, role_words(meant), along_walls_m);
   }
 
-  std::string points(const Meant& meant) const {
+  calc::Message points(const Meant& meant) const {
     if (!barred().empty()) {
-      std::string words = barred();
-      add_words(words, lost().words);
+      calc::Message words = barred();
+      append(words, lost().words);
       return words;
     }
     const bool is_of_each = meant.asked.metric != Metric::average;
@@ -567,26 +563,26 @@ class PlaneFit {
   // Of the points that are not in obstacles, those that are left out.
   double share_lost_otherwise() const {
     const std::size_t in_obstacles = points_in_obstacles(context_.grid, context_.space);
-    return LostPoints{lost().lost - in_obstacles, lost().all - in_obstacles, ""}.share();
+    return LostPoints{lost().lost - in_obstacles, lost().all - in_obstacles, {}}.share();
   }
 
   const FitContext& context_;
   // Once, not for each requirement of the plane.
-  const std::string& barred() const {
+  const calc::Message& barred() const {
     if (!barred_) barred_ = barred_words(context_.grid, context_.space);
     return *barred_;
   }
 
-  const std::string& platform_words() const {
+  const calc::Message& platform_words() const {
     if (platform_) return *platform_;
     const std::optional<Platform> found = platform_below(plane(), context_.grid, context_.space);
-    platform_ = found ? say<Sentence::above_platform>(found->id, found->height_m) : "";
+    platform_ = found ? say<Sentence::above_platform>(found->id, found->height_m) : calc::Message();
     return *platform_;
   }
 
-  mutable std::optional<std::string> platform_;
+  mutable std::optional<calc::Message> platform_;
   mutable std::optional<LostPoints> lost_;
-  mutable std::optional<std::string> barred_;
+  mutable std::optional<calc::Message> barred_;
 };
 
 // Types of the space's luminaires that state no maintenance factor, in their order.
@@ -601,13 +597,13 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
   return ids;
 }
 
-std::string maintenance_problem(const FitContext& context, const Requirement& requirement) {
+calc::Message maintenance_problem(const FitContext& context, const Requirement& requirement) {
   const bool has_no_light = is_of_space(requirement.metric) && !is_of_road(requirement.metric);
   if (requirement.state == LightState::initial || has_no_light) return {};
   const std::vector<std::string> ids = types_without_factor(context);
   if (ids.empty()) return {};
   constexpr std::size_t kMostNamed = 3;
-  const std::string names = calc::list_names(ids, kMostNamed);
+  const calc::Message names = calc::names_message(ids, kMostNamed);
   return ids.size() == 1 ? say<Sentence::no_factor>(names) : say<Sentence::no_factors>(names);
 }
 
@@ -623,31 +619,31 @@ std::vector<Deviation> slope_deviations(const calc::CalcPlane& plane, const Rule
   constexpr double kThreshold_m = 0.1;  // a door sill is no stair
   const double rise_m = highest_m - lowest_m;
   if (!(rise_m > kThreshold_m)) return {};
-  std::string words =
+  calc::Message words =
       say<Sentence::not_level>(say<Sentence::role_of>(check.role, pack.full_id()), rise_m);
   return {{FitAspect::height, std::move(words), std::nullopt, false}};
 }
 
 // What is stated, but is not so: somebody has mended the plane, or meant another one. A workplace
 // states it of all planes of a role, of which only some may need it.
-std::string unfounded_words(const Requirement& requirement) {
+calc::Message unfounded_words(const Requirement& requirement) {
   if (!requirement.origin.workplaces.empty()) return {};
-  std::string text;
+  calc::Message text;
   for (const StatedDeviation& stated : requirement.stated_deviations) {
     const auto& found = requirement.deviations;
     const bool is_found = std::any_of(found.begin(), found.end(), [&](const Deviation& deviation) {
       return deviation.aspect == stated.aspect;
     });
     if (is_found) continue;
-    add_words(text, say<Sentence::unfounded_deviation>(calc::name_of(stated.aspect)));
+    append(text, say<Sentence::unfounded_deviation>(calc::name_of(stated.aspect)));
   }
   return text;
 }
 
 // Takes what the project states; returns the words of what it does not.
-std::string take_statements(const Requirement& requirement, std::string_view today,
-                            std::vector<Deviation>& found) {
-  std::string open;
+calc::Message take_statements(const Requirement& requirement, std::string_view today,
+                              std::vector<Deviation>& found) {
+  calc::Message open;
   for (Deviation& deviation : found) {
     const auto& all = requirement.stated_deviations;
     const auto stated = std::find_if(all.begin(), all.end(), [&](const StatedDeviation& one) {
@@ -658,7 +654,7 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
       deviation.is_accepted = stated->by.holds_on(today);
     }
     if (deviation.is_accepted) continue;
-    add_words(open, deviation.words);
+    append(open, deviation.words);
     if (deviation.stated) {
       open += " (" + say<Sentence::stated_until>(deviation.stated->owner, deviation.stated->until) +
               ")";
@@ -671,11 +667,11 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
 
 }  // namespace
 
-std::string speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
+calc::Message speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
   constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
   if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
     const double route_m2 = calc::route_length_m(route->line) * route->line.width_m;
-    return route_m2 < kSpeck_m2 ? say<Sentence::speck_route>(route_m2) : std::string();
+    return route_m2 < kSpeck_m2 ? say<Sentence::speck_route>(route_m2) : calc::Message();
   }
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   if (area == nullptr) return {};
@@ -701,8 +697,9 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
       if (!is_free) requirement.problem = maintenance_problem(context, requirement);
       if (check == nullptr) continue;
       requirement.deviations = slope_deviations(context.plane, *pack, *check);
-      const std::string open = take_statements(requirement, context.today, requirement.deviations);
-      add_words(requirement.note, unfounded_words(requirement));
+      const calc::Message open =
+          take_statements(requirement, context.today, requirement.deviations);
+      append(requirement.note, unfounded_words(requirement));
       if (requirement.problem.empty()) requirement.problem = open;
       continue;
     }
@@ -717,21 +714,21 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     if (role != nullptr) {
       const Meant meant{*pack, *check, pack->find_row(requirement.origin.row),
                         *role, *mask,  requirement};
-      add_words(requirement.note, speck_words(context.plane, context.grid));
-      add_words(requirement.note, fit.doubts(meant));
+      append(requirement.note, speck_words(context.plane, context.grid));
+      append(requirement.note, fit.doubts(meant));
       requirement.deviations = fit.deviations(meant);
     }
-    const std::string open = take_statements(requirement, context.today, requirement.deviations);
-    add_words(requirement.note, unfounded_words(requirement));
+    const calc::Message open = take_statements(requirement, context.today, requirement.deviations);
+    append(requirement.note, unfounded_words(requirement));
     const bool is_told = std::any_of(
         requirement.deviations.begin(), requirement.deviations.end(),
         [](const Deviation& deviation) { return deviation.aspect == FitAspect::points; });
-    if (!is_told) add_words(requirement.note, fit.lost_words());
-    add_words(requirement.note, inner_words(context.grid));
+    if (!is_told) append(requirement.note, fit.lost_words());
+    append(requirement.note, inner_words(context.grid));
     const bool counts_points =
         requirement.metric == Metric::percentile || requirement.metric == Metric::share;
     if (counts_points && !calc::point_weights(context.grid).empty()) {
-      add_words(requirement.note, say<Sentence::points_alike>());
+      append(requirement.note, say<Sentence::points_alike>());
     }
     if (check == nullptr || !requirement.problem.empty()) continue;
     requirement.problem = maintenance_problem(context, requirement);

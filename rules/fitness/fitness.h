@@ -3,6 +3,7 @@
 // certain kind: so many, at such a height, facing such a way. On other points the number says
 // nothing, and must not pass.
 
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/requirement.h"
@@ -34,6 +35,6 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
 // Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
 // it, but who reads the verdict must see it. What lies within the margin is meant. "" of planes
 // that are no speck, and of point lists.
-std::string speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid);
+calc::Message speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid);
 
 }  // namespace rules

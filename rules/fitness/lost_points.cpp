@@ -13,7 +13,7 @@ namespace rules {
 namespace {
 
 // So many points that this body has taken: is_of_body().
-std::string taken_words(calc::DropReason reason, std::size_t count, const std::string& body) {
+calc::Message taken_words(calc::DropReason reason, std::size_t count, const std::string& body) {
   using enum calc::Sentence;
   if (reason == calc::DropReason::in_the_way) return calc::say<lost_where>(count, body);
   if (reason == calc::DropReason::inside_solid) return calc::say<lost_inside>(count, body);
@@ -31,7 +31,7 @@ double LostPoints::share() const {
   return all == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(all);
 }
 
-std::string inner_words(const calc::SensorGrid& grid) {
+calc::Message inner_words(const calc::SensorGrid& grid) {
   if (grid.inner.empty()) return {};
   return calc::say<calc::Sentence::inner_points>(grid.inner.size(), grid.position_m.size(),
                                                  grid.inner.front().body);
@@ -52,10 +52,8 @@ LostPoints lost_points(const calc::SensorGrid& grid) {
   result.lost = outside + in_bodies + floorless;
   result.all = grid.position_m.size() + result.lost;
   if (result.lost == 0) return result;
-  std::string places;
-  const auto add = [&](const std::string& words) {
-    places += (places.empty() ? "" : ", ") + words;
-  };
+  calc::Message places;
+  const auto add = [&](const calc::Message& words) { append(places, words, ", "); };
   std::size_t named = 0, rest = in_bodies;
   for (const auto& [by, count] : taken) {
     if (named++ == kMostNamed) break;

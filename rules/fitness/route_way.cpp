@@ -43,7 +43,7 @@ class Way {
     collect(space);
   }
 
-  std::string barred() const {
+  calc::Message barred() const {
     for (int column = 0; column < grid_.columns; ++column) {
       if (const auto words = lost(column); !words.empty()) return words;
     }
@@ -82,7 +82,7 @@ class Way {
   }
 
   // A station of which every point is left out.
-  std::string lost(int column) const {
+  calc::Message lost(int column) const {
     for (int row = 0; row < grid_.rows; ++row) {
       if (point_of_[cell(column, row)]) return {};
     }
@@ -104,7 +104,7 @@ class Way {
     return nullptr;
   }
 
-  std::string barred_after(int column) const {
+  calc::Message barred_after(int column) const {
     const calc::Body* first = nullptr;
     glm::dvec3 place{0.0};
     for (int row = 0; row < grid_.rows; ++row) {
@@ -115,10 +115,10 @@ class Way {
       if (first == nullptr) place = grid_.position_m[*here];
       first = first == nullptr ? body : first;
     }
-    return first == nullptr ? "" : words(place, first->id);
+    return first == nullptr ? calc::Message() : words(place, first->id);
   }
 
-  static std::string words(const glm::dvec3& at_m, const std::string& body) {
+  static calc::Message words(const glm::dvec3& at_m, const std::string& body) {
     return calc::say<calc::Sentence::nobody_passes>(at_m.x, at_m.y, at_m.z, body);
   }
 
@@ -129,8 +129,8 @@ class Way {
 
 }  // namespace
 
-std::string barred_words(const calc::SensorGrid& grid, const calc::Space& space) {
-  return grid.route ? Way(grid, space).barred() : "";
+calc::Message barred_words(const calc::SensorGrid& grid, const calc::Space& space) {
+  return grid.route ? Way(grid, space).barred() : calc::Message();
 }
 
 }  // namespace rules

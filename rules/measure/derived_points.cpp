@@ -51,9 +51,10 @@ double luminous_ceiling(double sum, double background_lx) {
          calc::log10(2.0 * sum * std::max(1.0 / background_lx, 1.0 / calc::kLuminousCeiling_lx));
 }
 
-std::string doubt_text(const calc::GlareDoubt& doubt) {
-  const std::string place = fmt::format("({:.3f}, {:.3f}, {:.3f})", doubt.luminaire_m[0],
-                                        doubt.luminaire_m[1], doubt.luminaire_m[2]);
+calc::Message doubt_text(const calc::GlareDoubt& doubt) {
+  const calc::Message place =
+      calc::Message::number(fmt::format("({:.3f}, {:.3f}, {:.3f})", doubt.luminaire_m[0],
+                                        doubt.luminaire_m[1], doubt.luminaire_m[2]));
   const std::size_t observer = doubt.point + 1;
   switch (doubt.problem) {
     case calc::GlareProblem::below_sight:

@@ -3,6 +3,7 @@
 // at any level; statistics of them are in derived_metrics.h.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/measure/metrics.h"
 #include "rules/measure/replicate_sample.h"
@@ -88,7 +89,7 @@ class GlarePoints : public DerivedPoints {
 // "" for none. channel_weights as above.
 struct GlareDoubts {
   std::size_t points = 0;
-  std::string first;
+  calc::Message first;
 };
 GlareDoubts glare_doubts(const calc::GlareField& glare, const std::vector<double>& channel_weights,
                          const std::vector<std::size_t>& points);

@@ -1,5 +1,6 @@
 #include "rules/measure/level_conditions.h"
 
+#include "calc/base/sentences.h"
 #include "rules/catalogue/mask.h"
 #include "rules/measure/derived_points.h"
 #include "rules/measure/error_spending.h"
@@ -13,6 +14,9 @@
 
 namespace rules {
 namespace {
+
+using calc::say;
+using calc::Sentence;
 
 // Of the largest coefficient, beyond every limit: so that "more than" is met, too, and what a
 // solver rounds breaks nothing. Far below what lamps differ.
@@ -44,23 +48,23 @@ PointValues light_of(const Requirement& requirement, const calc::SensorGrid& gri
 }
 
 // Of which no interval can be told beforehand; the verdict on other levels says so.
-std::string why_not(const Requirement& requirement, const calc::SensorGrid& grid) {
+calc::Message why_not(const Requirement& requirement, const calc::SensorGrid& grid) {
   if (!requirement.problem.empty()) return requirement.problem;
-  if (calc::is_plain_number(grid.derived)) return "a rating or a ratio of points";
-  if (requirement.any_one_unit_out) return "with any one luminaire out";
+  if (calc::is_plain_number(grid.derived)) return say<Sentence::condition_is_rating>();
+  if (requirement.any_one_unit_out) return say<Sentence::condition_with_one_out>();
   const bool is_lower = is_lower_limit(requirement.comparison);
   switch (requirement.metric) {
     case Metric::average:
     case Metric::value_at_point:
-      return "";
+      return {};
     case Metric::minimum:
     case Metric::uniformity_min_avg:
     case Metric::uniformity_min_max:
-      return is_lower ? "" : "a limit from above of a least value";
+      return is_lower ? calc::Message() : say<Sentence::condition_on_least>();
     case Metric::maximum:
-      return is_lower ? "a limit from below of a greatest value" : "";
+      return is_lower ? say<Sentence::condition_on_greatest>() : calc::Message();
     default:
-      return "no sum of the light of groups";
+      return say<Sentence::condition_no_sum>();
   }
 }
 
@@ -84,7 +88,7 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
   problem_ = masked.problem;
   if (!problem_.empty()) return;
   if (masked.points.empty()) {
-    problem_ = "no point counts";
+    problem_ = say<Sentence::condition_no_point>();
     return;
   }
   std::vector<std::size_t> points = masked.points;

@@ -3,6 +3,7 @@
 // are known, no ray is needed to say what other levels give.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/requirement.h"
 
@@ -35,7 +36,7 @@ class LevelConditions {
                   const calc::PlaneField& field, const std::vector<std::string>& groups,
                   double confidence);
 
-  const std::string& problem() const { return problem_; }
+  const calc::Message& problem() const { return problem_; }
 
   // Those that these levels break most, worst first, `most` of them at most. safety: how many half
   // widths of its interval a value has to lie on the good side of its limit; < 0: how many of them
@@ -79,7 +80,7 @@ class LevelConditions {
   std::vector<Light> light_;        // one for each condition, or for each point
   std::vector<std::size_t> point_;  // of the grid; as many, but of averages none
   std::vector<double> average_lx_;  // of a share of the average; [group + 1]
-  std::string problem_;
+  calc::Message problem_;
 };
 
 }  // namespace rules

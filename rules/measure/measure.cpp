@@ -29,8 +29,12 @@ namespace {
 constexpr double kListPointToleranceMetres =
     1e-3;  // point lists have no cells: the point itself must be named
 
-std::string point_text(const glm::dvec3& p) {
-  return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z);
+calc::Message direction_text(const glm::dvec3& way) {
+  return calc::Message::number(fmt::format("({:.3g} {:.3g} {:.3g})", way.x, way.y, way.z));
+}
+
+calc::Message point_text(const glm::dvec3& p) {
+  return calc::Message::number(fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z));
 }
 
 constexpr double kSameStep_m = 0.1;  // of a route's points: not a tread further up or down
@@ -86,7 +90,7 @@ constexpr double kSameLook = 0.9998;  // cosine: about a degree
 // Which of the points that stand at the place of point `nearest` looks as asked for; only a list
 // has more than one. Empty, with the reason: none, or it is not said which.
 std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_t nearest,
-                                        const Requirement& requirement, std::string& reason) {
+                                        const Requirement& requirement, calc::Message& reason) {
   if (grid.columns > 0 && !requirement.facing) return nearest;
   const glm::dvec3& wanted_m = requirement.point_m.value();
   const auto looks_like = [&](std::size_t i, const glm::dvec3& look) {
@@ -98,40 +102,41 @@ std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_
   for (std::size_t i = 0; grid.columns == 0 && i < grid.position_m.size(); ++i) {
     if (i != nearest && is_near(grid, i, wanted_m)) there.push_back(i);
   }
-  std::string looks;
+  calc::Message looks;
   bool is_clear = true;
   for (const std::size_t i : there) {
     if (!looks_like(i, look)) is_clear = false;
-    looks += fmt::format("{}({:.3g} {:.3g} {:.3g})", looks.empty() ? "" : ", ", grid.normal[i].x,
-                         grid.normal[i].y, grid.normal[i].z);
+    append(looks, direction_text(grid.normal[i]), ", ");
   }
   const auto found =
       std::find_if(there.begin(), there.end(), [&](std::size_t i) { return looks_like(i, look); });
   if (is_clear || (requirement.facing && found != there.end())) return *found;
   reason = requirement.facing
-               ? calc::say<calc::Sentence::no_such_look>(
-                     point_text(wanted_m),
-                     fmt::format("({:.3g} {:.3g} {:.3g})", look.x, look.y, look.z), looks)
+               ? calc::say<calc::Sentence::no_such_look>(point_text(wanted_m), direction_text(look),
+                                                         looks)
                : calc::say<calc::Sentence::looks_differ>(there.size(), point_text(wanted_m), looks);
   return std::nullopt;
 }
 
-std::string near_text(const calc::SensorGrid& grid) {
-  if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
+calc::Message near_text(const calc::SensorGrid& grid) {
+  if (grid.columns == 0) {
+    return calc::Message::number(fmt::format("{} m", kListPointToleranceMetres));
+  }
   if (grid.route) return calc::say<calc::Sentence::within_route>(kSameStep_m);
   return calc::say<calc::Sentence::within_cell>(0.5 * grid.spacing_u_m, 0.5 * grid.spacing_v_m,
                                                 kSamePlane_m);
 }
 
 // What is easily overlooked in three coordinates.
-std::string off_plane_text(const calc::SensorGrid& grid, std::size_t point,
-                           const glm::dvec3& wanted_m) {
+calc::Message off_plane_text(const calc::SensorGrid& grid, std::size_t point,
+                             const glm::dvec3& wanted_m) {
   if (grid.columns == 0 || grid.route) return {};
   const double across_m = distance_across_m(grid, point, wanted_m);
-  return across_m > kSamePlane_m ? ", " + calc::say<calc::Sentence::off_plane>(across_m) : "";
+  if (!(across_m > kSamePlane_m)) return {};
+  return ", " + calc::say<calc::Sentence::off_plane>(across_m);
 }
 
-std::string undefined_text(Metric metric) {
+calc::Message undefined_text(Metric metric) {
   return metric == Metric::uniformity_min_max ? calc::say<calc::Sentence::maximum_is_zero>()
                                               : calc::say<calc::Sentence::average_is_zero>();
 }
@@ -158,7 +163,7 @@ void place_in_grid(const MaskedPoints& masked, std::optional<MetricEstimate>& me
   if (metric && metric->point) metric->point = masked.points[*metric->point];
 }
 
-Measurement nothing_to_measure(const std::string& reason) {
+Measurement nothing_to_measure(const calc::Message& reason) {
   Measurement result;
   result.reason = reason;
   return result;
@@ -357,7 +362,7 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
 }
 
 // Why an interval that no sample made is one.
-std::string readings_words(const calc::Estimate& readings) {
+calc::Message readings_words(const calc::Estimate& readings) {
   if (!(readings.low < readings.high)) return {};
   return calc::say<calc::Sentence::readings_differ>();
 }
@@ -505,7 +510,7 @@ Measurement measure_as_sampled(const Requirement& requirement, const calc::Senso
           near_text(grid), point_text(wanted_m),
           point_text(nearest_m) + off_plane_text(grid, *point, wanted_m)));
     }
-    std::string reason;
+    calc::Message reason;
     point = point_facing(grid, *point, requirement, reason);
     if (!point) return nothing_to_measure(reason);
   }

@@ -2,6 +2,7 @@
 // From a requirement and a plane's results to the quantity that it limits, with its interval.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/goal.h"
@@ -20,7 +21,7 @@ namespace rules {
 // metric is empty if the quantity does not exist; `reason` then says why, in words.
 struct Measurement {
   std::optional<MetricEstimate> metric;
-  std::string reason;
+  calc::Message reason;
   std::size_t points_used = 0;  // that the requirement's mask leaves
   // Points whose value is not known to be what was measured, only as far as they matter for this
   // quantity. While there are any, a pass is not proved, and a fail by `despite_doubt` only.
@@ -31,10 +32,10 @@ struct Measurement {
   // despite_doubt.h.
   std::optional<MetricEstimate> despite_doubt;
   // What must be read with the interval where it leaves the verdict open; or "".
-  std::string remark;
+  calc::Message remark;
   // Nothing is there that the quantity could be of, and so it is less than every limit: its value
   // is -infinity, exactly. In words; or "".
-  std::string nothing_there;
+  calc::Message nothing_there;
   // Of an interval that is not of samples alone: that of samples alone, and whether the rest of it
   // holds the limit, so that no number of samples decides.
   std::optional<calc::Estimate> by_samples;

@@ -1,5 +1,6 @@
 // One <check> of a rule pack.
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "rules/catalogue/limit_text.h"
 #include "rules/pack/pack_elements.h"

@@ -1,5 +1,7 @@
 #include "rules/pack/evaluate.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ std::optional<calc::Estimate> measured_for(const RuleCheck& check, const Evidenc
   return found->second;
 }
 
-CheckResult without_verdict(CheckResult result, CheckStatus status, std::string reason) {
+CheckResult without_verdict(CheckResult result, CheckStatus status, calc::Message reason) {
   result.status = status;
   result.reason = std::move(reason);
   return result;
@@ -99,7 +101,8 @@ CheckResult evaluate_check(const RuleCheck& check, const Evidence& evidence) {
   }
   result.measured = measured_for(check, evidence);
   if (!result.measured) {
-    return without_verdict(result, CheckStatus::not_evaluated, "there is no result for it");
+    return without_verdict(result, CheckStatus::not_evaluated,
+                           calc::say<calc::Sentence::no_result_for_it>());
   }
   const DecisionPolicy& policy = evidence.pack.policy;
   const int digits = policy.digits(check.dimension(), is_ratio(check.metric));

@@ -4,6 +4,7 @@
 // grow, see bind.h and judge.h.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "rules/catalogue/compare.h"
 #include "rules/pack/limit.h"
 #include "rules/pack/rule_pack.h"
@@ -33,7 +34,7 @@ struct CheckResult {
   Limit limit;
   bool is_close = false;
   bool by_tolerance = false;
-  std::string reason;  // of not_applicable and not_evaluated
+  calc::Message reason;  // of not_applicable and not_evaluated
 };
 
 // What was measured for one row of a pack.

@@ -1,6 +1,7 @@
 #include "rules/pack/import_rows.h"
 
 #include "calc/base/csv.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
 #include "rules/pack/import_columns.h"

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kSameValue = 1e-9;  // relative
 
+calc::Message number(double value, const char* unit) {
+  return calc::Message::number(fmt::format("{:.9g} {}", value, unit));
+}
+
 bool is_same(double a, double b) { return std::abs(a - b) <= kSameValue * std::abs(b); }
 
 calc::Estimate exactly(double value) { return {value, value, value}; }
@@ -24,30 +28,30 @@ Limit known(const calc::Estimate& value, Trust trust = Trust::confirmed) {
   return limit;
 }
 
-Limit missing(LimitStatus status, std::string reason) {
+Limit missing(LimitStatus status, calc::Message reason) {
   Limit limit;
   limit.status = status;
   limit.reason = std::move(reason);
   return limit;
 }
 
-Limit unknown(std::string reason) { return missing(LimitStatus::unknown, std::move(reason)); }
+Limit unknown(calc::Message reason) { return missing(LimitStatus::unknown, std::move(reason)); }
 
 Limit stepped(const RuleScale& scale, int steps, Limit start) {
   if (start.value.low != start.value.high) {
-    return unknown(fmt::format("scale '{}' needs a value that is exactly known", scale.id));
+    return unknown(calc::say<calc::Sentence::scale_inexact>(scale.id));
   }
   const auto at = std::find_if(scale.values.begin(), scale.values.end(),
                                [&](double value) { return is_same(start.value.value, value); });
   const char* unit = base_unit(scale.unit.dimension);
   if (at == scale.values.end()) {
     return unknown(
-        fmt::format("{:.9g} {} is not on scale '{}'", start.value.value, unit, scale.id));
+        calc::say<calc::Sentence::not_on_scale>(number(start.value.value, unit), scale.id));
   }
   const std::ptrdiff_t index = at - scale.values.begin() + steps;
   if (index < 0 || index >= static_cast<std::ptrdiff_t>(scale.values.size())) {
-    return unknown(fmt::format("scale '{}' ends before {:+} steps from {:.9g} {}", scale.id, steps,
-                               start.value.value, unit));
+    return unknown(
+        calc::say<calc::Sentence::scale_ends>(scale.id, steps, number(start.value.value, unit)));
   }
   start.value = exactly(scale.values[static_cast<std::size_t>(index)]);
   return start;
@@ -69,10 +73,11 @@ Limit row_value(const Expression& expression, const LimitScope& scope) {
   const RuleValue* value = scope.row->find_value(expression.name);
   if (value == nullptr || !value->required) {
     const NoValue why = value == nullptr ? NoValue::not_specified : value->why;
-    const std::string reason =
+    const calc::Message reason =
         why == NoValue::unknown
             ? calc::say<calc::Sentence::value_unknown>(scope.row->ref, expression.name)
-            : fmt::format("row {}: {} is {}", scope.row->ref, expression.name, calc::name_of(why));
+            : calc::say<calc::Sentence::row_value_is>(scope.row->ref, expression.name,
+                                                      calc::name_of(why));
     return missing(why == NoValue::unknown ? LimitStatus::unknown : LimitStatus::not_applicable,
                    reason);
   }
@@ -114,12 +119,12 @@ std::optional<double> look_up(const RuleTable& table, double key) {
 
 Limit table_value(const RuleTable& table, Limit key) {
   if (key.value.low != key.value.high) {
-    return unknown(fmt::format("table '{}' needs a key that is exactly known", table.id));
+    return unknown(calc::say<calc::Sentence::table_inexact>(table.id));
   }
   const std::optional<double> value = look_up(table, key.value.value);
   if (!value) {
-    return unknown(fmt::format("table '{}' has nothing for {:.9g} {}", table.id, key.value.value,
-                               base_unit(table.key_unit.dimension)));
+    return unknown(calc::say<calc::Sentence::table_has_none>(
+        table.id, number(key.value.value, base_unit(table.key_unit.dimension))));
   }
   key.value = exactly(*value);
   key.trust = std::max(key.trust, table.trust);
@@ -147,12 +152,12 @@ Limit joined(ExpressionKind kind, const Limit& a, const Limit& b) {
   if (a.status != LimitStatus::known) return a;
   if (b.status != LimitStatus::known) return b;
   if (kind == ExpressionKind::divide && !(b.value.low > 0.0)) {
-    return unknown("the limit divides by a value that may be 0");
+    return unknown(calc::say<calc::Sentence::limit_divides_by_zero>());
   }
   const calc::Estimate value = combined(kind, a.value, b.value);
   // At once: the smaller of a NaN and a number would be the number.
   if (!std::isfinite(value.value) || !std::isfinite(value.low) || !std::isfinite(value.high)) {
-    return unknown("the limit is not a finite number");
+    return unknown(calc::say<calc::Sentence::limit_not_finite>());
   }
   Limit limit = known(value, std::max(a.trust, b.trust));
   limit.level = a.level == RowLevel::required ? b.level : a.level;
@@ -179,7 +184,7 @@ Limit of_operands(const Expression& expression, const LimitScope& scope) {
 Limit result_of(const RuleCheck& check, const LimitScope& scope) {
   const std::optional<calc::Estimate> result =
       scope.result_of ? scope.result_of(check) : std::nullopt;
-  if (!result) return unknown(fmt::format("the result of check '{}' is not known", check.id));
+  if (!result) return unknown(calc::say<calc::Sentence::result_not_known>(check.id));
   return known(*result);
 }
 
@@ -226,7 +231,7 @@ Limit at_special_place(const RuleCheck& check, Limit usual, const LimitScope& sc
 Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope) {
   Limit limit = at_special_place(check, evaluate(check.limit, scope), scope);
   if (limit.status == LimitStatus::known && !std::isfinite(limit.value.high)) {
-    return unknown("the limit is not a finite number");
+    return unknown(calc::say<calc::Sentence::limit_not_finite>());
   }
   limit.trust = std::max(limit.trust, check.trust);
   return limit;

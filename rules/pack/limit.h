@@ -2,6 +2,7 @@
 // A formula of a rule pack as a number: the limit of a check for one row, level and project.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "rules/pack/rule_pack.h"
 
 #include <functional>
@@ -33,7 +34,7 @@ struct Limit {
   calc::Estimate value;            // of known, base units; an interval if it hangs on a result
   Trust trust = Trust::confirmed;  // the worst of everything that it was made of
   RowLevel level;                  // of the values in it: of the scope, if it changes one of them
-  std::string reason;              // of not_applicable and unknown, in words
+  calc::Message reason;            // of not_applicable and unknown, in words
   // The number that it is, where the plane is at a special place and the pack has one for that.
   const RuleSpecial* special = nullptr;
 };

@@ -135,7 +135,7 @@ std::vector<PackField> of_scale(const RuleScale& scale) {
 std::vector<PackField> of_mask(const Mask& mask) {
   std::vector<std::string> operations;
   for (const MaskOperation& operation : mask.operations) {
-    operations.push_back(mask_words({"", {operation}}));
+    operations.push_back(mask_words({"", {operation}}).english());
   }
   return {words("points", set_text(std::move(operations)))};
 }

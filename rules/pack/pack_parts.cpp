@@ -1,5 +1,6 @@
 #include "rules/pack/pack_parts.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "rules/pack/pack_elements.h"
 

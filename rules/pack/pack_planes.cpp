@@ -1,3 +1,4 @@
+#include "calc/base/diagnostic_ids.h"
 #include "rules/pack/pack_parts.h"
 
 #include "rules/pack/pack_elements.h"

@@ -1,5 +1,6 @@
 #include "rules/pack/rule_lint.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "rules/pack/row_values.h"
 
 #include <algorithm>

@@ -67,7 +67,7 @@ const Item* find_item(const std::vector<Item>& items, std::string_view wanted, K
 
 }  // namespace
 
-std::string trust_remark(Trust trust) {
+calc::Message trust_remark(Trust trust) {
   switch (trust) {
     case Trust::confirmed:
       break;
@@ -79,7 +79,7 @@ std::string trust_remark(Trust trust) {
   return {};
 }
 
-std::string with_trust(const std::string& name, Trust trust) {
+calc::Message with_trust(const calc::Message& name, Trust trust) {
   switch (trust) {
     case Trust::confirmed:
       break;
@@ -229,7 +229,7 @@ std::string grid_text(const RuleGrid& grid) {
                          count.rows);
     }
   }
-  return with_trust(text, grid.trust);
+  return with_trust(calc::Message::words(text), grid.trust).english();
 }
 
 std::vector<RulePack> builtin_rule_packs() {

@@ -3,6 +3,7 @@
 // everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
@@ -28,8 +29,8 @@ enum class Trust {
   unverified,     // from memory, or doubtful
 };
 // For reports: "", "one public source", "unverified requirement"; and behind a name, in brackets.
-std::string trust_remark(Trust trust);
-std::string with_trust(const std::string& name, Trust trust);
+calc::Message trust_remark(Trust trust);
+calc::Message with_trust(const calc::Message& name, Trust trust);
 
 // Why a row has no value of a parameter.
 enum class NoValue {

@@ -1,5 +1,6 @@
 #include "rules/pack/rule_pack_check.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "rules/pack/pack_parts.h"
 
 #include <fmt/format.h>

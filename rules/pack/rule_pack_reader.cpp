@@ -1,5 +1,6 @@
 // A rule pack file as a whole.
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"

@@ -114,16 +114,15 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
   return all;
 }
 
-void add_zone_words(const std::string& role, const std::string& zone, const std::string& text,
-                    std::string& words) {
-  words += words.empty() ? "" : ", ";
-  words += zone == role ? text : fmt::format("{}: {}", zone, text);
+void add_zone_words(const std::string& role, const std::string& zone, const calc::Message& text,
+                    calc::Message& words) {
+  append(words, zone == role ? text : calc::Message::words(zone) + ": " + text, ", ");
 }
 
 // Of a role and its parts ("wall.1"): why there is no plane of them.
 void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool is_asked,
                   RoleCoverage& coverage) {
-  std::string not_made;
+  calc::Message not_made;
   bool has_ended = false, is_place_unknown = false;
   for (const calc::UnmadeZone& zone : workplace.unmade) {
     if (zone.role != coverage.role && !zone.role.starts_with(coverage.role + ".")) continue;
@@ -168,10 +167,10 @@ bool goes_on(const RoomSurface& wall, const RoomSurface& other) {
 // Walls that the planes of these requirements do not lie on, of those that are wide enough to
 // count: "without the walls r.wall2, r.wall3". A workplace makes a plane of every wall, and says of
 // which it could not.
-std::string walls_not_asked(const calc::Space& space, const std::vector<RequirementName>& of,
-                            double strip_m) {
+calc::Message walls_not_asked(const calc::Space& space, const std::vector<RequirementName>& of,
+                              double strip_m) {
   if (!space.shell) return calc::say<calc::Sentence::walls_unknown>();
-  std::string words;
+  calc::Message words;
   const std::vector<RoomSurface> walls = surfaces_of(space, ".wall");
   for (const RoomSurface& wall : walls) {
     // A piece of a straight wall is as wide as all of it.
@@ -190,7 +189,7 @@ std::string walls_not_asked(const calc::Space& space, const std::vector<Requirem
                                    has_inside(wall, strip_m) ? strip_m : 0.0)
                       .empty();
         });
-    if (!is_asked) words += (words.empty() ? "" : ", ") + wall.id;
+    if (!is_asked) append(words, calc::Message::words(wall.id), ", ");
   }
   return words.empty() ? words : calc::say<calc::Sentence::without_walls>(words);
 }
@@ -204,8 +203,8 @@ const RuleCheck* alternative_to(const RuleCheck& check, const RulePack& pack) {
 }
 
 // Planes that the row's illuminance is asked of, and its glare is not; "" = there are none.
-std::string areas_without(const Asked& asked, const std::vector<RequirementName>& glare) {
-  std::string words;
+calc::Message areas_without(const Asked& asked, const std::vector<RequirementName>& glare) {
+  calc::Message words;
   for (const auto& [check, finding] : asked.findings) {
     const std::string& plane_id = finding->requirement.plane_id;
     const bool is_rated = std::any_of(glare.begin(), glare.end(),
@@ -213,15 +212,15 @@ std::string areas_without(const Asked& asked, const std::vector<RequirementName>
     const bool is_area =
         finding->requirement.metric == Metric::average && check->role == asked.pack->role;
     if (is_rated || !is_area) continue;
-    words += (words.empty() ? "" : ", ") + plane_id;
+    append(words, calc::Message::words(plane_id), ", ");
   }
   return words;
 }
 
 // Planes of the zone that a role is around, or that it holds, without such a plane around them: it
 // is asked of some of them only. Null place: the role is about no other. "" = there are none.
-std::string zones_without(const calc::Space& space, const Asked& asked, const RulePlane* place,
-                          const std::vector<RequirementName>& of) {
+calc::Message zones_without(const calc::Space& space, const Asked& asked, const RulePlane* place,
+                            const std::vector<RequirementName>& of) {
   if (place == nullptr) return {};
   const bool is_around = !place->around.empty(), has_band = place->area == ZoneArea::task_and_band;
   std::string inside = is_around ? place->around : place->holds;
@@ -242,7 +241,7 @@ std::string zones_without(const calc::Space& space, const Asked& asked, const Ru
     if (is_inner) inner.push_back(&plane);
   }
   if (outer.empty() || inner.size() < 2) return {};  // one: its planes are held against it
-  std::string words;
+  calc::Message words;
   for (const calc::CalcPlane* zone : inner) {
     std::vector<const calc::PlanarArea*> others;
     for (const calc::CalcPlane* other : inner) {
@@ -259,13 +258,13 @@ std::string zones_without(const calc::Space& space, const Asked& asked, const Ru
       return covered_zone(area, area.margin_m, around, others, space, place->margin_m) >=
              1.0 - place->missing_share;
     });
-    if (!has_own) words += (words.empty() ? "" : ", ") + zone->id;
+    if (!has_own) append(words, calc::Message::words(zone->id), ", ");
   }
   return words;
 }
 
 // Of the eyes of a role.
-std::string eyes_of_role(const calc::Space& space, const Asked& asked, const std::string& role) {
+calc::Message eyes_of_role(const calc::Space& space, const Asked& asked, const std::string& role) {
   std::vector<EyesAsked> eyes;
   for (const auto& [check, finding] : asked.findings) {
     if (check->role != role || check->severity == Severity::advice) continue;
@@ -282,14 +281,14 @@ bool asks(const Asked& asked, const RuleCheck& check) {
 }
 
 // What the project says of a role that is asked with another number for it.
-std::string special_words(const calc::Workplace& workplace, const RulePlane* place) {
+calc::Message special_words(const calc::Workplace& workplace, const RulePlane* place) {
   if (place == nullptr) return {};
   if (place->area == ZoneArea::task && workplace.is_task_place_unknown) {
     return calc::say<calc::Sentence::task_anywhere>();
   }
   return place->area == ZoneArea::walls && workplace.front_wall
              ? calc::say<calc::Sentence::front_wall>(*workplace.front_wall + 1)
-             : "";
+             : calc::Message();
 }
 
 // Empty: the row requires nothing of it, or advice only.
@@ -344,14 +343,14 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   }
   if (coverage.state == RoleState::met && asked.workplace == nullptr &&
       needed->quantity->derived != calc::DerivedQuantity::ugr) {
-    const std::string without = zones_without(space, asked, place, coverage.of);
+    const calc::Message without = zones_without(space, asked, place, coverage.of);
     if (!without.empty()) {
       coverage.state = RoleState::asked_in_part;
       coverage.words = calc::say<calc::Sentence::field_glare_not_everywhere>(without);
     }
   }
   if (is_asked && needed->quantity->of_space == Metric::glare_rating) {
-    const std::string elsewhere = areas_without(asked, coverage.of);
+    const calc::Message elsewhere = areas_without(asked, coverage.of);
     if (!elsewhere.empty()) {
       coverage.state = RoleState::asked_in_part;
       coverage.words = calc::say<calc::Sentence::field_glare_not_everywhere>(elsewhere);
@@ -371,7 +370,7 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
 
 }  // namespace
 
-std::string eyes_in_part(const std::vector<EyesAsked>& eyes) {
+calc::Message eyes_in_part(const std::vector<EyesAsked>& eyes) {
   constexpr double kOneWay = 0.866;  // cosine of 30 degrees
   constexpr double kSamePlace_m = 1.0;
   struct Eye {
@@ -408,7 +407,7 @@ std::string eyes_in_part(const std::vector<EyesAsked>& eyes) {
       return glm::dot(eye.way, other.way) <= kOneWay && other.is_at(eye.place_m);
     });
   });
-  return has_one_way ? calc::say<calc::Sentence::eyes_one_way>() : "";
+  return has_one_way ? calc::say<calc::Sentence::eyes_one_way>() : calc::Message();
 }
 
 RoleState state_of(Outcome outcome, bool has_waived) {
@@ -461,7 +460,7 @@ std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::
   return planes;
 }
 
-std::string ended_words(const calc::Waiver& by) {
+calc::Message ended_words(const calc::Waiver& by) {
   return calc::say<calc::Sentence::left_out_ended>(by.until, by.owner, by.reason);
 }
 
@@ -476,9 +475,12 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
       row.was = asked.workplace->was;
     }
     const std::string level = level_words(asked.level);
-    row.clause = fmt::format("{}:{} {}{}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
-                             level.empty() ? "" : fmt::format(" ({})", level),
-                             asked.scene.empty() ? "" : std::string(kClauseScene) + asked.scene);
+    row.clause = calc::Message::words(
+        fmt::format("{}:{} {}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
+                    level.empty() ? "" : fmt::format(" ({})", level)));
+    if (!asked.scene.empty()) {
+      row.clause = calc::say<calc::Sentence::clause_in_scene>(row.clause, asked.scene);
+    }
     row.is_user_supplied = !asked.pack->is_built_in;
     for (const std::string& role : asked.pack->roles()) {
       if (std::optional<RoleCoverage> covered = cover(space, asked, role, today)) {

@@ -1,6 +1,7 @@
 #pragma once
 // What of a row of a rule pack is asked in a room: a task that passes is not yet a row that is met.
 
+#include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "rules/pack/rule_pack.h"
@@ -45,18 +46,15 @@ struct RoleCoverage {
   RoleState state = RoleState::never_asked;
   // Of left_out, not_made and not_possible: why; of asked_in_part: without what; parts of a role:
   // which. Of what is asked by another number than the row's: what the project says for it.
-  std::string words;
+  calc::Message words;
   std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
   std::vector<LeftOutZone> left_out = {};
 };
 
 // One row in a room, by a workplace or by the <require> elements of the room's planes together.
-// Between a row and the scene that it is asked in, in RowCoverage::clause.
-inline constexpr std::string_view kClauseScene = ", scene ";
-
 struct RowCoverage {
   std::string workplace;            // its id; "" of <require> elements
-  std::string clause;               // "EN 12464-1:2021 34.2", "EN 1838:2024 1, scene night"
+  calc::Message clause;             // "EN 12464-1:2021 34.2", "EN 1838:2024 1, scene night"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
   std::string was = {};             // the workplace's id in earlier revisions; "" = the same
   bool is_user_supplied = false;    // see RuleOrigin
@@ -89,10 +87,10 @@ struct EyesAsked {
 };
 // Of eyes that the project places itself and that meet their limit: whoever looks one way only has
 // chosen the way, and what no eye sees was not rated. "" = neither.
-std::string eyes_in_part(const std::vector<EyesAsked>& eyes);
+calc::Message eyes_in_part(const std::vector<EyesAsked>& eyes);
 
 // "leaving it out ended on 2027-06-30, by A. Meier: glass"
-std::string ended_words(const calc::Waiver& by);
+calc::Message ended_words(const calc::Waiver& by);
 
 }  // namespace rules
 

@@ -38,26 +38,26 @@ int digits_for(const calc::Estimate& estimate, double limit, const Requirement& 
   return digits;
 }
 
-std::string undecided_text(const calc::Estimate& estimate, double limit,
-                           const Requirement& requirement) {
+calc::Message undecided_text(const calc::Estimate& estimate, double limit,
+                             const Requirement& requirement) {
   const int digits = digits_for(estimate, limit, requirement);
   const std::string unit =
       *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
-  const std::string required = fmt::format("{:.9g}{}", limit, unit);
+  const auto number = [&](double value, std::string_view behind) {
+    return calc::Message::number(fmt::format("{:.{}f}{}", value, digits, behind));
+  };
+  const calc::Message required = calc::Message::number(fmt::format("{:.9g}{}", limit, unit));
   if (!std::isfinite(estimate.low)) {
-    return calc::say<calc::Sentence::undecided_below>(
-        fmt::format("{:.{}f}{}", estimate.high, digits, unit), required);
+    return calc::say<calc::Sentence::undecided_below>(number(estimate.high, unit), required);
   }
   if (!std::isfinite(estimate.high)) {
-    return calc::say<calc::Sentence::undecided_above>(
-        fmt::format("{:.{}f}{}", estimate.low, digits, unit), required);
+    return calc::say<calc::Sentence::undecided_above>(number(estimate.low, unit), required);
   }
-  return calc::say<calc::Sentence::undecided>(fmt::format("{:.{}f}", estimate.low, digits),
-                                              fmt::format("{:.{}f}{}", estimate.high, digits, unit),
+  return calc::say<calc::Sentence::undecided>(number(estimate.low, ""), number(estimate.high, unit),
                                               required);
 }
 
-std::string doubt_text(const Measurement& measurement, const calc::SensorGrid& grid) {
+calc::Message doubt_text(const Measurement& measurement, const calc::SensorGrid& grid) {
   const std::size_t points = grid.position_m.size();
   return measurement.unseen_points > 0
              ? calc::say<calc::Sentence::unseen>(measurement.unseen_points, points)
@@ -84,7 +84,7 @@ double more_work(const Finding& finding, const Measurement& measurement) {
 }
 
 // "" where paths do not help, or nobody knows how many.
-std::string more_work_text(const Finding& finding, const Measurement& measurement) {
+calc::Message more_work_text(const Finding& finding, const Measurement& measurement) {
   const bool is_unknown = measurement.unseen_points > 0 || !measurement.remark.empty() ||
                           measurement.is_cut_off || measurement.has_missing_light ||
                           (measurement.single_sample_points > 0 && measurement.largest_share <= 0);
@@ -93,11 +93,11 @@ std::string more_work_text(const Finding& finding, const Measurement& measuremen
   constexpr double kMostTimes = 65536.0;
   const double times = more_work(finding, measurement);
   if (!(times <= kMostTimes)) {
-    return "; " + calc::say<calc::Sentence::too_close>();
+    return calc::say<calc::Sentence::too_close>();
   }
   double power = 2.0;
   while (power < times) power *= 2.0;
-  return "; " + calc::say<calc::Sentence::more_paths>(power);
+  return calc::say<calc::Sentence::more_paths>(power);
 }
 
 int digits_of(const Requirement& requirement) {
@@ -207,7 +207,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.reason = measurement.nothing_there;
   if (finding.verdict == Verdict::undecided) {
     finding.reason = undecided_text(finding.measured, limit, requirement);
-    if (!measurement.remark.empty()) finding.reason += "; " + measurement.remark;
+    append(finding.reason, measurement.remark);
   }
   if (!measurement.has_doubtful_points()) {
     if (measurement.is_cut_off && !holds_with_more_light(requirement, finding.verdict)) {
@@ -234,6 +234,13 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   return finding;
 }
 
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid, const calc::PlaneField& field) {
+  Finding finding = judge_measurement(requirement, measurement, grid);
+  if (!field.is_exact()) append(finding.reason, more_work_text(finding, measurement));
+  return finding;
+}
+
 std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence) {
@@ -242,15 +249,14 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
   std::vector<Finding> findings;
   findings.reserve(requirements.size());
   for (const Requirement& requirement : requirements) {
-    const Measurement measurement = measure(requirement, grid, field, scenes, level);
-    findings.push_back(judge_measurement(requirement, measurement, grid));
-    if (!field.is_exact()) findings.back().reason += more_work_text(findings.back(), measurement);
+    findings.push_back(judge_measurement(
+        requirement, measure(requirement, grid, field, scenes, level), grid, field));
   }
   return findings;
 }
 
 std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
-                                      const std::string& reason) {
+                                      const calc::Message& reason) {
   std::vector<Finding> findings;
   for (const Requirement& requirement : requirements) {
     Finding finding;

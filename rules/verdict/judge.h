@@ -2,6 +2,7 @@
 // Requirement against result: the verdict.
 
 #include "calc/base/field.h"
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/compare.h"
@@ -34,12 +35,16 @@ Decision decide(const Requirement& requirement, const calc::Estimate& measured);
 // as good: where a limit that is left out is met exactly, or a policy rounds.
 double margin_of(const Requirement& requirement, const calc::Estimate& measured, Verdict verdict);
 
-// What a measurement says about its requirement.
+// What a measurement says about its requirement, and about how much more work would decide it.
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid, const calc::PlaneField& field);
+
+// The same without that.
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid);
 
 // For a plane that could not be computed: every requirement is not judged, for this reason.
 std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
-                                      const std::string& reason);
+                                      const calc::Message& reason);
 
 }  // namespace rules

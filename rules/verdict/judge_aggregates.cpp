@@ -105,27 +105,25 @@ LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
 struct Part {
   AggregateMember member;
   Verdict lived_with = Verdict::pass;
-  std::string why_no_area;  // "" if it has one, or nothing is known of it
+  calc::Message why_no_area;  // "" if it has one, or nothing is known of it
 };
 
 constexpr std::size_t kMostToldMembers = 4;
 
-std::string list_text(const std::vector<std::string>& names) {
-  return calc::list_names(names, kMostToldMembers);
-}
-
 // Where a member has its verdict from, if that is not a pass: planes and the first reason.
-std::string where_from(const std::vector<Entry>& entries, Verdict verdict) {
+calc::Message where_from(const std::vector<Entry>& entries, Verdict verdict) {
   if (verdict == Verdict::pass) return {};
   std::vector<std::string> planes;
-  std::string reason;
+  calc::Message reason;
   for (const Entry& entry : entries) {
     if (entry.finding->verdict != verdict) continue;
     const std::string& id = entry.place->plane->id;
     if (!names_check(planes, id)) planes.push_back(id);
     if (reason.empty() && verdict != Verdict::fail) reason = entry.finding->reason;
   }
-  return list_text(planes) + (reason.empty() ? "" : ": " + reason);
+  calc::Message where = calc::names_message(planes, kMostToldMembers);
+  append(where, reason, ": ");
+  return where;
 }
 
 Part part_of(std::string name, const std::vector<Entry>& entries) {
@@ -273,7 +271,7 @@ std::vector<Part> parts_by_room(const RulePack& pack, const std::vector<std::str
       for (const Part& check : parts_by_check(pack, checks, use)) {
         const Verdict verdict = verdict_of_both(part.member.verdict, check.member.verdict);
         if (verdict != part.member.verdict) {
-          part.member.reason = check.member.name + ": " + check.member.reason;
+          part.member.reason = calc::Message::words(check.member.name) + ": " + check.member.reason;
         }
         part.member.verdict = verdict;
         part.lived_with = verdict_of_both(part.lived_with, check.lived_with);
@@ -299,38 +297,38 @@ std::optional<Verdict> lived_with(const RuleAggregate& aggregate, const std::vec
 }
 
 // "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)"
-std::string reason_text(const std::vector<Part>& parts) {
-  std::string text;
+calc::Message reason_text(const std::vector<Part>& parts) {
+  calc::Message text;
   for (const Verdict verdict : {Verdict::fail, Verdict::undecided, Verdict::not_judged}) {
-    std::vector<std::string> names;
+    std::vector<calc::Message> names;
     for (const Part& part : parts) {
       const AggregateMember& member = part.member;
       if (member.verdict != verdict) continue;
-      names.push_back(member.reason.empty() || member.reason == member.name
-                          ? member.name
-                          : fmt::format("{} ({})", member.name, member.reason));
+      const calc::Message name = calc::Message::words(member.name);
+      names.push_back(member.reason.empty() || member.reason == name
+                          ? name
+                          : name + " (" + member.reason + ")");
     }
     if (names.empty()) continue;
-    const std::string list = list_text(names);
-    text += text.empty() ? "" : "; ";
-    text += verdict == Verdict::fail        ? calc::say<calc::Sentence::failing>(list)
-            : verdict == Verdict::undecided ? calc::say<calc::Sentence::undecided_are>(list)
-                                            : calc::say<calc::Sentence::not_judged_are>(list);
+    const calc::Message list = calc::listed(names, kMostToldMembers);
+    append(text, verdict == Verdict::fail        ? calc::say<calc::Sentence::failing>(list)
+                 : verdict == Verdict::undecided ? calc::say<calc::Sentence::undecided_are>(list)
+                                                 : calc::say<calc::Sentence::not_judged_are>(list));
   }
   return text;
 }
 
 // Who has waived what is in it.
-std::string waiver_text(const std::vector<Entry>& entries) {
-  std::vector<std::string> told;
+calc::Message waiver_text(const std::vector<Entry>& entries) {
+  std::vector<calc::Message> told;
   for (const Entry& entry : entries) {
     const std::optional<Waiver>& waiver = entry.finding->requirement.waiver;
     if (!entry.finding->is_waived || !waiver) continue;
-    std::string text =
+    calc::Message text =
         calc::say<calc::Sentence::waived_by>(waiver->owner, waiver->until, waiver->reason);
-    if (!names_check(told, text)) told.push_back(std::move(text));
+    if (std::find(told.begin(), told.end(), text) == told.end()) told.push_back(std::move(text));
   }
-  return list_text(told);
+  return calc::listed(told, kMostToldMembers);
 }
 
 Trust worst_trust(const RulePack& pack, Trust own, const std::vector<std::string>& checks,
@@ -345,24 +343,23 @@ Trust worst_trust(const RulePack& pack, Trust own, const std::vector<std::string
   return trust;
 }
 
-std::string clause_of(const RulePack& pack, const std::string& clause, const Group& group,
-                      Trust trust) {
+calc::Message clause_of(const RulePack& pack, const std::string& clause, const Group& group,
+                        Trust trust) {
   std::string text = fmt::format("{}:{}", pack.title, pack.edition);
   const RuleOrigin& origin = group.front().origin();
   const std::string& ref = clause.empty() ? origin.row : clause;
   if (!ref.empty()) text += " " + ref;
   const std::string level = level_words(origin.level);
   if (!level.empty() && clause.empty()) text += fmt::format(" ({})", level);
-  return with_trust(text, trust);
+  return with_trust(calc::Message::words(text), trust);
 }
 
-std::string note_of(const RulePack& pack, const std::string& own, Trust trust) {
-  std::string note = trust_remark(trust);
-  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+calc::Message note_of(const RulePack& pack, const std::string& own, Trust trust) {
+  calc::Message note = trust_remark(trust);
   if (pack.status != "published") {
-    add(calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
+    append(note, calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
   }
-  if (!own.empty()) add(own);
+  append(note, calc::Message::words(own));
   return note;
 }
 
@@ -371,7 +368,7 @@ void settle(AggregateFinding& finding, const RuleAggregate& aggregate,
   finding.is_waived = finding.verdict != Verdict::pass &&
                       lived_with(aggregate, parts).value_or(Verdict::pass) == Verdict::pass;
   if (finding.verdict != Verdict::pass) finding.reason = reason_text(parts);
-  if (finding.is_waived) finding.reason += "; " + waiver_text(group);
+  if (finding.is_waived) append(finding.reason, waiver_text(group));
   finding.members = members_of(parts);
 }
 
@@ -405,18 +402,14 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
   finding.is_user_supplied = !pack.is_built_in;
   finding.note = note_of(pack, aggregate.note, trust);
   settle(finding, aggregate, parts, group);
-  const auto add_reason = [&finding](std::string_view text) {
-    finding.reason += finding.reason.empty() ? "" : "; ";
-    finding.reason += text;
-  };
   if (*verdict == Verdict::not_judged && lacks_areas(aggregate, finding.members)) {
     const auto shared = std::find_if(parts.begin(), parts.end(),
                                      [](const Part& part) { return !part.why_no_area.empty(); });
-    add_reason(shared == parts.end() ? calc::say<calc::Sentence::area_unknown>()
-                                     : shared->why_no_area);
+    append(finding.reason,
+           shared == parts.end() ? calc::say<calc::Sentence::area_unknown>() : shared->why_no_area);
   }
   if (lacks_members(aggregate, finding.members)) {
-    add_reason(calc::say<calc::Sentence::too_few_apply>(aggregate.count, parts.size()));
+    append(finding.reason, calc::say<calc::Sentence::too_few_apply>(aggregate.count, parts.size()));
   }
   return finding;
 }

@@ -48,7 +48,7 @@ AggregateMember room_of(const calc::Project& project, const calc::Space& space,
 
 // Why the floors of its rooms do not add up: two of them overlap, and what both have would count
 // twice. "" = they do.
-std::string overlap_of(const calc::Project& project, const calc::Building& building) {
+calc::Message overlap_of(const calc::Project& project, const calc::Building& building) {
   struct Room {
     const calc::Space* space;
     glm::dvec2 low_m, high_m;
@@ -74,19 +74,19 @@ std::string overlap_of(const calc::Project& project, const calc::Building& build
 }
 
 // "not judged: hall (power of 2 luminaires is not known)"
-std::string unknown_rooms(const std::vector<AggregateMember>& rooms) {
-  std::vector<std::string> names;
+calc::Message unknown_rooms(const std::vector<AggregateMember>& rooms) {
+  std::vector<calc::Message> names;
   for (const AggregateMember& room : rooms) {
     if (room.value) continue;
-    names.push_back(fmt::format("{} ({})", room.name, room.reason));
+    names.push_back(calc::Message::words(room.name) + " (" + room.reason + ")");
   }
-  return calc::say<calc::Sentence::not_judged_are>(calc::list_names(names, kMostToldRooms));
+  return calc::say<calc::Sentence::not_judged_are>(calc::listed(names, kMostToldRooms));
 }
 
 // Hours and factors, each once; and that light outside of rooms is in no building.
 void add_notes(const calc::Project& project, const std::vector<AggregateMember>& rooms,
                Requirement& requirement) {
-  std::vector<std::string> uses;
+  std::vector<calc::Message> uses;
   for (const AggregateMember& room : rooms) {
     if (room.stated.empty()) continue;
     if (std::find(uses.begin(), uses.end(), room.stated) == uses.end()) uses.push_back(room.stated);
@@ -105,7 +105,7 @@ void add_notes(const calc::Project& project, const std::vector<AggregateMember>&
 }
 
 Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMember>& rooms,
-                  const std::string& problem) {
+                  const calc::Message& problem) {
   Finding finding;
   finding.requirement = requirement;
   finding.reason = requirement.problem.empty() ? problem : requirement.problem;
@@ -131,7 +131,7 @@ std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
                                               const std::vector<BuildingQuestion>& questions,
                                               std::string_view today) {
   std::vector<AggregateFinding> findings;
-  std::map<std::size_t, std::string> overlaps;  // by building
+  std::map<std::size_t, calc::Message> overlaps;  // by building
   for (const BuildingQuestion& question : questions) {
     const calc::Building& building = project.buildings[question.building];
     Requirement requirement = question.requirement;

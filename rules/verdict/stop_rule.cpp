@@ -64,17 +64,25 @@ class ActivePoints {
 
 }  // namespace
 
-StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& requirements,
+LookJudgement judge_look(const StopRule& rule, const std::vector<Requirement>& requirements,
                          const calc::SensorGrid& grid, const calc::PlaneField& field,
                          const std::vector<calc::LightScene>& scenes) {
   const Goal goal = requirements.empty() ? Goal::accuracy : rule.goal;
   const double level = look_confidence(rule.confidence, field);
+  LookJudgement look;
   ActivePoints active;
   bool is_finished = true;
   const std::vector<Requirement> judged =
       requirements.empty() ? default_quantities(grid.derived) : requirements;
   for (const Requirement& requirement : judged) {
     const Measurement measurement = measure(requirement, grid, field, scenes, level, goal);
+    // What matters for a limit is not what matters for the quantity itself.
+    if (!requirements.empty()) {
+      look.findings.push_back(judge_measurement(
+          requirement,
+          goal == Goal::verdict ? measurement : measure(requirement, grid, field, scenes, level),
+          grid, field));
+    }
     if (goal == Goal::verdict ? is_decided(requirement, measurement, grid)
                               : is_accurate(measurement, rule.tolerance)) {
       continue;
@@ -82,14 +90,12 @@ StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& r
     is_finished = false;
     active.add(measurement.active);
   }
-  StopAnswer answer;
   if (is_finished) {
-    answer.finished =
-        goal == Goal::verdict ? calc::StopReason::decided : calc::StopReason::accurate;
+    look.finished = goal == Goal::verdict ? calc::StopReason::decided : calc::StopReason::accurate;
   } else {
-    answer.active = active.take();
+    look.active = active.take();
   }
-  return answer;
+  return look;
 }
 
 }  // namespace rules

@@ -1,9 +1,11 @@
 #pragma once
-// After every look at a plane's growing results: is it finished, and if not, which points go on?
+// After every look at a plane's growing results: what it came to, is it finished, and if not, which
+// points go on?
 
 #include "calc/base/field.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/catalogue/finding.h"
 #include "rules/catalogue/goal.h"
 #include "rules/catalogue/requirement.h"
 
@@ -19,7 +21,8 @@ struct StopRule {
   double confidence = 0.95;  // over all looks of a plane, in (0, 1)
 };
 
-struct StopAnswer {
+struct LookJudgement {
+  std::vector<Finding> findings;             // as judge_plane() has them
   std::optional<calc::StopReason> finished;  // empty: go on
   // [point]: 1 where more samples would help; empty: everywhere. Not for a finished plane.
   std::vector<std::uint8_t> active;
@@ -37,7 +40,7 @@ struct StopAnswer {
 // replicates. That spoils no limit of a single point: it was as good at the look after which the
 // point was left out, which the level of a look allows for. Judged at the level of one look, see
 // look_confidence() and PlaneField::looks_planned. Other arguments as for judge_plane().
-StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& requirements,
+LookJudgement judge_look(const StopRule& rule, const std::vector<Requirement>& requirements,
                          const calc::SensorGrid& grid, const calc::PlaneField& field,
                          const std::vector<calc::LightScene>& scenes);
 

@@ -7,8 +7,9 @@
 #include <string>
 
 namespace rules {
-std::string waiver_words(const Waiver& waiver) {
-  return waiver.reason + ", " + calc::say<calc::Sentence::by_until>(waiver.owner, waiver.until);
+calc::Message waiver_words(const Waiver& waiver) {
+  return calc::Message::words(waiver.reason) + ", " +
+         calc::say<calc::Sentence::by_until>(waiver.owner, waiver.until);
 }
 
 void apply_waiver(Finding& finding, std::string_view today) {
@@ -16,11 +17,11 @@ void apply_waiver(Finding& finding, std::string_view today) {
   if (!waiver) return;
   if (!can_be_waived(finding.verdict)) return;
   finding.is_waived = waiver->holds_on(today);
-  finding.reason += finding.reason.empty() ? "" : "; ";
-  finding.reason += finding.is_waived ? calc::say<calc::Sentence::waived_on>(
-                                            waiver->owner, waiver->until, today, waiver->reason)
-                                      : calc::say<calc::Sentence::waiver_ended>(
-                                            waiver->owner, waiver->until, waiver->reason);
+  append(finding.reason, finding.is_waived
+                             ? calc::say<calc::Sentence::waived_on>(waiver->owner, waiver->until,
+                                                                    today, waiver->reason)
+                             : calc::say<calc::Sentence::waiver_ended>(waiver->owner, waiver->until,
+                                                                       waiver->reason));
 }
 
 }  // namespace rules

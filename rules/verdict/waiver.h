@@ -1,6 +1,7 @@
 #pragma once
 // A requirement that somebody has decided to live without, for a time.
 
+#include "calc/base/message.h"
 #include "rules/catalogue/requirement.h"
 #include "rules/verdict/judge.h"
 
@@ -10,7 +11,7 @@
 namespace rules {
 
 // "glass, by A. Meier until 2027-06-30"
-std::string waiver_words(const Waiver& waiver);
+calc::Message waiver_words(const Waiver& waiver);
 
 // A verdict that somebody may live without.
 constexpr bool can_be_waived(Verdict verdict) {

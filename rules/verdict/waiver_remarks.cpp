@@ -1,6 +1,7 @@
 #include "rules/verdict/waiver_remarks.h"
 
 #include "calc/base/day.h"
+#include "calc/base/diagnostic_ids.h"
 
 #include <fmt/format.h>
 

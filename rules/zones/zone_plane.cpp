@@ -21,7 +21,9 @@
 namespace rules {
 namespace {
 
-std::string metres(double length_m) { return fmt::format("{:.4g} m", length_m); }
+calc::Message metres(double length_m) {
+  return calc::Message::number(fmt::format("{:.4g} m", length_m));
+}
 
 class ZoneMaker {
  public:
@@ -45,7 +47,7 @@ class ZoneMaker {
     }
     if (zone_.problem.empty() && zone_.not_made.empty()) add_grid();
     if (change_ != nullptr && !zone_.changed.empty() && !change_->because.empty()) {
-      zone_.changed += fmt::format(" ({})", change_->because);
+      zone_.changed += " (" + calc::Message::words(change_->because) + ")";
     }
     return std::move(zone_);
   }
@@ -57,9 +59,7 @@ class ZoneMaker {
 
   const std::optional<calc::UprightTask>& upright() const { return source_.workplace.upright; }
 
-  void note_change(const std::string& words) {
-    zone_.changed += (zone_.changed.empty() ? "" : ", ") + words;
-  }
+  void note_change(const calc::Message& words) { append(zone_.changed, words, ", "); }
 
   double margin_m() {
     const double by_rule = margin_in_room_m(rule_, calc::width_up_to(room(), rule_.narrow_m));
@@ -74,7 +74,7 @@ class ZoneMaker {
     return *change_->margin_m;
   }
 
-  void make_surface(const std::string& name) {
+  void make_surface(const calc::Message& name) {
     zone_.area.margin_m = margin_m();
     const glm::dvec2 side_m = size_of(zone_.area.outline_m);
     const double shorter_m = std::min(side_m.x, side_m.y);
@@ -92,7 +92,7 @@ class ZoneMaker {
   void make_face() {
     using enum calc::Sentence;
     zone_.area = upright()->area;
-    const std::string low = metres(upright()->low_m), high = metres(upright()->high_m);
+    const calc::Message low = metres(upright()->low_m), high = metres(upright()->high_m);
     zone_.words = upright()->wall ? calc::say<zone_on_wall>(*upright()->wall + 1, low, high)
                                   : calc::say<zone_face>(low, high);
     const double lean_deg =
@@ -165,7 +165,7 @@ class ZoneMaker {
   void make_horizontal() {
     const double height = height_m();
     if (height >= source_.space.shell->height_m) {
-      zone_.problem = fmt::format("{} above the floor there is no room", metres(height));
+      zone_.problem = calc::say<calc::Sentence::zone_no_room_above>(metres(height));
       return;
     }
     make_outline();
@@ -225,8 +225,8 @@ class ZoneMaker {
     const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
     const double width_m = std::min(side_m.x, side_m.y);
     if (width_m <= 2.0 * zone_.area.margin_m) {
-      zone_.problem = fmt::format("the room is {} wide, and {} along its walls do not count",
-                                  metres(width_m), metres(zone_.area.margin_m));
+      zone_.problem =
+          calc::say<calc::Sentence::zone_room_narrow>(metres(width_m), metres(zone_.area.margin_m));
     }
   }
 
@@ -250,7 +250,7 @@ class ZoneMaker {
         return;
       }
       zone_.area.holes_m.push_back(inner);
-      check_area("the zone inside it covers all of it");
+      check_area(calc::say<calc::Sentence::zone_covered>());
     }
   }
 
@@ -274,7 +274,7 @@ class ZoneMaker {
     const bool is_band = rule_.area == ZoneArea::band;
     const Polygon inner = is_band ? outer_edge(rule_.around) : task();
     const Polygon outer = inner.empty() ? inner : calc::moved_sides(inner, rule_.width_m);
-    const std::string width = metres(rule_.width_m);
+    const calc::Message width = metres(rule_.width_m);
     zone_.words = is_band ? calc::say<calc::Sentence::zone_band>(width, rule_.around)
                           : calc::say<calc::Sentence::zone_task_band>(width);
     if (outer.empty()) {
@@ -313,7 +313,7 @@ class ZoneMaker {
   }
 
   // A band farther out may end at the walls before it begins.
-  void check_area(const std::string& why) {
+  void check_area(const calc::Message& why) {
     constexpr double kNothing = 1.0e-6;  // of the outline's area
     const double whole_m2 = std::abs(calc::signed_area(zone_.area.outline_m));
     if (calc::area_left(zone_.area.outline_m, zone_.area.holes_m) > kNothing * whole_m2) return;
@@ -352,9 +352,12 @@ class ZoneMaker {
 
   // With the pack's name, and as wide as a band at most.
   void name_grid(const RuleGrid* grid) {
-    std::string name = calc::GridByRule().name;
-    if (grid != nullptr) name = fmt::format("{}:{}", source_.pack.title, source_.pack.edition);
-    if (grid != nullptr) name = with_trust(name, grid->trust);
+    calc::Message name = calc::GridByRule().name;
+    if (grid != nullptr) {
+      name = with_trust(
+          calc::Message::words(fmt::format("{}:{}", source_.pack.title, source_.pack.edition)),
+          grid->trust);
+    }
     const double widest_m = rule_.area == ZoneArea::band ? rule_.width_m : 1.0e9;
     const glm::dvec2 side_m = size_of(zone_.area.outline_m);
     const bool is_v_longer = side_m.y > side_m.x;

@@ -2,6 +2,7 @@
 // One zone of a workplace: the area that a rule pack gives to a role in a room, with what the
 // project changes.
 
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
 #include "rules/pack/rule_pack.h"
 
@@ -21,12 +22,12 @@ struct ZoneSource {
 
 struct ZonePlane {
   calc::PlanarArea area;  // with its grid
-  std::string words;      // "band of 0.5 m around the task, 0.75 m above the floor, ..."
-  std::string changed;    // by the project, in words; or ""
+  calc::Message words;    // "band of 0.5 m around the task, 0.75 m above the floor, ..."
+  calc::Message changed;  // by the project, in words; or ""
   std::optional<double> narrow_margin_m;  // as the room is narrow, in place of the rule's
-  std::string not_made;                   // why there is no such zone in this room; "" = there is
+  calc::Message not_made;                 // why there is no such zone in this room; "" = there is
   bool is_place_unknown = false;          // why: no source says where it would be
-  std::string problem;                    // an error: why nothing is left of it; "" = none
+  calc::Message problem;                  // an error: why nothing is left of it; "" = none
   bool is_simple = true;                  // false: the problem is that the outline crosses itself
 };
 

@@ -96,7 +96,7 @@ TEST(ClosedRoom, WithoutAbsorptionThereIsNoSteadyState) {
   grid.position_m = {{0.2, 0.2, 0.2}};
   grid.normal = {{0, 0, 1}};
   const calc::SpaceSolution solution = solve_with_paths(scene, grid, 5, 16, 4);
-  EXPECT_NE(solution.fields[0].problem.find("no steady state"), std::string::npos);
+  EXPECT_NE(solution.fields[0].problem.english().find("no steady state"), std::string::npos);
 }
 
 // Whether such a room is refused hangs on the room, not on the luck of a path.

@@ -113,7 +113,7 @@ TEST(ExtremeReflectance, NextToNothingAbsorbedIsRefused) {
   set_extent(scene);
   const calc::SensorGrid grid = points_of({{2, 1.5, 0.75}}, {kUp});
   const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 16, 4);
-  EXPECT_NE(solution.fields[0].problem.find("no steady state"), std::string::npos);
+  EXPECT_NE(solution.fields[0].problem.english().find("no steady state"), std::string::npos);
 }
 
 TEST(ExtremeReflectance, OneWhiteWallInABlackRoom) {

@@ -97,7 +97,7 @@ TEST(Modelling, IsNotJudgedInTheDark) {
   const rules::Measurement m =
       rules::measure(requirement, grid, solve_with_paths(scene, grid, 1, 16).fields[0], {}, 0.95);
   EXPECT_FALSE(m.metric);
-  EXPECT_NE(m.reason.find("1 of 2 points are dark"), std::string::npos) << m.reason;
+  EXPECT_NE(m.reason.english().find("1 of 2 points are dark"), std::string::npos) << m.reason;
 }
 
 // Of one source beside the axis the mean of |cos| and |sin| over four planes: 0.785 of the true

@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
         scene, tasks, {}, 0.95, *gatherer,
         [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
           const auto own = rules::requirements_of_plane(requirements, tasks[task].plane_id);
-          rules::StopAnswer answer = rules::stop_or_go_on({rules::Goal::accuracy, tolerance, 0.95},
+          rules::LookJudgement answer = rules::judge_look({rules::Goal::accuracy, tolerance, 0.95},
                                                           own, grids[task], field, project->scenes);
           return calc::LookAnswer{answer.finished, std::move(answer.active)};
         },

@@ -111,7 +111,8 @@ Outcome run(const BenchScene& scene, const Worker& worker, double target, std::u
   const calc::PlaneField& field = solution.fields.front();
   if (!field.problem.empty()) {
     if (outcome.seconds < limit_s) {
-      throw std::runtime_error(fmt::format("{}, {}: {}", scene.name, worker.name, field.problem));
+      throw std::runtime_error(
+          fmt::format("{}, {}: {}", scene.name, worker.name, field.problem.english()));
     }
     outcome.is_late = true;  // before its first look was over
     return outcome;

@@ -211,8 +211,8 @@ LookRun look(const bench::BenchScene& scene, std::uint64_t paths, calc::Gatherer
                                          {gatherer}, go_on, {});
   run.processor_s = processor_s() - cpu_begin_s;
   run.busy = run.processor_s / (calc::now_s() - begin_s);
-  const std::string& problem = run.solution.fields.front().problem;
-  if (!problem.empty()) throw std::runtime_error(problem);
+  const calc::Message& problem = run.solution.fields.front().problem;
+  if (!problem.empty()) throw std::runtime_error(problem.english());
   return run;
 }
 

@@ -70,7 +70,7 @@ Run run_core(const BenchScene& scene, const RunPlan& plan) {
       [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; }, {});
   calc::PlaneField& field = solution.fields.front();
   if (!field.problem.empty()) {
-    throw std::runtime_error(fmt::format("{}: {}", scene.name, field.problem));
+    throw std::runtime_error(fmt::format("{}: {}", scene.name, field.problem.english()));
   }
   if (field.is_exact() || !std::isfinite(interval_widths(field))) {
     throw std::runtime_error(fmt::format("{}: no finite indirect light", scene.name));

@@ -58,7 +58,7 @@ Judged judge(const BenchScene& scene, const Options& options, const Quantity& qu
   const calc::SpaceSolution solution = calc::solve_illuminance(
       scene.scene, {{"plane", &scene.grid}}, settings, 0.95, *gatherer,
       [&](std::size_t, const calc::PlaneField& field, calc::Look) {
-        rules::StopAnswer answer = rules::stop_or_go_on(rule, {requirement}, scene.grid, field, {});
+        rules::LookJudgement answer = rules::judge_look(rule, {requirement}, scene.grid, field, {});
         return calc::LookAnswer{answer.finished, std::move(answer.active)};
       },
       {});

@@ -1,4 +1,5 @@
 // Files of light vertices, as `luxgate vpl` writes them.
+#include "calc/base/diagnostic_ids.h"
 #include "calc/radiosity/vertex_cache.h"
 
 #include "tests/fuzz/checks.h"

@@ -134,12 +134,12 @@ Outcome run_plane(const std::vector<Requirement>& requirements, const Noise& noi
   static const calc::SensorGrid kGrid = grid_of_points();
   const StopRule rule{Goal::verdict, 0.02, kConfidence};
   GrowingField growing(looks_planned);
-  StopAnswer answer;
+  LookJudgement answer;
   Outcome outcome;
   while (outcome.looks < kLooks && !answer.finished) {
     growing.add(noise.error[outcome.looks], Noise::new_samples(outcome.looks), answer.active);
     ++outcome.looks;
-    answer = stop_or_go_on(rule, requirements, kGrid, growing.field(), {});
+    answer = judge_look(rule, requirements, kGrid, growing.field(), {});
   }
   outcome.findings = judge_plane(requirements, kGrid, growing.field(), {}, kConfidence);
   return outcome;
@@ -242,11 +242,11 @@ TEST(TheAverageBesideAnOpenUniformity, IsOfTheLooksInWhichAllPointsTookPart) {
   for (int plane = 0; plane < kPlanes; ++plane) {
     const Noise noise(static_cast<std::uint64_t>(plane), 0.3, 0.0);
     GrowingField growing(kLooks, truth_lx);
-    StopAnswer answer;
+    LookJudgement answer;
     for (int look = 0; look < kLooks && !answer.finished; ++look) {
       growing.add(noise.error[look], Noise::new_samples(look), answer.active);
-      answer = stop_or_go_on({Goal::verdict, 0.02, kConfidence}, {average, uniformity}, grid,
-                             growing.field(), {});
+      answer = judge_look({Goal::verdict, 0.02, kConfidence}, {average, uniformity}, grid,
+                          growing.field(), {});
     }
     narrowed += growing.field().even_indirect_lx.empty() ? 0 : 1;
     const std::vector<Finding> found =

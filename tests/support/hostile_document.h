@@ -45,7 +45,7 @@ inline Document hostile_document() {
     }
     project.advice = {{evil(),
                        AdviceOutcome::levels,
-                       "",
+                       {},
                        CostUnit::lumen,
                        2.0,
                        1.0,
@@ -57,7 +57,7 @@ inline Document hostile_document() {
                        {}},
                       {evil(),
                        AdviceOutcome::none_found,
-                       evil(),
+                       calc::Message::words(evil()),
                        CostUnit::watt,
                        0,
                        0,
@@ -81,20 +81,20 @@ inline Document hostile_document() {
         plane.id = evil();
         plane.name = evil();
         plane.space_id = evil();
-        plane.reason = evil();
+        plane.reason = calc::Message::words(evil());
         plane.where.file = evil();
-        plane.grid.rule = evil();
+        plane.grid.rule = calc::Message::words(evil());
         for (calc::DroppedPoint& point : plane.grid.dropped) point.body = evil();
         plane.by_luminaire.largest = {{evil(), evil(), evil(), {}, estimate(300, 3), 200, {}, 0}};
         plane.groups = {{evil(), estimate(300, 3), 200}, {evil(), estimate(100, 1), 50}};
         plane.looks = {{1024, 4096, plane.points.size(), plane.average, {}}};
         for (rules::Finding& finding : plane.findings) {
-          finding.reason = evil();
+          finding.reason = calc::Message::words(evil());
           rules::Requirement& requirement = finding.requirement;
           requirement.id = evil();
-          requirement.clause = evil();
+          requirement.clause = calc::Message::words(evil());
           requirement.scene = evil();
-          requirement.note = evil();
+          requirement.note = calc::Message::words(evil());
           requirement.mask.id = evil();
           requirement.where.file = evil();
           requirement.policy.tolerance_reason = evil();

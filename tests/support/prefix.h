@@ -1,6 +1,8 @@
 #pragma once
 // Precompiled for all tests: what nearly each of them includes. A test still includes what it uses.
 
+#include "tests/support/message_text.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

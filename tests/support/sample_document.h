@@ -3,6 +3,7 @@
 // sample_document(): everything a report can show, with light from a simple closed form, so that
 // pictures look like real ones.
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/document/document.h"
 
 #include <glm/glm.hpp>
@@ -36,11 +37,11 @@ inline rules::Finding sample_finding(rules::Metric metric, double limit,
   finding.requirement.id = calc::name_of(metric);
   finding.requirement.metric = metric;
   finding.requirement.limit = limit;
-  finding.requirement.clause = std::move(clause);
+  finding.requirement.clause = calc::Message::words(std::move(clause));
   finding.measured = measured;
   judge_again(finding);
   if (finding.verdict == rules::Verdict::undecided)
-    finding.reason = "the interval contains the limit";
+    finding.reason = calc::Message::words("the interval contains the limit");
   return finding;
 }
 
@@ -64,7 +65,7 @@ inline Document small_document() {
   plane.name = "Work plane";
   plane.space_id = "r1";
   plane.is_computed = true;
-  plane.grid.rule = "count";
+  plane.grid.rule = calc::Message::words("count");
   plane.grid.columns = 2;
   plane.grid.rows = 1;
   plane.grid.spacing_u_m = plane.grid.spacing_v_m = 1.5;
@@ -170,7 +171,7 @@ PlanePart sample_plane(std::string id, std::string name, const glm::dvec3& origi
   PlanePart plane;
   plane.id = std::move(id);
   plane.name = std::move(name);
-  plane.grid.rule = "EN 12464-1 (p = 0.2 * 5^log10 d)";
+  plane.grid.rule = calc::Message::words("EN 12464-1 (p = 0.2 * 5^log10 d)");
   plane.grid.columns = cells.x;
   plane.grid.rows = cells.y;
   plane.grid.spacing_u_m = size_m.x / cells.x;
@@ -241,7 +242,8 @@ inline SpacePart sample_office() {
                                    board.average, "EN 12464-1:2021 44.4")};
   board.findings[0].requirement.limit += 1;
   judge_again(board.findings[0]);
-  board.findings[0].reason = "the interval contains the limit; more light paths would decide";
+  board.findings[0].reason =
+      calc::Message::words("the interval contains the limit; more light paths would decide");
   space.planes = {std::move(work), std::move(board)};
   return space;
 }
@@ -270,7 +272,7 @@ inline SpacePart sample_hall() {
   PlanePart spots;
   spots.id = "r200.spots";
   spots.name = "Site measurement";
-  spots.grid.rule = "point list";
+  spots.grid.rule = calc::Message::words("point list");
   for (int i = 0; i < 4; ++i) {
     const glm::dvec3 p(5.0 + 11.0 * i, 14.0, 1.0);
     const double direct = light.direct(p, {0, 0, 1}), lx = direct + light.indirect(p);
@@ -280,11 +282,12 @@ inline SpacePart sample_hall() {
   PlanePart stand;
   stand.id = "r200.stand";
   stand.name = "Stand";
-  stand.reason = "no point of the grid is left: all 24 lie inside the solid 'stand'";
+  stand.reason =
+      calc::Message::words("no point of the grid is left: all 24 lie inside the solid 'stand'");
   stand.findings = {sample_finding(rules::Metric::average, 200, {})};
   stand.findings[0].verdict = rules::Verdict::not_judged;
   stand.findings[0].is_close = false;
-  stand.findings[0].reason = "the plane was not computed";
+  stand.findings[0].reason = calc::Message::words("the plane was not computed");
   space.planes = {std::move(floor), std::move(spots), std::move(stand)};
   return space;
 }

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/gldf.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/utf8.h"
 #include "calc/photometry/read/gldf_choice.h"
 #include "calc/photometry/read/gldf_place.h"

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/gldf_place.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/photometry/read/l3d_model.h"
 #include "calc/photometry/read/text_encoding.h"
 

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/gldf_product.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/photometry/read/xml_query.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/ies_lm63.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/photometry/read/ies_header.h"

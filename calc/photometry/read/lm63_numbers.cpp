@@ -1,5 +1,6 @@
 #include "calc/photometry/read/lm63_numbers.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/photometry/read/text_encoding.h"
 
 #include <fmt/format.h>

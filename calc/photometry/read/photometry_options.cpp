@@ -1,5 +1,6 @@
 #include "calc/photometry/read/photometry_options.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/photometry/read/text_encoding.h"
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/tm33_opening.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/units.h"
 #include "calc/photometry/read/xml_query.h"
 

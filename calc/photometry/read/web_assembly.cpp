@@ -1,5 +1,6 @@
 #include "calc/photometry/read/web_assembly.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/units.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "calc/photometry/read/xml_query.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/photometry/read/text_encoding.h"
 

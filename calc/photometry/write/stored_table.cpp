@@ -1,5 +1,6 @@
 #include "calc/photometry/write/stored_table.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"

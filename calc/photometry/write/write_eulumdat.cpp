@@ -1,5 +1,6 @@
 #include "calc/photometry/write/write_eulumdat.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"

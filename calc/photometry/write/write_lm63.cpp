@@ -1,5 +1,6 @@
 #include "calc/photometry/write/write_lm63.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/photometry/read/ies_opening.h"
 #include "calc/photometry/write/stored_table.h"
 

@@ -65,7 +65,7 @@ std::string requirements_table(const SceneAdvice& advice) {
                         one.not_searched.empty()
                             ? ""
                             : fmt::format("<span class=\"note\">no part of the search: {}</span>",
-                                          words(one.not_searched)),
+                                          words(one.not_searched.english())),
                         words(value_words(one.before)), badge(one.before.verdict));
     if (has_levels) {
       // What no luminaire gives is not green.

@@ -46,7 +46,7 @@ JsonKeys finding_keys(const rules::Finding& finding) {
           {"high", end(finding.measured.high), number_or_null_type()},
           {"place_m", vector_json(finding.place_m.value_or(glm::dvec3(0.0))), vector_type(), false,
            finding.place_m.has_value()},
-          {"reason", finding.reason, type_of("string"), false, !finding.reason.empty()}};
+          {"reason", finding.reason.english(), type_of("string"), false, !finding.reason.empty()}};
 }
 
 AdviceJson gains_json(const std::vector<calc::Estimate>& gains) {

@@ -28,10 +28,11 @@ std::string groups(const SceneAdvice& advice) {
 std::string requirements(const SceneAdvice& advice) {
   std::string text = "| requirement | now | with these levels | verdict |\n|---|--:|--:|---|\n";
   for (const AdvisedRequirement& one : advice.requirements) {
-    text += fmt::format("| {} | {} | {} | {}{} |\n", escape_markdown(requirement_words(one)),
-                        escape_markdown(value_words(one.before)),
-                        escape_markdown(value_words(one.after)), verdict_words(advice, one),
-                        one.not_searched.empty() ? "" : "; " + escape_markdown(one.not_searched));
+    text += fmt::format(
+        "| {} | {} | {} | {}{} |\n", escape_markdown(requirement_words(one)),
+        escape_markdown(value_words(one.before)), escape_markdown(value_words(one.after)),
+        verdict_words(advice, one),
+        one.not_searched.empty() ? "" : "; " + escape_markdown(one.not_searched.english()));
   }
   return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n",
                      requirement_count(advice), text);

@@ -77,7 +77,7 @@ std::string not_met(const SceneAdvice& advice) {
     if (one.after.verdict == rules::Verdict::pass) continue;
     text += fmt::format("    {}: {}, {}{}\n", requirement_words(one), value_words(one.after),
                         calc::name_of(one.after.verdict),
-                        one.not_searched.empty() ? "" : " (" + one.not_searched + ")");
+                        one.not_searched.empty() ? "" : " (" + one.not_searched.english() + ")");
   }
   for (const std::string& one : advice.aggregates_not_met) {
     text += "    " + report::printable(one) + "\n";

@@ -154,7 +154,7 @@ std::string outcome_words(const SceneAdvice& advice) {
     case AdviceOutcome::none_found:
       break;
   }
-  return "no levels: " + report::printable(advice.reason);
+  return "no levels: " + report::printable(advice.reason.english());
 }
 
 }  // namespace cli

@@ -1,5 +1,6 @@
 #include "report/tools/advise/advise.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/project_xml.h"
 #include "calc/store/memory_store.h"
 #include "report/advice/changed_project.h"
@@ -114,9 +115,9 @@ std::vector<std::string> not_met_besides(const Advice& advice, const report::Pro
 std::string energy_problem(const report::ProjectPart& part) {
   for (const report::SpacePart& space : part.spaces) {
     if (space.luminaires.empty() || (space.energy && space.energy->problem.empty())) continue;
-    return fmt::format("of '{}' the energy of a year is not known: {}",
-                       report::title_of(space.name, space.id),
-                       space.energy ? space.energy->problem : "it states no use (<energy>)");
+    return fmt::format(
+        "of '{}' the energy of a year is not known: {}", report::title_of(space.name, space.id),
+        space.energy ? space.energy->problem.english() : "it states no use (<energy>)");
   }
   return "";
 }

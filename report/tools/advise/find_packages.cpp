@@ -177,7 +177,7 @@ class PackageSearch {
       if (finding.verdict != rules::Verdict::not_judged) continue;
       if (!is_judged_by_light(finding.requirement)) continue;
       return fmt::format("{} is not judged, whatever the light: {}",
-                         finding_words(questions_.part, where), finding.reason);
+                         finding_words(questions_.part, where), finding.reason.english());
     }
     std::size_t combinations = 1;
     for (const TypeChoices& type : types_) {
@@ -351,7 +351,7 @@ class PackageSearch {
       one.is_one_scene = true;
       one.scene = scene.scene;
       std::vector<SceneAdvice> found =
-          find_advice(part_, scaled_, one, [this](const SceneAdvice& advice, std::string&) {
+          find_advice(part_, scaled_, one, [this](const SceneAdvice& advice, calc::Message&) {
             return std::optional(by_the_same_light(advice));
           });
       if (found.empty() || found.front().outcome != AdviceOutcome::levels) {
@@ -401,7 +401,7 @@ class PackageSearch {
     const auto part = questions_.check(*whole.text, why_not_checked_);
     if (!part) return false;
     for (const SceneAdvice& scene : scenes) {
-      why_not_checked_ = not_dimmed(scene, levels_of(scene, part_), *part);
+      why_not_checked_ = not_dimmed(scene, levels_of(scene, part_), *part).english();
       if (!why_not_checked_.empty()) return false;
     }
     const std::vector<std::string> broken = broken_findings(questions_.part, *part);

@@ -75,7 +75,7 @@ class PlaceSearch {
     const RoomLight light(questions_, space_, found_.scene, asked_, candidates_, {});
     tell_requirements();
     if (!light.problem().empty()) {
-      found_.problem = light.problem();
+      found_.problem = light.problem().english();
       return std::move(found_);
     }
     rank(light);

@@ -66,7 +66,7 @@ class SurfaceSearch {
       return std::move(found_);
     }
     const RoomLight light(questions_, space_, found_.scene, asked_, space_.luminaires, names);
-    found_.problem = light.problem();
+    found_.problem = light.problem().english();
     if (!found_.problem.empty()) {
       found_.surfaces.clear();
       return std::move(found_);

@@ -79,7 +79,7 @@ class TurnSearch {
     find_candidates();
     if (!found_.problem.empty()) return told();
     const RoomLight light(questions_, space_, found_.scene, asked_, candidates_, {});
-    found_.problem = light.problem();
+    found_.problem = light.problem().english();
     if (!found_.problem.empty()) return told();
     found_.turns = ranked(light);
     if (found_.turns.empty()) {

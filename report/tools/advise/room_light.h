@@ -61,7 +61,7 @@ class RoomLight {
             std::vector<AskedOfRoom>& asked, const std::vector<calc::Luminaire>& luminaires,
             const std::vector<std::string>& surfaces);
 
-  const std::string& problem() const { return light_.problem; }
+  const calc::Message& problem() const { return light_.problem; }
   // By how much the requirement's value grows with this luminaire; the interval holds at the run's
   // confidence.
   calc::Estimate gain_lx(const AskedOfRoom& asked, std::size_t luminaire) const;

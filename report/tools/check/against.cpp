@@ -1,6 +1,7 @@
 #include "report/tools/check/against.h"
 
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
+#include "calc/base/sentences.h"
 #include "report/check/load_rules.h"
 #include "report/git/moved_files.h"
 #include "report/shell/config_file.h"
@@ -119,13 +120,14 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
   for (const Project& project : state.projects_) {
     if (!project.was_there && project.is_there_now) {
       state.notes_.push_back(
-          fmt::format("{} was not there at {}: it is new", project.path, revision));
+          calc::say<calc::Sentence::project_is_new>(calc::Message::path(project.path), revision));
     } else if (!project.is_there_now && project.was_there) {
       state.notes_.push_back(
-          fmt::format("{} is a project at {}, and not now", project.path, revision));
+          calc::say<calc::Sentence::project_is_gone>(calc::Message::path(project.path), revision));
     } else if (project.path_then != project.path) {
-      state.notes_.push_back(fmt::format("{} is compared with {}", project.path,
-                                         state.shown(project.path_then, project.files)));
+      state.notes_.push_back(calc::say<calc::Sentence::project_compared_with>(
+          calc::Message::path(project.path),
+          calc::Message::path(state.shown(project.path_then, project.files))));
     }
   }
   state.find_rules(input.rule_files, places);
@@ -299,7 +301,7 @@ void OldState::find_rules(const std::vector<std::string>& paths, const git::GitP
     }
     if (rule_files_.size() == before) {
       notes_.push_back(
-          fmt::format("the rules {} were not there at {}: they count now only", path, revision_));
+          calc::say<calc::Sentence::rules_are_new>(calc::Message::path(path), revision_));
     }
   }
 }

@@ -2,6 +2,7 @@
 // The projects of a run as they were in a git revision: `check --against`.
 
 #include "calc/base/file_reader.h"
+#include "calc/base/message.h"
 #include "report/check/in_order.h"
 #include "report/document/document.h"
 #include "report/git/git_tree_reader.h"
@@ -47,7 +48,7 @@ class OldState {
   // Full ids of the commits, one for each repository, in the order of the projects.
   std::vector<std::string> commits() const;
   // What was not there, is not there now, or had another name; about rule files, too.
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<calc::Message>& notes() const { return notes_; }
 
  private:
   struct Project {
@@ -76,7 +77,7 @@ class OldState {
   std::vector<std::unique_ptr<git::GitTreeReader>> repositories_;
   std::vector<Project> projects_;
   std::vector<std::string> rule_files_;
-  std::vector<std::string> notes_;
+  std::vector<calc::Message> notes_;
 };
 
 }  // namespace cli

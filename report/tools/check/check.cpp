@@ -1,5 +1,6 @@
 #include "report/tools/check/check.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
@@ -376,7 +377,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     if (old_state) {
       add_changed_settings(options.input.config.changed, revision);
       revision.commits = old_state->commits();
-      const std::vector<std::string>& notes = old_state->notes();
+      const std::vector<calc::Message>& notes = old_state->notes();
       revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
       revision.is_of_itself = options.input.config.changed.empty() &&
                               have_same_inputs(*baseline, document) &&

@@ -1,5 +1,6 @@
 #include "report/tools/check/checked_document.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/numbers_version.h"
 #include "report/document/program_version.h"
 #include "report/document/same_bits.h"

@@ -1,5 +1,6 @@
 #include "report/tools/check/policy_bounds.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/shell/print.h"
 
 #include <fmt/format.h>

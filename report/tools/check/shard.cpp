@@ -1,5 +1,6 @@
 #include "report/tools/check/shard.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/store/entry_folder.h"
 #include "report/check/check_project.h"
 #include "report/check/set_values.h"

@@ -1,5 +1,7 @@
 #include "report/tools/check/store_words.h"
 
+#include "calc/base/diagnostic_ids.h"
+#include "calc/base/sentences.h"
 #include "calc/radiosity/solve.h"
 #include "report/shell/print.h"
 
@@ -8,7 +10,8 @@
 namespace cli {
 
 bool lacks_light(const report::PlanePart& plane) {
-  return plane.reason == calc::kNotInStore || plane.reason == calc::kTooLargeForStore;
+  return says(plane.reason, calc::Sentence::not_in_store) ||
+         says(plane.reason, calc::Sentence::too_large_for_store);
 }
 
 void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles) {

@@ -1,5 +1,6 @@
 #include "report/tools/compare/compare.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "report/result_file/read_json.h"
 #include "report/revision/matching.h"
@@ -270,7 +271,7 @@ class Comparer {
     for_each_plane(document, [&](const std::string& id, const report::PlanePart& plane) {
       if (!plane.is_computed) {
         if (is_chosen(id))
-          lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason));
+          lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason.english()));
         return;
       }
       if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "A");
@@ -293,7 +294,7 @@ class Comparer {
       for_each_plane(*b_, [&](const std::string& id, const report::PlanePart& plane) {
         if (!plane.is_computed) {
           if (is_chosen(name_in_a(id))) {
-            lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
+            lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason.english()));
           }
           return;
         }

@@ -1,6 +1,7 @@
 #include "report/tools/compare/value_table.h"
 
 #include "calc/base/csv.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/statistics.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"

@@ -1,5 +1,6 @@
 #include "report/tools/converge/converge.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/scene/prepared_scene.h"

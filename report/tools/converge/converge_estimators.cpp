@@ -140,7 +140,7 @@ void count(EstimatorRun& run) {
   for (const calc::PlaneField& field : run.fields) {
     run.rays += field.counters.connection_rays + field.counters.near_rays;
     if (run.problem.empty() && !field.problem.empty()) {
-      run.problem = "plane '" + field.plane_id + "': " + field.problem;
+      run.problem = "plane '" + field.plane_id + "': " + field.problem.english();
     }
   }
 }

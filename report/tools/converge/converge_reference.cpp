@@ -1,6 +1,7 @@
 #include "report/tools/converge/converge_reference.h"
 
 #include "calc/base/csv.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "report/tools/export/export.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"

@@ -1,5 +1,7 @@
 #include "report/tools/export/gltf_files.h"
 
+#include "calc/base/diagnostic_ids.h"
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/radiosity/cutaway.h"
 #include "calc/radiosity/surface_light.h"
@@ -81,17 +83,18 @@ std::vector<ExportedFile> gltf_files(const GltfSettings& wanted, const calc::Pro
     auto scene = std::make_unique<calc::PreparedScene>(calc::prepare_scene(project, *space));
     gltf::Room room{space->id, space->name, scene.get(), {}, {}};
     if (scene->triangle.empty()) {
-      room.light.problem = "it has no surfaces";
+      room.light.problem = calc::say<calc::Sentence::model_no_surfaces>();
     } else if (scene->triangle.size() > settings.most_points) {
-      room.light.problem = fmt::format("it has {} triangles, and a model is made of at most {}",
-                                       scene->triangle.size(), settings.most_points);
+      room.light.problem =
+          calc::say<calc::Sentence::model_too_large>(scene->triangle.size(), settings.most_points);
     } else {
       const calc::Tracer tracer(*scene);
       room.light = calc::light_surfaces(*scene, calc::sides_from_everywhere(tracer, opens(*space)),
                                         settings, *gatherer);
     }
     if (!room.light.problem.empty()) {
-      notes.push_back(fmt::format("space '{}' is missing: {}", space->id, room.light.problem));
+      notes.push_back(
+          fmt::format("space '{}' is missing: {}", space->id, room.light.problem.english()));
       continue;
     }
     room.planes = outlines_of(*space, *scene, notes, diagnostics);

@@ -7,7 +7,6 @@
 #include "report/formats/ci_finding.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/ifc_guid.h"
-#include "report/text/known_words.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
@@ -532,14 +531,16 @@ class ResultsWriter {
       for (const rules::RoleCoverage& role : row.roles) {
         for (const rules::LeftOutZone& zone : role.left_out) {
           if (zone.has_ended) continue;  // told by its plane, which is not judged
-          left_out.push_back(
-              fmt::format("{}.{} ({})", row.workplace, zone.zone, rules::waiver_words(zone.by)));
+          left_out.push_back(fmt::format("{}.{} ({})", row.workplace, zone.zone,
+                                         rules::waiver_words(zone.by).english()));
         }
       }
     }
     all.each_words("Asked in part", in_part);
     all.each_words("Left out", left_out);
-    all.each_words("Note", space.notes);
+    std::vector<std::string> notes;
+    for (const calc::Message& note : space.notes) notes.push_back(note.english());
+    all.each_words("Note", notes);
     if (warnings.all > 0) {
       all.words("Warnings",
                 fmt::format("{} of the project, see Luxgate_Run of the IfcProject", warnings.all));
@@ -567,9 +568,12 @@ class ResultsWriter {
     all.words("Doubt", room.doubt);
     all.words("Plane", std::string(report::title_of(plane.name, plane.id)));
     all.words("Measured", report::values_words({}, plane));
-    if (!plane.is_computed) all.words("Not computed", plane.reason);
+    if (!plane.is_computed) all.words("Not computed", plane.reason.english());
     all.words("Doubt of sampling", report::doubt_words(plane));
-    if (!plane.changed.empty()) all.words("Changed", report::changed_words({}, plane.changed));
+    if (!plane.changed.empty()) all.words("Changed", plane.changed.english());
+    std::vector<std::string> notes;
+    for (const calc::Message& remark : plane.remarks) notes.push_back(remark.english());
+    all.each_words("Note", notes);
     for (const report::CiFinding& entry : room.entries) {
       if (entry.plane != &plane || entry.finding == nullptr) continue;
       const rules::Finding& finding = *entry.finding;
@@ -584,7 +588,7 @@ class ResultsWriter {
                              report::comparison_sign(requirement.comparison)),
                  requirement.limit, unit);
       if (requirement.waiver) {
-        all.words(requirement.id + ": waiver", rules::waiver_words(*requirement.waiver) +
+        all.words(requirement.id + ": waiver", rules::waiver_words(*requirement.waiver).english() +
                                                    (finding.is_waived ? "" : " (does not apply)"));
       }
     }

@@ -1,5 +1,6 @@
 #include "report/tools/geometry/geometry.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/xml_encoding.h"
 #include "calc/meshes/gbxml.h"
 #include "calc/meshes/mesh_builder.h"
@@ -137,7 +138,7 @@ void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnosti
     SurfaceReport& surface = report.surfaces[i];
     surface.id = space.id;
     surface.name = space.name;
-    surface.notes = space.notes;
+    for (const calc::Message& note : space.notes) surface.notes.push_back(note.english());
     calc::warn_about_surface(surface.findings, space.where, diagnostics);
     if (surface.is_room) warn_about_leaks(surface, space.id, space.where, diagnostics);
   }

@@ -1,5 +1,6 @@
 #include "report/tools/help/help.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/write.h"
 #include "report/shell/help_text.h"
 #include "report/shell/option_values.h"

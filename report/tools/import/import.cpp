@@ -1,5 +1,6 @@
 #include "report/tools/import/import.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "report/formats/write.h"
 #include "report/shell/option_values.h"

@@ -1,5 +1,6 @@
 #include "report/tools/import/import_map.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"

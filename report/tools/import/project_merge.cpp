@@ -1,5 +1,6 @@
 #include "report/tools/import/project_merge.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/utf8.h"
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_encoding.h"

@@ -1,5 +1,6 @@
 #include "report/tools/init/init.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/write.h"
 #include "report/shell/print.h"
 #include "report/tools/init/starter_files.h"

@@ -1,5 +1,6 @@
 #include "report/tools/photometry/photometry.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_hash.h"
 #include "calc/base/text.h"
 #include "calc/photometry/write/write_eulumdat.h"

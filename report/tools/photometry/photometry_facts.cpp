@@ -1,3 +1,4 @@
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/encoding.h"
 #include "calc/base/units.h"
 #include "calc/photometry/read/ies_header.h"

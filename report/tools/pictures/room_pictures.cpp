@@ -250,7 +250,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   settings.go_on = go_on_;
   const auto gatherer = calc::make_cpu_gatherer();
   const calc::LitSurfaces lit = calc::light_surfaces(scene, sides.side, settings, *gatherer);
-  if (!lit.problem.empty()) return lit.problem;
+  if (!lit.problem.empty()) return lit.problem.english();
 
   // The scale is known once the surfaces are seen; points are painted with it.
   std::vector<report::DrawnRoom> bare;

@@ -38,7 +38,8 @@ Json space_json(const check::SpacePlan& space, const calc::RadiositySettings& se
                {"skips", Json::array()},
                {"first_look", prediction_json(space.plan.first_look, settings.first_paths)},
                {"last_look", prediction_json(space.plan.last_look, settings.max_paths)}};
-  json["notes"] = space.notes;
+  json["notes"] = Json::array();
+  for (const calc::Message& note : space.notes) json["notes"].push_back(note.english());
   for (std::size_t p = 0; p < space.plan.planes.size(); ++p) {
     const calc::PlanePlan& plane = space.plan.planes[p];
     json["planes"].push_back({{"id", plane.plane_id},

@@ -105,7 +105,9 @@ std::string space_text(const check::SpacePlan& space, const calc::RadiositySetti
     text += plane_line(space.plan.planes[p], space.plan.luminaires);
     text += fmt::format("      grid: {}\n", report::printable(space.rule_of_grid[p]));
   }
-  for (const std::string& note : space.notes) text += "    " + report::printable(note) + "\n";
+  for (const calc::Message& note : space.notes) {
+    text += "    " + report::printable(note.english()) + "\n";
+  }
   text += decisions(space, calc::SkipState::applies, "left out");
   text += decisions(space, calc::SkipState::not_proved, "not left out: no proof");
   text += decisions(space, calc::SkipState::while_calculating, "left out as the calculation finds");

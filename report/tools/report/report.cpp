@@ -1,5 +1,6 @@
 #include "report/tools/report/report.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "report/html/data_sheets.h"
 #include "report/result_file/redact.h"

@@ -1,6 +1,6 @@
 #include "report/tools/rules/explain.h"
 
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/edit_distance.h"
 #include "calc/base/text.h"
 #include "rules/binding/rule_reference.h"
@@ -27,6 +27,10 @@ std::string with_unit(double value, const char* unit) {
   return *unit == '\0' ? number : number + " " + unit;
 }
 
+std::string trusted(const std::string& text, rules::Trust trust) {
+  return with_trust(calc::Message::words(text), trust).english();
+}
+
 std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
   const rules::Unit unit = pack.find_parameter(value.parameter)->unit;
   const char* name = unit.dimension == rules::Dimension::plain ? "" : unit.name.data();
@@ -36,7 +40,7 @@ std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
   if (value.modified) {
     text += fmt::format(" (modified {})", with_unit(*value.modified / unit.factor, name));
   }
-  return with_trust(text, value.trust);
+  return trusted(text, value.trust);
 }
 
 std::string row_text(const RulePack& pack, const RuleRow& row) {
@@ -129,7 +133,7 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
   if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
   if (check.severity == rules::Severity::advice) text += ", advice";
   if (check.severity == rules::Severity::in_aggregate) text += ", counts only in its aggregates";
-  text = with_trust(text, check.trust);
+  text = trusted(text, check.trust);
   if (const std::string where = measured_on(*check.quantity); !where.empty()) {
     text += "\n    " + where;
   }
@@ -200,7 +204,7 @@ std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
 }
 
 std::string mask_text(const rules::Mask& mask) {
-  return fmt::format("mask {}: {}\n", mask.id, rules::mask_words(mask));
+  return fmt::format("mask {}: {}\n", mask.id, rules::mask_words(mask).english());
 }
 
 std::string grids_text(const RulePack& pack) {
@@ -236,9 +240,9 @@ std::string sources_text(const RulePack& pack, const std::vector<std::string>& i
 std::string limits_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row) {
   const auto limit_at = [&](const rules::RowLevel& level) {
     const rules::Limit limit = evaluate_limit(check, {pack, row, level});
-    if (limit.status != rules::LimitStatus::known) return limit.reason;
+    if (limit.status != rules::LimitStatus::known) return limit.reason.english();
     std::string text = with_unit(limit.value.value, base_unit(check.dimension()));
-    return with_trust(text, limit.trust);
+    return trusted(text, limit.trust);
   };
   const std::string required = limit_at(rules::RowLevel::required);
   std::string text = "    here: " + required;
@@ -251,7 +255,7 @@ std::string limits_text(const RulePack& pack, const RuleCheck& check, const Rule
     const bool is_task = special.place == calc::SpecialPlace::unknown_task;
     const std::string limit = with_unit(special.limit, base_unit(check.dimension()));
     text += fmt::format("; {}: {}", is_task ? "place of the task unknown" : "wall not in front",
-                        with_trust(limit, special.trust));
+                        trusted(limit, special.trust));
   }
   return text + "\n";
 }
@@ -285,7 +289,7 @@ std::string aggregate_text(const rules::RuleAggregate& aggregate) {
   text += aggregate.over == rules::AggregateOver::checks ? " " : " judged by ";
   text += joined(aggregate.checks);
   if (aggregate.severity != rules::Severity::shall) text += ", advice";
-  text = with_trust(text, aggregate.trust);
+  text = trusted(text, aggregate.trust);
   if (!aggregate.clause.empty()) text += "\n    " + aggregate.clause;
   if (!aggregate.note.empty()) text += "\n    " + aggregate.note;
   return text + "\n";

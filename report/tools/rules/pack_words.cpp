@@ -1,5 +1,6 @@
 #include "report/tools/rules/pack_words.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "report/text/plain_text.h"
 

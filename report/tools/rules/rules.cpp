@@ -1,5 +1,6 @@
 #include "report/tools/rules/rules.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
 #include "report/check/load_rules.h"

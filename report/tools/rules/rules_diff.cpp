@@ -1,5 +1,6 @@
 #include "report/tools/rules/rules_diff.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/check/load_rules.h"
 #include "report/check/settings.h"
 #include "report/shell/interrupt.h"

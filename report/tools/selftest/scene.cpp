@@ -181,7 +181,7 @@ Solution solve(const calc::Project& project, const calc::Space& space, const cal
       [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; }, {});
   Solution solution;
   solution.field = std::move(solved.fields[0]);
-  solution.problem = solution.field.problem;
+  solution.problem = solution.field.problem.english();
   solution.balance = solved.balance;
   const calc::SolveCounters& counters = solution.field.counters;
   solution.rays =

@@ -1,6 +1,6 @@
 #include "report/tools/selftest/selftest.h"
 
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
 #include "report/document/program_version.h"
 #include "report/formats/write.h"
 #include "report/shell/interrupt.h"

@@ -1,5 +1,6 @@
 #include "report/tools/store/store.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/folder_care.h"
 #include "report/shell/option_values.h"

@@ -1,5 +1,6 @@
 #include "report/tools/submit/submit.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "calc/base/utf8.h"
 #include "report/check/set_values.h"

@@ -1,5 +1,6 @@
 #include "report/tools/sweep/sweep.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/entry_store.h"

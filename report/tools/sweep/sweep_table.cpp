@@ -47,17 +47,18 @@ std::string reason_of(const report::ProjectPart& part) {
   }
   for (const report::SpacePart& space : part.spaces) {
     for (const report::PlanePart& plane : space.planes) {
-      if (!plane.is_computed) return fmt::format("plane '{}': {}", plane.id, plane.reason);
+      if (!plane.is_computed)
+        return fmt::format("plane '{}': {}", plane.id, plane.reason.english());
       for (const rules::Finding& finding : plane.findings) {
         if (finding.verdict == rules::Verdict::not_judged) {
-          return fmt::format("plane '{}': {}", plane.id, finding.reason);
+          return fmt::format("plane '{}': {}", plane.id, finding.reason.english());
         }
       }
     }
   }
   for (const rules::AggregateFinding& finding : part.aggregates) {
     if (finding.sum && finding.verdict == rules::Verdict::not_judged) {
-      return fmt::format("building '{}': {}", finding.building_id, finding.reason);
+      return fmt::format("building '{}': {}", finding.building_id, finding.reason.english());
     }
   }
   return "not judged";

@@ -1,5 +1,6 @@
 #include "report/tools/vpl/vpl.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/project/project_xml.h"
 #include "calc/scene/prepared_scene.h"
 #include "report/check/drawing_device.h"

@@ -1,5 +1,6 @@
 #include "report/tools/watch/watch.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/in_order.h"

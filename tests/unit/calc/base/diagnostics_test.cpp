@@ -1,4 +1,4 @@
-#include "calc/base/diagnostics.h"
+#include "calc/base/diagnostic_ids.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

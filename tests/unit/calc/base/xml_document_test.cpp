@@ -1,5 +1,7 @@
 #include "calc/base/xml_document.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -140,7 +140,8 @@ TEST_F(RoomUgrTest, IsTheLargerOfTheTablesTwoViews) {
   EXPECT_NEAR(result.ugr.value, std::max(along, across), 1e-9);
   EXPECT_EQ(result.ugr.low, result.ugr.value);
   EXPECT_EQ(result.ugr.high, result.ugr.value);
-  EXPECT_NE(result.words.find("8.00 H x 4.00 H, H = 1.80 m above eyes at 1.2 m"), std::string::npos)
+  EXPECT_NE(result.words.english().find("8.00 H x 4.00 H, H = 1.80 m above eyes at 1.2 m"),
+            std::string::npos)
       << result.words;
 }
 
@@ -168,7 +169,7 @@ TEST_F(RoomUgrTest, RisesByEightLogarithmsOfTheFlux) {
   const LightScene half{"half", {{"all", 0.5}}, {}};
   EXPECT_NEAR(rated(project, &half).ugr.value, value, 1e-9);
   const LightScene off{"off", {{"all", 0.0}}, {}};
-  EXPECT_NE(rated(project, &off).problem.find("is lit"), std::string::npos);
+  EXPECT_NE(rated(project, &off).problem.english().find("is lit"), std::string::npos);
 }
 
 // As a table has it, but not brighter than its brightest column.
@@ -201,15 +202,16 @@ TEST_F(RoomUgrTest, SaysWhatARoomBeyondTablesCountsAs) {
   const auto words_of = [&](double x_h, double y_h) {
     return rated(project_of({.x_m = x_h * kH_m, .y_m = y_h * kH_m})).words;
   };
-  EXPECT_NE(words_of(1.5, 30.0).find("counts as a room of 12.00 H x 2.00 H"), std::string::npos);
-  EXPECT_EQ(words_of(2.0, 12.0).find("counts as"), std::string::npos);
+  EXPECT_NE(words_of(1.5, 30.0).english().find("counts as a room of 12.00 H x 2.00 H"),
+            std::string::npos);
+  EXPECT_EQ(words_of(2.0, 12.0).english().find("counts as"), std::string::npos);
 }
 
 // So many kinds are no regular array, and each would cost time and memory.
 TEST_F(RoomUgrTest, IsNotOfManyKinds) {
   Project project = project_of({.columns = 1, .rows = 1});
   for (int i = 0; i < 16; ++i) add_array(project, {.columns = 1, .rows = 1}, 0, 0.02 * (i + 1));
-  EXPECT_NE(rated(project).problem.find("more than 16 kinds"), std::string::npos);
+  EXPECT_NE(rated(project).problem.english().find("more than 16 kinds"), std::string::npos);
   project.spaces[0].luminaires.pop_back();
   EXPECT_EQ(rated(project).problem, "");
 }
@@ -244,7 +246,7 @@ TEST_F(RoomUgrTest, OfAMixtureIsThatOfTheSumsAndAtMostOfTheWorst) {
   EXPECT_NEAR(result.ugr.high, worst, 1e-9);
   EXPECT_GT(result.ugr.high, result.ugr.value + 0.01);
   EXPECT_EQ(result.ugr.low, result.ugr.value);
-  EXPECT_NE(result.words.find("2 kinds"), std::string::npos) << result.words;
+  EXPECT_NE(result.words.english().find("2 kinds"), std::string::npos) << result.words;
 }
 
 // Light that goes up alone has no source in the field, and only makes the background of others
@@ -273,7 +275,7 @@ TEST_F(RoomUgrTest, SaysWhatItIsNotFor) {
   const auto problem_after = [&](const auto& change) {
     Project project = project_of({});
     change(project.spaces[0]);
-    const std::string problem = rated(project).problem;
+    const std::string problem = rated(project).problem.english();
     EXPECT_EQ(why_no_room_ugr(project, project.spaces[0], nullptr), problem);
     return problem;
   };
@@ -307,9 +309,9 @@ TEST_F(RoomUgrTest, IsNotOfLinesNorOfCeilings) {
     project.webs[0] = oblong_web({OpeningShape::rectangle, length_m, width_m, 0.0});
     return rated(project).problem;
   };
-  EXPECT_NE(problem_of(1.2, 0.0).find("no luminous area"), std::string::npos);
+  EXPECT_NE(problem_of(1.2, 0.0).english().find("no luminous area"), std::string::npos);
   EXPECT_EQ(problem_of(1.2, 1.2), "");
-  EXPECT_NE(problem_of(1.3, 1.2).find("shines from 1.56 m2"), std::string::npos);
+  EXPECT_NE(problem_of(1.3, 1.2).english().find("shines from 1.56 m2"), std::string::npos);
 }
 
 // The same orientation in two ways, heights apart by less than a centimetre, and luminaires that
@@ -335,7 +337,8 @@ TEST_F(RoomUgrTest, KnowsLuminairesThatAreAlike) {
 
 TEST_F(RoomUgrTest, IsNotKnownInABlackRoom) {
   const Room black{.ceiling = 0.0, .walls = 0.0, .floor = 0.0};
-  EXPECT_NE(rated(project_of(black)).problem.find("no light is reflected"), std::string::npos);
+  EXPECT_NE(rated(project_of(black)).problem.english().find("no light is reflected"),
+            std::string::npos);
 }
 
 }  // namespace

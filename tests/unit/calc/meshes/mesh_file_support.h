@@ -1,6 +1,7 @@
 #pragma once
 // A mesh file read in a test.
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/meshes/mesh_file.h"
 #include "tests/support/mesh_samples.h"
 

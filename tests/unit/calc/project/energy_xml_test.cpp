@@ -63,7 +63,8 @@ TEST(LightingEnergy, GroupsHaveFactorsOfTheirOwn) {
                   "<part group='row' occupancy='0.5' daylight='0.4'/>"
                   "<part group='other' constant-illuminance='0.9'/>"));
   EXPECT_NEAR(energy.leni_kwh_m2, 3.94, 1e-12);
-  EXPECT_NE(energy.words.find("FD 0.8, group row: Fo 0.5 FD 0.4, group other: Fc 0.9, parasitic"),
+  EXPECT_NE(energy.words.english().find(
+                "FD 0.8, group row: Fo 0.5 FD 0.4, group other: Fc 0.9, parasitic"),
             std::string::npos)
       << energy.words;
 }
@@ -98,7 +99,7 @@ TEST(LightingEnergy, NeedsHoursAndPower) {
   ASSERT_TRUE(loaded.project) << loaded.messages;
   for (LuminaireType& type : loaded.project->luminaire_types) type.power_w = 0.0;
   const LightingEnergy dark = energy_of(loaded);
-  EXPECT_NE(dark.problem.find("3 of 3 luminaires state no power"), std::string::npos);
+  EXPECT_NE(dark.problem.english().find("3 of 3 luminaires state no power"), std::string::npos);
   EXPECT_EQ(dark.words, "");
 }
 

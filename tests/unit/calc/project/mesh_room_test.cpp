@@ -52,10 +52,11 @@ TEST(MeshRoom, FacesMayLookInwardOrOutwardAndItIsSaid) {
       "the room");
   const Loaded out = load_room(ObjText().box("hall", kLow, kHigh, false).text());
   ASSERT_TRUE(out.project) << out.messages;
-  EXPECT_THAT(room_of(out).notes.at(0), HasSubstr("look out of the room, which changes nothing"));
+  EXPECT_THAT(room_of(out).notes.at(0).english(),
+              HasSubstr("look out of the room, which changes nothing"));
   const Loaded mixed = load_room(ObjText().box("hall", kLow, kHigh, true, -1, 3).text());
   ASSERT_TRUE(mixed.project) << mixed.messages;
-  EXPECT_THAT(room_of(mixed).notes.at(0),
+  EXPECT_THAT(room_of(mixed).notes.at(0).english(),
               HasSubstr("look into the room (10 triangles) and out of it (2)"));
 }
 
@@ -96,7 +97,7 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
   const Loaded chosen = load_room(thick, R"( shell="2")");
   ASSERT_TRUE(chosen.project) << chosen.messages;
   ASSERT_EQ(room_of(chosen).bodies.size(), 1u);
-  EXPECT_THAT(room_of(chosen).notes.at(0),
+  EXPECT_THAT(room_of(chosen).notes.at(0).english(),
               HasSubstr("around 1.9 m3: its faces look into the room"));
   EXPECT_THAT(chosen.messages, HasSubstr("warning[mesh-room-left-out]: room 'r': 12 triangles"));
   EXPECT_EQ(room_of(load_room(thick, R"( shell="1")")).bodies.size(), 2u);
@@ -219,7 +220,8 @@ TEST(MeshRoom, WithAllTheRoomLiesBetweenTheSolids) {
     EXPECT_FALSE(body.encloses_room);
   }
   EXPECT_TRUE(space.outline_m.empty());
-  EXPECT_THAT(space.notes.at(0), HasSubstr("lies between 6 closed solids and 0 triangles"));
+  EXPECT_THAT(space.notes.at(0).english(),
+              HasSubstr("lies between 6 closed solids and 0 triangles"));
   Diagnostics diagnostics;
   const auto grid = make_sensor_grid(space.planes.at(0), space, diagnostics);
   ASSERT_TRUE(grid);

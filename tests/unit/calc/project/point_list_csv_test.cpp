@@ -1,5 +1,7 @@
 #include "calc/project/point_list_csv.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <gtest/gtest.h>
 
 #include <string>

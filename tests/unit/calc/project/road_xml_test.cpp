@@ -155,8 +155,9 @@ TEST(RoadXml, IsReadInWorldCoordinatesAndMetres) {
   EXPECT_EQ(space.planes[1].usual_role, kFootwayRole);
   expect_vector(walk.origin_m, {4, 2, 0.5});  // 1 m beside the right edge, and 2 m wide
   EXPECT_EQ(walk.outline_m[2], glm::dvec2(40, 2));
-  EXPECT_THAT(space.notes, ElementsAre(AllOf(HasSubstr("14 x 9 points"), HasSubstr("Q0 = 0.08")),
-                                       HasSubstr("within 5 mounting heights")));
+  EXPECT_THAT(calc::texts(space.notes),
+              ElementsAre(AllOf(HasSubstr("14 x 9 points"), HasSubstr("Q0 = 0.08")),
+                          HasSubstr("within 5 mounting heights")));
 }
 
 Luminaire row_of(const std::string& attributes) {
@@ -216,7 +217,7 @@ TEST(RoadXml, SaysWhichSideLooksToTheStreet) {
         "/><road id='a' width='7' lanes='2' spacing='30' surface='R3'><luminaire-row id='r' "
         "type='spot' side='right' height='10' " +
         street + "/></road></luxgate>"));
-    return loaded.project ? loaded.project->spaces.at(0).notes
+    return loaded.project ? calc::texts(loaded.project->spaces.at(0).notes)
                           : std::vector<std::string>{loaded.messages};
   };
   const auto said = [](int c) {

@@ -143,7 +143,7 @@ TEST_F(LookKeyInputs, WhatDoesNotMatterIsNotInIt) {
   EXPECT_EQ(after([](Inputs& i) { i.settings.max_paths *= 2; }), key);
   EXPECT_EQ(after([](Inputs& i) { i.settings.time_limit_s = 10.0; }), key);
   EXPECT_EQ(after([](Inputs& i) { i.settings.jobs = 7; }), key);
-  EXPECT_EQ(after([](Inputs& i) { i.grid.rule = "another"; }), key);
+  EXPECT_EQ(after([](Inputs& i) { i.grid.rule = calc::Message::words("another"); }), key);
   EXPECT_EQ(after([](Inputs& i) { i.grid.column = {5, 6}; }), key);
   // The same web from another file.
   const calc::PhotometricWeb same = isotropic_web(100.0);

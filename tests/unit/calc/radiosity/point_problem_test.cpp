@@ -37,7 +37,7 @@ std::string problem_of(const calc::PreparedScene& scene, const glm::dvec3& posit
   grid.position_m = {position_m};
   grid.normal = {normal};
   grid.shift_m = {shift_m};
-  return calc::point_problem(tracer, grid, calc::receivers_of(tracer, grid), true);
+  return calc::point_problem(tracer, grid, calc::receivers_of(tracer, grid), true).english();
 }
 
 const glm::dvec3 kUp(0, 0, 1), kDown(0, 0, -1);
@@ -144,7 +144,7 @@ TEST(PointProblem, PlaneIsNotJudgedAndPicturesMayStillAsk) {
         .fields[0]
         .problem;
   };
-  EXPECT_NE(problem().find("the first of 2 such points"), std::string::npos) << problem();
+  EXPECT_NE(problem().english().find("the first of 2 such points"), std::string::npos) << problem();
   settings.refuses_close_points = false;
   EXPECT_EQ(problem(), "");
 }
@@ -162,7 +162,9 @@ TEST(SourceProblem, NamesWhatRaysWouldPass) {
     scene.extent_m = size_m;
     return calc::source_problem(calc::Tracer(scene));
   };
-  EXPECT_NE(problem(0.004, 3000.0).find("'shield' is 0.004 m before the luminaire at (0 0 6) m"),
+  EXPECT_NE(problem(0.004, 3000.0)
+                .english()
+                .find("'shield' is 0.004 m before the luminaire at (0 0 6) m"),
             std::string::npos);
   EXPECT_EQ(problem(0.004, 30.0), "");
   EXPECT_EQ(problem(0.04, 3000.0), "");

@@ -232,7 +232,7 @@ TEST(SensorGrid, GivenCellsThatMissAnArmAreWarnedOf) {
   const std::string expected =
       "project.xml:7:3: warning[grid-misses-part]: plane 'desk': its grid, of a given count or "
       "spacing, leaves 2.7 m2 of the area, at (";
-  for (const GridRule& rule : {GridRule(GridByCount{2, 2}), GridRule(GridBySpacing{3, 4, ""})}) {
+  for (const GridRule& rule : {GridRule(GridByCount{2, 2}), GridRule(GridBySpacing{3, 4, {}})}) {
     const Made made = make(plane_of(kArm, rule));
     ASSERT_EQ(made.messages.size(), 1u);
     EXPECT_EQ(made.messages[0].substr(0, expected.size()), expected);

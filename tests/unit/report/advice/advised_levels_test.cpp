@@ -75,7 +75,7 @@ TEST(AdvisedLevels, EveryOpenSceneHasItsOwnAndSaysWhyThereIsNone) {
   EXPECT_EQ(advice[1].scene, "");
   for (const report::LevelAdvice& one : advice) {
     EXPECT_EQ(one.outcome, report::AdviceOutcome::none_found);
-    EXPECT_THAT(one.reason, testing::HasSubstr("could not be calculated"));
+    EXPECT_THAT(one.reason.english(), testing::HasSubstr("could not be calculated"));
     EXPECT_FALSE(one.has_levels());
   }
 }

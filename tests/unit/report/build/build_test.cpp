@@ -58,7 +58,7 @@ TEST(BuildPlane, KeepsWhatThePointsMeasure) {
   plane.kernel = calc::ReceiverKernel::cylindrical;
   EXPECT_EQ(report::build_plane(plane, two_points(), two_channel_field(), {}, 0.95).kernel,
             calc::ReceiverKernel::cylindrical);
-  EXPECT_EQ(report::build_uncomputed_plane(plane, "dark", {}).kernel,
+  EXPECT_EQ(report::build_uncomputed_plane(plane, calc::Message::words("dark"), {}).kernel,
             calc::ReceiverKernel::cylindrical);
 }
 
@@ -188,8 +188,8 @@ TEST(BuildPlane, OutlineIsMovedToTheOriginOfTheGrid) {
 TEST(BuildPlane, UncomputedPlaneKeepsItsReasonAndFindings) {
   calc::CalcPlane plane;
   plane.id = "desk";
-  const report::PlanePart part =
-      report::build_uncomputed_plane(plane, "no points", std::vector<rules::Finding>(2));
+  const report::PlanePart part = report::build_uncomputed_plane(
+      plane, calc::Message::words("no points"), std::vector<rules::Finding>(2));
   EXPECT_FALSE(part.is_computed);
   EXPECT_EQ(part.reason, "no points");
   EXPECT_EQ(part.findings.size(), 2u);

@@ -28,7 +28,7 @@ std::string changed(const SceneLevels& levels) {
   calc::Diagnostics diagnostics;
   const auto text = check::with_scene_levels(kProject, "p.xml", levels, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
-  return text.value_or("");
+  return text ? text->text : "";
 }
 
 std::string with(std::string text, const std::string& from, const std::string& to) {

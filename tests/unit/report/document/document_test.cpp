@@ -1,5 +1,6 @@
 #include "report/document/document.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/ci_annotations.h"
 #include "report/formats/console.h"
 #include "report/formats/csv.h"
@@ -112,7 +113,7 @@ TEST(CloseWords, GoByThePolicy) {
 TEST(NoteWords, SayWhatMustBeReadWithAFinding) {
   rules::Finding finding;
   EXPECT_EQ(note_words(finding), "");
-  finding.requirement.note = "unverified requirement";
+  finding.requirement.note = calc::Message::words("unverified requirement");
   finding.requirement.direct_only = true;
   finding.requirement.mask.id = "width";
   finding.requirement.policy.tolerance = 0.01;

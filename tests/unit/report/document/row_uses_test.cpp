@@ -44,8 +44,8 @@ SpacePart room(const std::string& id, const std::string& clause, const std::vect
     space.planes.push_back(plane);
     task.of.push_back({one.plane, one.id});
   }
-  rules::RowCoverage row{"place", clause, {task}};
-  if (!is_whole) row.roles.push_back({"wall", rules::RoleState::never_asked, ""});
+  rules::RowCoverage row{"place", calc::Message::words(clause), {task}};
+  if (!is_whole) row.roles.push_back({"wall", rules::RoleState::never_asked, {}});
   space.coverage = {row};
   return space;
 }
@@ -107,7 +107,8 @@ TEST(RowUses, CountWhatIsSharedOnce) {
 
 TEST(RowUses, AreNotMetWhereLeavingOutHasEnded) {
   SpacePart ended = room("a", kDesk, {{"a.1", "Em"}});
-  ended.coverage[0].roles.push_back({"wall", rules::RoleState::left_out_ended, "ended"});
+  ended.coverage[0].roles.push_back(
+      {"wall", rules::RoleState::left_out_ended, calc::Message::words("ended")});
   EXPECT_EQ(row_uses(project_of({ended}))[0].outcome, rules::Outcome::not_judged);
 }
 
@@ -134,7 +135,7 @@ TEST(RowUses, AreNotMetWhereSomethingIsWaivedOrLeftOut) {
   waived.coverage[0].roles[0].state = rules::RoleState::waived;
   SpacePart left_out = room("b", kDesk, {{"b.1", "Em"}});
   left_out.coverage[0].roles.push_back(
-      {"wall", rules::RoleState::left_out, "", {}, {{"wall", {}, false}}});
+      {"wall", rules::RoleState::left_out, {}, {}, {{"wall", {}, false}}});
   for (const SpacePart& space : {waived, left_out}) {
     const RowUse use = row_uses(project_of({space}))[0];
     EXPECT_EQ(use.outcome, rules::Outcome::pass);

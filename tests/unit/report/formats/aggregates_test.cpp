@@ -33,13 +33,13 @@ rules::AggregateFinding any_of_two(rules::Verdict verdict) {
   rules::AggregateFinding finding;
   finding.id = "glare";
   finding.space_id = "r1";
-  finding.clause = "Own:1 <7.3>";
-  finding.note = "one public source";
+  finding.clause = calc::Message::words("Own:1 <7.3>");
+  finding.note = calc::Message::words("one public source");
   finding.rule = rules::AggregateRule::any;
   finding.verdict = verdict;
-  finding.reason = "fail: ugr (eyes)";
-  finding.members = {{"ugr", rules::Verdict::fail, false, {}, "eyes"},
-                     {"luminance", rules::Verdict::pass, false, 12.25, ""}};
+  finding.reason = calc::Message::words("fail: ugr (eyes)");
+  finding.members = {{"ugr", rules::Verdict::fail, false, {}, calc::Message::words("eyes")},
+                     {"luminance", rules::Verdict::pass, false, 12.25, {}}};
   finding.where = {"office.xml", 9, 5};
   return finding;
 }
@@ -55,7 +55,8 @@ rules::AggregateFinding class_p() {
   finding.asked = "P2";
   finding.reached = "P3";
   finding.possible = "P2";
-  finding.members = {{"P.average", rules::Verdict::undecided, false, {}, "work"}};
+  finding.members = {
+      {"P.average", rules::Verdict::undecided, false, {}, calc::Message::words("work")}};
   return finding;
 }
 
@@ -127,8 +128,12 @@ Document waived_document() {
   for (rules::AggregateFinding& finding : document.projects[0].aggregates) {
     finding.is_waived = true;
     finding.share = 0.1;
-    finding.members = {
-        {"ugr", rules::Verdict::undecided, true, 12.25, "eyes", {{"work", "minimum"}}}};
+    finding.members = {{"ugr",
+                        rules::Verdict::undecided,
+                        true,
+                        12.25,
+                        calc::Message::words("eyes"),
+                        {{"work", "minimum"}}}};
   }
   return document;
 }
@@ -211,7 +216,7 @@ TEST(Aggregates, AreFindingsForCiSystems) {
 TEST(Aggregates, ThatAreWaivedSayWhoLivesWithThem) {
   rules::AggregateFinding finding = any_of_two(rules::Verdict::fail);
   finding.is_waived = true;
-  finding.reason = "fail: ugr; waived by J. Doe until 2027-06-30: moves";
+  finding.reason = calc::Message::words("fail: ugr; waived by J. Doe until 2027-06-30: moves");
   const Document document = document_with(finding);
   EXPECT_THAT(render_sarif(document, SarifContent::all), HasSubstr("waived by J. Doe"));
   EXPECT_THAT(render_junit(document), HasSubstr("failures=\"0\""));

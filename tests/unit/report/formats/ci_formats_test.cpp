@@ -1,5 +1,6 @@
 // The formats of CI systems: one document with every verdict against files, and what must hold for
 // any document.
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/ci_annotations.h"
 #include "report/formats/ci_finding.h"
 #include "report/formats/csv.h"
@@ -48,13 +49,13 @@ Document every_verdict() {
   unjudged.requirement.where = at(24);
   unjudged.requirement.scene = "night";
   unjudged.verdict = rules::Verdict::not_judged;
-  unjudged.reason = "no such light";
+  unjudged.reason = calc::Message::words("no such light");
   rules::Finding waived =
       sample_finding(rules::Metric::uniformity_min_max, 0.8, plane.uniformity_min_max);
   waived.requirement.where = at(25);
   waived.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
   waived.is_waived = true;
-  waived.reason = "waived by A. Client until 2030-12-31: old hall";
+  waived.reason = calc::Message::words("waived by A. Client until 2030-12-31: old hall");
   rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum);
   advice.requirement.percent = 5;
   advice.requirement.severity = rules::Severity::advice;
@@ -66,7 +67,7 @@ Document every_verdict() {
   PlanePart dark;
   dark.id = "stairs";
   dark.where = at(30);
-  dark.reason = "every point lies inside a solid";
+  dark.reason = calc::Message::words("every point lies inside a solid");
   project.spaces[0].planes.push_back(dark);
 
   ProjectPart broken;
@@ -89,7 +90,7 @@ Document hostile() {
   project.spaces[0].name = name;
   project.spaces[0].planes[0].id = name;
   project.spaces[0].planes[0].name = name;
-  project.spaces[0].planes[0].findings[1].requirement.clause = name;
+  project.spaces[0].planes[0].findings[1].requirement.clause = calc::Message::words(name);
   project.spaces[0].planes[0].findings[1].requirement.id = name;
   project.diagnostics[0].message = name;
   return document;
@@ -274,8 +275,8 @@ TEST(CiFormats, NotesOfRoomsAreTold) {
   SpacePart& space = document.projects[0].spaces[0];
   EXPECT_THAT(render_markdown(document), Not(HasSubstr("Notes on")));
   EXPECT_THAT(render_junit(document), Not(HasSubstr("Office: ")));
-  space.notes = {"workplace desk: left out: ceiling | <open>"};
-  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
+  space.notes = {calc::Message::words("workplace desk: left out: ceiling | <open>")};
+  space.planes[0].changed = calc::Message::words("height 1.1 m instead of 0.75 m");
   EXPECT_THAT(render_markdown(document),
               HasSubstr("- Office: workplace desk: left out: ceiling &#124; &#60;open&#62;\n"
                         "- Office / Work plane: changed: height 1.1 m instead of 0.75 m\n"));
@@ -291,7 +292,7 @@ TEST(CiFormats, NotesOfRoomsAreTold) {
 TEST(CiFormats, RemarksAndDoubtsOfPlanesAreInAll) {
   Document document = every_verdict();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
-  plane.remarks = {"how it was rated"};
+  plane.remarks = {calc::Message::words("how it was rated")};
   plane.single_sample_points = 2;
   const std::string doubt = doubt_words({}, plane);
   ASSERT_NE(doubt, "");

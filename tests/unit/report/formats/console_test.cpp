@@ -69,10 +69,10 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
 TEST(Console, WhatAProjectChangesAboutAZoneAndLeavesOutIsTold) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
-  space.planes[0].made_by = "workplace desk, task: the whole room";
+  space.planes[0].made_by = calc::Message::words("workplace desk, task: the whole room");
   EXPECT_THAT(render_text(document), testing::Not(HasSubstr("workplace desk")));
-  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
-  space.notes = {"workplace desk: left out: ceiling (open)"};
+  space.planes[0].changed = calc::Message::words("height 1.1 m instead of 0.75 m");
+  space.notes = {calc::Message::words("workplace desk: left out: ceiling (open)")};
   EXPECT_THAT(render_text(document),
               HasSubstr("└ workplace desk, task: the whole room; changed: height 1.1 m instead of "
                         "0.75 m\n"));
@@ -84,7 +84,7 @@ Document workplace_document() {
   Document document = small_document();
   std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
   planes[0].findings.resize(1);  // that passes
-  planes[0].made_by = "workplace desk, task: the whole room";
+  planes[0].made_by = calc::Message::words("workplace desk, task: the whole room");
   planes[0].findings[0].requirement.origin.workplaces = {"desk"};
   planes[0].findings[0].requirement.origin.pack = "en12464-1:2021";
   const auto add = [&](const std::string& role) {
@@ -124,15 +124,18 @@ TEST(Console, WhatHasToBeReadIsNotFolded) {
            render_text(document).find("nearest to its limit") != std::string::npos;
   };
   EXPECT_TRUE(folds([](PlanePart&) {}));
-  EXPECT_FALSE(folds([](PlanePart& plane) { plane.changed = "height 1 m instead of 0.75 m"; }));
+  EXPECT_FALSE(folds([](PlanePart& plane) {
+    plane.changed = calc::Message::words("height 1 m instead of 0.75 m");
+  }));
   EXPECT_FALSE(folds([](PlanePart& plane) { plane.single_sample_points = 2; }));
   EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].is_close = true; }));
   EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].by_tolerance = true; }));
-  EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].reason = "because"; }));
+  EXPECT_FALSE(
+      folds([](PlanePart& plane) { plane.findings[0].reason = calc::Message::words("because"); }));
   EXPECT_FALSE(
       folds([](PlanePart& plane) { plane.findings[0].requirement.deviations.emplace_back(); }));
   EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].requirement.waiver.emplace(); }));
-  EXPECT_FALSE(folds([](PlanePart& plane) { plane.made_by.clear(); }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.made_by = {}; }));
 }
 
 TEST(Console, AdviceAmongFoldedPassesIsNamed) {
@@ -146,8 +149,8 @@ TEST(Console, AdviceAmongFoldedPassesIsNamed) {
 TEST(Console, NotesOfFoldedPassesAreSaid) {
   Document document = workplace_document();
   std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
-  planes[1].findings[0].requirement.note = "one public source";
-  planes[1].remarks = {"a remark"};
+  planes[1].findings[0].requirement.note = calc::Message::words("one public source");
+  planes[1].remarks = {calc::Message::words("a remark")};
   EXPECT_THAT(render_text(document), HasSubstr("└ one public source\n           └ a remark\n"));
 }
 
@@ -155,7 +158,8 @@ TEST(Console, LongNotesThatComeAgainAreNumbered) {
   Document document = workplace_document();
   std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
   const std::string lengthy(80, 'x');
-  for (PlanePart& plane : planes) plane.findings[0].requirement.note = lengthy;
+  for (PlanePart& plane : planes)
+    plane.findings[0].requirement.note = calc::Message::words(lengthy);
   TextOptions options;
   options.lists_passes = true;
   const std::string text = render_text(document, options);
@@ -167,7 +171,9 @@ TEST(Console, LongNotesThatComeAgainAreNumbered) {
 
 TEST(Console, RowsOfWhichTheSameIsToBeSaidShareALine) {
   Document document = small_document();
-  rules::RowCoverage row{"g[0,0]", "EN 12464-1:2021 34.2", {{"task", rules::RoleState::met, ""}}};
+  rules::RowCoverage row{"g[0,0]",
+                         calc::Message::words("EN 12464-1:2021 34.2"),
+                         {{"task", rules::RoleState::met, {}}}};
   std::vector<rules::RowCoverage>& rows = document.projects[0].spaces[0].coverage;
   for (const char* id : {"a", "b", "c", "d", "e"}) {
     row.workplace = id;
@@ -199,7 +205,7 @@ TEST(Console, RatingsHaveNoUnit) {
   plane.derived = calc::DerivedQuantity::ugr;
   plane.minimum = {15.5, 15.25, 15.75};
   plane.maximum = {18.5, 18.25, 18.75};
-  plane.remarks = {"how it was rated"};
+  plane.remarks = {calc::Message::words("how it was rated")};
   rules::Finding finding = plane.findings[0];
   finding.requirement.metric = rules::Metric::maximum;
   finding.requirement.derived = plane.derived;
@@ -229,7 +235,7 @@ TEST(Console, ReasonOfAnUncomputedPlaneWithoutRequirementIsShown) {
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.findings.clear();
   plane.is_computed = false;
-  plane.reason = "no point is left";
+  plane.reason = calc::Message::words("no point is left");
   EXPECT_THAT(render_text(document), HasSubstr("– not computed  Office / Work plane\n"));
   EXPECT_THAT(render_text(document), HasSubstr("└ no point is left\n"));
 }
@@ -280,7 +286,7 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
   const std::string remark =
       "measured from the other side of the board, as what stands before it is wider than the board "
       "itself, a-name-of-more-than-fifty-characters-that-nobody-may-cut, and so on";
-  document.projects[0].spaces[0].planes[0].remarks = {remark};
+  document.projects[0].spaces[0].planes[0].remarks = {calc::Message::words(remark)};
   EXPECT_THAT(render_text(document), HasSubstr("└ " + remark + "\n"));
   EXPECT_THAT(render_text(document, {.width = 30}), HasSubstr("└ " + remark + "\n"));
   const std::string text = render_text(document, {.width = 60});

@@ -52,7 +52,7 @@ TEST(Csv, FieldsAreQuotedWhereNeeded) {
   Document document = small_document();
   document.projects[0].path = "a,b.xml";
   document.projects[0].spaces[0].id = "the \"big\" room";
-  document.projects[0].spaces[0].planes[0].findings[0].reason = "two\nlines";
+  document.projects[0].spaces[0].planes[0].findings[0].reason = calc::Message::words("two\nlines");
   const std::string csv = render_results_csv(document);
   EXPECT_THAT(csv, HasSubstr("\r\n\"a,b.xml\",\"the \"\"big\"\" room\",work,"));
   EXPECT_THAT(csv, HasSubstr(",two lines,"));

@@ -418,7 +418,7 @@ TEST(Dxf, WhatWasNotComputedIsNamedAndHasNoValues) {
   PlanePart none;
   none.id = plane.id;
   none.name = plane.name;
-  none.reason = "no point of the grid is left";
+  none.reason = calc::Message::words("no point of the grid is left");
   plane = none;
   const Drawing drawing = drawn(document);
   EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"),

@@ -45,9 +45,10 @@ Document rich_document() {
   SpacePart& space = project.spaces[0];
   project.north_deg = 90.0;
   project.maintenance_plan = {"clean office", "by the house", 12.0, {}, 50000.0, {}};
-  space.energy = calc::LightingEnergy{1000.0, 12.5, "", "by EN 15193"};
-  project.spaces[1].energy = calc::LightingEnergy{0.0, 0.0, "power is not known", ""};
-  space.notes = {"workplace desk: nothing to do"};
+  space.energy = calc::LightingEnergy{1000.0, 12.5, {}, calc::Message::words("by EN 15193")};
+  project.spaces[1].energy =
+      calc::LightingEnergy{0.0, 0.0, calc::Message::words("power is not known"), {}};
+  space.notes = {calc::Message::words("workplace desk: nothing to do")};
   space.bodies_left_out = 3;
   space.bodies = {{"desk", 0.0, 0.7, {{glm::dvec2(1, 1), glm::dvec2(3, 2)}}},
                   {"shelf", 1.0, 2.0, {{glm::dvec2(2, 1), glm::dvec2(2, 2)}}}};
@@ -58,9 +59,9 @@ Document rich_document() {
   space.pictures.device = "llvmpipe";
   project.spaces[1].pictures.problem = "no device";
   PlanePart plane = space.planes[0];
-  plane.made_by = "workplace desk";
-  plane.changed = "margin";
-  plane.remarks = {"made of four planes"};
+  plane.made_by = calc::Message::words("workplace desk");
+  plane.changed = calc::Message::words("margin");
+  plane.remarks = {calc::Message::words("made of four planes")};
   plane.unseen_points = 1;
   plane.single_sample_points = 2;
   plane.groups = {{"window", plane.average, 20.0}, {"", plane.average, 1.0}};
@@ -84,8 +85,9 @@ Document rich_document() {
   finding.verdict = rules::Verdict::pass;
   finding.requirement.state = rules::LightState::end_of_duration;
   finding.requirement.deviations = {
-      {rules::FitAspect::grid, "a grid of its own", finding.requirement.waiver, true},
-      {rules::FitAspect::height, "too high", {}, false}};
+      {rules::FitAspect::grid, calc::Message::words("a grid of its own"),
+       finding.requirement.waiver, true},
+      {rules::FitAspect::height, calc::Message::words("too high"), {}, false}};
   plane.findings.push_back(finding);
   for (const rules::Metric metric :
        {rules::Metric::percentile, rules::Metric::share, rules::Metric::power_density,

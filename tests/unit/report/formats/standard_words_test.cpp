@@ -4,7 +4,7 @@
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
-#include "report/text/known_words.h"
+#include "report/text/clause_words.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 #include "tests/support/legible.h"
@@ -29,12 +29,13 @@ Document deviating() {
   SpacePart& space = document.projects[0].spaces[0];
   rules::Finding& finding = space.planes[0].findings.at(1);
   finding.requirement.origin = {"en12464-1:2021", "task.Em", "34.2", {}, {}};
-  finding.requirement.deviations = {{rules::FitAspect::grid, "4 points where 54 are asked for",
+  finding.requirement.deviations = {{rules::FitAspect::grid,
+                                     calc::Message::words("4 points where 54 are asked for"),
                                      rules::Waiver{"as measured", "A. Meier", "2027-01-31"}, true}};
   space.coverage = {{"",
-                     "EN 12464-1:2021 34.2",
-                     {{"task", rules::RoleState::failed, "", {{"work", "minimum"}}},
-                      {"observer", rules::RoleState::never_asked, ""}}}};
+                     calc::Message::words("EN 12464-1:2021 34.2"),
+                     {{"task", rules::RoleState::failed, {}, {{"work", "minimum"}}},
+                      {"observer", rules::RoleState::never_asked, {}}}}};
   document.provenance.judged_on = "2027-01-31";
   return document;
 }
@@ -67,12 +68,12 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
   const rules::Waiver by{"window wall", "B. Roe", "2027-03-31"};
-  space.notes = {
+  space.notes = {calc::Message::words(
       "workplace desk, EN 12464-1:2021 34.2: left out: wall.1 (window wall, by B. Roe "
-      "until 2027-03-31)"};
+      "until 2027-03-31)")};
   space.coverage = {{"desk",
-                     "EN 12464-1:2021 34.2",
-                     {{"wall", rules::RoleState::met, "", {}, {{"wall.1", by, false}}}}}};
+                     calc::Message::words("EN 12464-1:2021 34.2"),
+                     {{"wall", rules::RoleState::met, {}, {}, {{"wall.1", by, false}}}}}};
   for (const Format& format : formats()) {
     if (format.is_table) continue;
     const std::string text = legible(format, document);
@@ -86,7 +87,7 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
 TEST(StandardWords, WhoSaysTheLimitIsInEveryFormatButPoints) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings.at(1);
-  finding.requirement.clause = "EN 12464-1:2021 34.2";
+  finding.requirement.clause = calc::Message::words("EN 12464-1:2021 34.2");
   const auto says = [&](const char* words, const char* name) {
     for (const Format& format : formats()) {
       if (format.is_table) continue;
@@ -102,12 +103,13 @@ TEST(StandardWords, WhoSaysTheLimitIsInEveryFormatButPoints) {
   EXPECT_EQ(clause_words({}, finding.requirement), "EN 12464-1:2021 34.2");
   EXPECT_THAT(find_format("text")->render(document, {}), Not(HasSubstr("user-supplied")));
   // Rows and aggregates of such a pack, too.
-  rules::RowCoverage row{"desk", "EN 12464-1:2021 34.2", {{"task", rules::RoleState::met, ""}}};
+  rules::RowCoverage row{
+      "desk", calc::Message::words("EN 12464-1:2021 34.2"), {{"task", rules::RoleState::met, {}}}};
   row.is_user_supplied = true;
   EXPECT_EQ(coverage_words({}, row),
             "desk, EN 12464-1:2021 34.2 (user-supplied): the whole row is met");
   rules::AggregateFinding aggregate;
-  aggregate.clause = "Own:1 3.1";
+  aggregate.clause = calc::Message::words("Own:1 3.1");
   aggregate.is_user_supplied = true;
   EXPECT_EQ(clause_words({}, aggregate), "Own:1 3.1 (user-supplied)");
 }
@@ -119,8 +121,8 @@ TEST(StandardWords, WhoSaysTheLimitIsReadAgain) {
   rules::Finding& finding = space.planes[0].findings.at(1);
   finding.requirement.origin = {"own:1", "task.Em", "34.2", {}, {}};
   finding.requirement.origin.is_user_supplied = true;
-  rules::RowCoverage row{"", "EN 12464-1:2021 34.2", {}};
-  row.roles = {{"task", rules::RoleState::failed, "", {{"work", "minimum"}}}};
+  rules::RowCoverage row{"", calc::Message::words("EN 12464-1:2021 34.2"), {}};
+  row.roles = {{"task", rules::RoleState::failed, {}, {{"work", "minimum"}}}};
   row.is_user_supplied = true;
   space.coverage = {row};
   std::string problem;
@@ -138,10 +140,10 @@ TEST(StandardWords, ARowIsNotMetByWaivingIt) {
   const rules::Waiver by{"later", "B. Roe", "2027-03-31"};
   document.projects[0].spaces[0].coverage = {
       {"desk",
-       "EN 12464-1:2021 14.1",
-       {{"task", rules::RoleState::waived, ""},
-        {"surround", rules::RoleState::left_out, "", {}, {{"surround", by, false}}},
-        {"wall", rules::RoleState::met, "", {}, {{"wall.2", by, false}}}}}};
+       calc::Message::words("EN 12464-1:2021 14.1"),
+       {{"task", rules::RoleState::waived, {}},
+        {"surround", rules::RoleState::left_out, {}, {}, {{"surround", by, false}}},
+        {"wall", rules::RoleState::met, {}, {}, {{"wall.2", by, false}}}}}};
   for (const Format& format : formats()) {
     EXPECT_THAT(legible(format, document), Not(HasSubstr("whole row is met"))) << format.name;
   }

@@ -1,6 +1,7 @@
 // A warning is in every format that a check or a report writes, and one that counts (--strict)
 // looks green in none.
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"

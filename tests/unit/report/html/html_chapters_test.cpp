@@ -62,7 +62,7 @@ TEST(HtmlDeviations, ListWhatIsLeftOutThoughNothingElseIsAsked) {
   SpacePart& space = document.projects[0].spaces[0];
   space.planes[0].findings.clear();
   rules::RowCoverage row;
-  row.roles = {{"task", rules::RoleState::left_out, "", {}, {{"task", kOldHall, false}}}};
+  row.roles = {{"task", rules::RoleState::left_out, {}, {}, {{"task", kOldHall, false}}}};
   space.coverage = {row};
   EXPECT_EQ(rows_of_table(deviations(document)).size(), 1U);
 }
@@ -96,18 +96,19 @@ TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
   rules::Finding& finding = space.planes[0].findings[0];
-  finding.requirement.deviations = {{rules::FitAspect::grid, "2 x 1 points", kOldHall, true},
-                                    {rules::FitAspect::height, "0.1 m too high", {}, false}};
+  finding.requirement.deviations = {
+      {rules::FitAspect::grid, calc::Message::words("2 x 1 points"), kOldHall, true},
+      {rules::FitAspect::height, calc::Message::words("0.1 m too high"), {}, false}};
   finding.requirement.origin.is_weakened = true;
   finding.by_tolerance = true;
   rules::RowCoverage row;
-  row.clause = "EN 12464-1:2021 34.2";
+  row.clause = calc::Message::words("EN 12464-1:2021 34.2");
   using enum rules::RoleState;
-  row.roles = {{"task", met, ""},
-               {"surround", never_asked, ""},
-               {"wall", asked_in_part, "without wall.2"},
-               {"ceiling", left_out, "", {}, {{"ceiling", kOldHall, false}}},
-               {"floor", left_out_ended, "", {}, {{"floor", kOldHall, true}}}};
+  row.roles = {{"task", met, {}},
+               {"surround", never_asked, {}},
+               {"wall", asked_in_part, calc::Message::words("without wall.2")},
+               {"ceiling", left_out, {}, {}, {{"ceiling", kOldHall, false}}},
+               {"floor", left_out_ended, {}, {}, {{"floor", kOldHall, true}}}};
   space.coverage = {row};
   std::vector<std::string> kinds;
   for (const std::string& words : rows_of_table(deviations(document)))
@@ -123,7 +124,7 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   ProjectPart& project = document.projects[0];
   project.spaces.push_back(project.spaces[0]);
   project.spaces[0].power = {60.0, 20.0, 2, 0};
-  project.spaces[0].energy = calc::LightingEnergy{150.0, 8.0, "", "2500 h"};
+  project.spaces[0].energy = calc::LightingEnergy{150.0, 8.0, {}, calc::Message::words("2500 h")};
   project.spaces[1].name = "Store";
   project.spaces[1].power = {40.0, 30.0, 1, 0};
   std::string html = html_energy({}, project, 0);
@@ -140,7 +141,8 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   html = html_energy({}, project, 0);
   EXPECT_THAT(html, Not(HasSubstr("100.0 W")));
   EXPECT_THAT(rows_of_table(html)[1], HasSubstr("not stated"));
-  project.spaces[1].energy = calc::LightingEnergy{0, 0, "power is not known", ""};
+  project.spaces[1].energy =
+      calc::LightingEnergy{0, 0, calc::Message::words("power is not known"), {}};
   EXPECT_THAT(rows_of_table(html_energy({}, project, 0))[1], HasSubstr("not known"));
   EXPECT_THAT(html, Not(HasSubstr("<td class=\"num\">0 kWh")));
 }
@@ -208,7 +210,7 @@ TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   rules::Requirement& asked = space.planes[0].findings[1].requirement;
   asked.state = rules::LightState::end_of_duration;
   asked.scene = "battery";
-  space.planes[0].findings[1].reason = "";
+  space.planes[0].findings[1].reason = calc::Message::words("");
   EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "")),
               ElementsAre("Work plane Office | minimum end-of-duration · scene battery | battery | "
                           "2 | ≥ 450 lx | 424.5 ± 4.2 lx "
@@ -219,11 +221,11 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[1];
   finding.requirement.state = rules::LightState::end_of_duration;
-  finding.requirement.clause = "EN 1838 risk";
-  finding.requirement.note = "national readings differ";
+  finding.requirement.clause = calc::Message::words("EN 1838 risk");
+  finding.requirement.note = calc::Message::words("national readings differ");
   finding.requirement.direct_only = true;
   finding.verdict = rules::Verdict::not_judged;
-  finding.reason = "the scene does not say what 1 luminaire does";
+  finding.reason = calc::Message::words("the scene does not say what 1 luminaire does");
   const std::string html = html_emergency({}, document.projects[0], 0, "");
   for (const char* words :
        {"EN 1838 risk (project&#39;s own) · end-of-duration · ", "national readings differ",
@@ -301,7 +303,7 @@ TEST(HtmlFindings, EndReasonsWithOneFullStop) {
   PlanePart plane;
   rules::Finding finding;
   for (const char* reason : {"own words.", "own words", "<b>"}) {
-    finding.reason = reason;
+    finding.reason = calc::Message::words(reason);
     plane.findings.push_back(finding);
   }
   const std::string html = html_plane_findings(Texts(Language::german, true), plane);

@@ -1,4 +1,5 @@
 #include "report/html/html.h"
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_hash.h"
 #include "report/document/same_bits.h"
 #include "report/html/html_markup.h"
@@ -209,7 +210,7 @@ TEST(HtmlPages, NotesOfRoomsAreOnTheFirstPageAndOnTheIndex) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
   space.planes.resize(kPlanesPerPage + 1, space.planes[0]);
-  space.notes = {"workplace desk: left out: ceiling <open>"};
+  space.notes = {calc::Message::words("workplace desk: left out: ceiling <open>")};
   const std::vector<HtmlPage> pages = html_pages(document);
   ASSERT_EQ(pages.size(), 2U);
   const char* told = "workplace desk: left out: ceiling &lt;open&gt;";
@@ -252,13 +253,15 @@ TEST(Html, NoFieldEscapesItsPlace) {
   project.path = project.name = evil;
   for (SpacePart& space : project.spaces) {
     space.id = space.name = evil;
-    space.notes = {evil};
+    space.notes = {calc::Message::words(evil)};
     for (PlanePart& plane : space.planes) {
-      plane.id = plane.name = plane.reason = plane.grid.rule = evil;
-      plane.made_by = plane.changed = evil;
+      plane.id = plane.name = evil;
+      plane.reason = plane.grid.rule = calc::Message::words(evil);
+      plane.made_by = plane.changed = calc::Message::words(evil);
       for (calc::DroppedPoint& point : plane.grid.dropped) point.body = evil;
       for (rules::Finding& finding : plane.findings) {
-        finding.reason = finding.requirement.scene = finding.requirement.clause = evil;
+        finding.requirement.scene = evil;
+        finding.reason = finding.requirement.clause = calc::Message::words(evil);
       }
     }
   }
@@ -513,7 +516,7 @@ TEST(Html, RatingsHaveNoUnit) {
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.derived = calc::DerivedQuantity::modelling;
   plane.kernel = calc::ReceiverKernel::cylindrical;
-  plane.remarks = {"how it was come by"};
+  plane.remarks = {calc::Message::words("how it was come by")};
   plane.points[0].measured = {0.5, 0.45, 0.55};
   plane.points[1].measured = {0.4, 0.35, 0.45};
   plane.minimum = plane.points[1].measured;
@@ -658,7 +661,7 @@ TEST(Html, WhatNeedsAttentionKeepsItsNotes) {
   Document document = small_document();
   rules::Requirement& requirement =
       document.projects[0].spaces[0].planes[0].findings[1].requirement;
-  requirement.note = "unverified <requirement>";
+  requirement.note = calc::Message::words("unverified <requirement>");
   requirement.scene = "night";
   requirement.state = rules::LightState::initial;
   const pugi::xml_document tree = parsed(render_html(document));

@@ -41,7 +41,8 @@ Document rich_document() {
   project.about = {"A. Meier", "4711", "b", "2026-03-31", "Z", "Office", "Way 1", "draft", {}};
   project.north_deg = -30.0;
   project.maintenance_plan = {"clean office", "by the house", 12.0, 36.0, 50000.0, 2500.0};
-  project.spaces[0].energy = calc::LightingEnergy{150.0, 8.0, "", "2500 h by day"};
+  project.spaces[0].energy =
+      calc::LightingEnergy{150.0, 8.0, {}, calc::Message::words("2500 h by day")};
   project.about.logo = {"logo.svg", calc::LogoFormat::svg,
                         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h1v1z\"/></svg>"};
   project.spaces[0].balance.untraced_lm = 12.5;
@@ -49,9 +50,11 @@ Document rich_document() {
   PlanePart& plane = project.spaces[0].planes[0];
   plane.kernel = plane.grid.kernel = calc::ReceiverKernel::hemispherical;
   plane.where = {"school/project.xml", 12, 3};
-  plane.made_by = "workplace desk, EN 12464-1:2021 34.2, task: the whole room";
-  plane.changed = "height 1.1 m instead of 0.75 m";
-  project.spaces[0].notes = {"workplace desk: left out: ceiling (open)", "more"};
+  plane.made_by =
+      calc::Message::words("workplace desk, EN 12464-1:2021 34.2, task: the whole room");
+  plane.changed = calc::Message::words("height 1.1 m instead of 0.75 m");
+  project.spaces[0].notes = {calc::Message::words("workplace desk: left out: ceiling (open)"),
+                             calc::Message::words("more")};
   plane.unseen_points = 1;
   plane.single_sample_points = 2;
   plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};
@@ -67,7 +70,7 @@ Document rich_document() {
   share.requirement.range.from = 300;
   share.requirement.comparison = rules::Comparison::more_than;
   share.requirement.state = rules::LightState::end_of_duration;
-  share.requirement.note = "unverified requirement";
+  share.requirement.note = calc::Message::words("unverified requirement");
   share.requirement.severity = rules::Severity::advice;
   share.requirement.mask.id = "inner";
   share.points_used = 12;
@@ -80,7 +83,7 @@ Document rich_document() {
   for (rules::Finding* finding : {&value, &share}) judge_again(*finding);
   percentile.is_doubtful = true;
   percentile.verdict = rules::Verdict::undecided;
-  percentile.reason = "the result rests on single samples";
+  percentile.reason = calc::Message::words("the result rests on single samples");
   percentile.is_close = false;
   plane.findings.push_back(share);
   plane.findings.push_back(value);
@@ -123,7 +126,7 @@ Document rich_document() {
   project.advice = {
       {"night <1>",
        AdviceOutcome::levels,
-       "",
+       {},
        CostUnit::watt,
        72.0,
        45.5,
@@ -135,7 +138,7 @@ Document rich_document() {
        {}},
       {"",
        AdviceOutcome::contradiction,
-       "",
+       {},
        CostUnit::watt,
        0,
        0,
@@ -147,7 +150,7 @@ Document rich_document() {
        {{plane.id, id}, {"gone", "Em"}}},
       {"day",
        AdviceOutcome::none_found,
-       "there are no luminaires",
+       calc::Message::words("there are no luminaires"),
        CostUnit::lumen,
        0,
        0,
@@ -194,7 +197,7 @@ Document rated_document() {
   space.power = {540.0, 96.0, 15, 1};
   PlanePart& plane = space.planes[0];
   plane.derived = plane.grid.derived = calc::DerivedQuantity::ugr;
-  plane.remarks = {"how it was rated"};
+  plane.remarks = {calc::Message::words("how it was rated")};
   plane.average = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
   plane.points[0].measured = no_estimate();
   rules::Finding maximum = sample_finding(rules::Metric::maximum, 19, estimate(18.5, 0.25));
@@ -245,7 +248,7 @@ TEST(ReadJson, RatingsWithOpenEndsAreReadBack) {
     finding.requirement.comparison = rules::Comparison::at_most;
     finding.measured = item.measured;
     judge_again(finding);
-    finding.reason = "how it is known";
+    finding.reason = calc::Message::words("how it is known");
     EXPECT_EQ(finding.verdict, item.verdict) << item.shown;
     plane.looks.clear();
     settle_estimates(plane);

@@ -1,5 +1,6 @@
 #include "report/result_file/redact.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/result_file/json.h"
 #include "report/text/words.h"
 #include "tests/support/sample_document.h"
@@ -26,9 +27,9 @@ Document one_project(std::string path) {
 // What becomes of a text of a plane.
 std::string redacted(const std::string& project_path, const std::string& text) {
   Document document = one_project(project_path);
-  document.projects[0].spaces[0].planes[0].reason = text;
+  document.projects[0].spaces[0].planes[0].reason = calc::Message::words(text);
   redact(document);
-  return document.projects[0].spaces[0].planes[0].reason;
+  return document.projects[0].spaces[0].planes[0].reason.english();
 }
 
 std::string redacted_file(const std::string& project_path, const std::string& file) {
@@ -123,7 +124,7 @@ TEST(Redact, RevisionHasTheSameNames) {
   revision.inputs[0].place = place;
   revision.planes.resize(1);
   revision.planes[0].place = place;
-  revision.notes = {"/home/anna/p/a.xml could not be judged now"};
+  revision.notes = {calc::Message::words("/home/anna/p/a.xml could not be judged now")};
   revision.gate.weaker_accepted_by = "see /home/anna/letter.txt";
   document.revision = revision;
   redact(document);
@@ -161,20 +162,21 @@ TEST(Redact, NoFieldKeepsAFolder) {
   LuminaireRow row;
   row.photometry_file = file;
   project.luminaires.push_back(row);
-  project.spaces[0].notes = {text};
+  project.spaces[0].notes = {calc::Message::words(text)};
   project.spaces[0].pictures.problem = text;
   PlanePart& plane = project.spaces[0].planes[0];
   plane.where.file = file;
-  plane.reason = plane.made_by = plane.changed = text;
-  plane.remarks = {text};
+  plane.reason = plane.made_by = plane.changed = calc::Message::words(text);
+  plane.remarks = {calc::Message::words(text)};
   plane.findings = {sample_finding(rules::Metric::average, 300, estimate(310, 5))};
   plane.findings[0].requirement.where.file = file;
-  plane.findings[0].reason = text;
-  plane.findings[0].requirement.note = plane.findings[0].requirement.policy.tolerance_reason = text;
+  plane.findings[0].reason = calc::Message::words(text);
+  plane.findings[0].requirement.note = calc::Message::words(text);
+  plane.findings[0].requirement.policy.tolerance_reason = text;
   rules::AggregateFinding aggregate;
   aggregate.where.file = file;
-  aggregate.reason = aggregate.note = text;
-  aggregate.members = {{"a", rules::Verdict::fail, false, {}, text}};
+  aggregate.reason = aggregate.note = calc::Message::words(text);
+  aggregate.members = {{"a", rules::Verdict::fail, false, {}, calc::Message::words(text)}};
   project.aggregates = {aggregate};
   document.provenance.command_line = "luxgate check /home/anna/p/a.xml --rules " + file;
   ASSERT_THAT(render_json(document), HasSubstr("anna"));
@@ -186,9 +188,9 @@ TEST(Redact, NoFieldKeepsAFolder) {
 TEST(Redact, PathsInAnyText) {
   const auto redacted = [](const std::string& text) {
     Document document = one_project("p/a.xml");
-    document.projects[0].spaces[0].notes = {text};
+    document.projects[0].spaces[0].notes = {calc::Message::words(text)};
     redact(document);
-    return document.projects[0].spaces[0].notes[0];
+    return document.projects[0].spaces[0].notes[0].english();
   };
   EXPECT_EQ(redacted("cannot open [/home/anna/p/x.ies]"), "cannot open [x.ies]");
   EXPECT_EQ(redacted("read /home/anna/my jobs/acme/x.ies failed"), "read x.ies failed");

@@ -1,5 +1,6 @@
 #include "report/revision/revise.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/revision/gate.h"
@@ -132,7 +133,7 @@ void add_building(Document& document) {
     room.verdict = rules::Verdict::pass;
     room.value = 1.5;
     room.area_m2 = 10.0;
-    room.stated = "1000 h";
+    room.stated = calc::Message::words("1000 h");
     building.members.push_back(room);
   }
   document.projects[0].aggregates = {building};
@@ -173,7 +174,8 @@ TEST(Revise, OfABuildingQuestionsAreNamed) {
   after.projects[0].aggregates[0].members.back().name = "store";
   EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)),
               ElementsAre("exchanged aggregate"));
-  EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].stated = "10 h"; })),
+  EXPECT_THAT(asked(building_revised(
+                  [](Building& b) { b.members[1].stated = calc::Message::words("10 h"); })),
               ElementsAre("exchanged energy"));
   const rules::Waiver waiver{"later", "A. Meier", "2027-06-30"};
   EXPECT_THAT(asked(building_revised([&](Building& b) { b.sum->requirement.waiver = waiver; })),
@@ -315,8 +317,9 @@ INSTANTIATE_TEST_SUITE_P(
                      {"weaker waiver"}},
         QuestionCase{"Deviation",
                      [](Document& d) {
-                       finding(d).requirement.deviations = {
-                           {rules::FitAspect::grid, "1 x 1 points", kWaiver, true}};
+                       finding(d).requirement.deviations = {{rules::FitAspect::grid,
+                                                             calc::Message::words("1 x 1 points"),
+                                                             kWaiver, true}};
                      },
                      {"weaker deviation"}},
         QuestionCase{"Tolerance",
@@ -331,11 +334,13 @@ INSTANTIATE_TEST_SUITE_P(
         QuestionCase{"Energy",
                      [](Document& d) {
                        finding(d).requirement.metric = rules::Metric::leni;
-                       finding(d).requirement.stated_words = "100 h by day";
+                       finding(d).requirement.stated_words = calc::Message::words("100 h by day");
                      },
                      {"exchanged quantity", "exchanged energy"}},
         QuestionCase{"Stated",
-                     [](Document& d) { finding(d).requirement.stated_words = "surface R1"; },
+                     [](Document& d) {
+                       finding(d).requirement.stated_words = calc::Message::words("surface R1");
+                     },
                      {"exchanged stated"}},
         QuestionCase{"ExactPoint",
                      [](Document& d) {
@@ -515,9 +520,10 @@ TEST(Revise, FilesThatChangedWithoutEffectAreNoted) {
   before.projects[0].inputs = {{"office.xml", "0123"}, {"panel.ies", "4567"}};
   Document after = before;
   after.projects[0].inputs[1].sha256 = "89ab";
-  EXPECT_THAT(revise(before, after, "", kRegression).notes, ElementsAre(HasSubstr("panel.ies")));
+  EXPECT_THAT(calc::texts(revise(before, after, "", kRegression).notes),
+              ElementsAre(HasSubstr("panel.ies")));
   finding(after).requirement.limit -= 1.0;  // that says enough
-  EXPECT_THAT(revise(before, after, "", kRegression).notes, IsEmpty());
+  EXPECT_THAT(calc::texts(revise(before, after, "", kRegression).notes), IsEmpty());
 }
 
 TEST(Revise, ALimitBelowWhichIsToStayIsWeakerWhereItRises) {
@@ -937,7 +943,7 @@ TEST(Revise, ADesignThatIsSplitOrMergedAsksForNothingLess) {
     EXPECT_THAT(became(revision), IsEmpty());
     EXPECT_EQ(revision.same, 6u);
     EXPECT_THAT(revision.inputs, IsEmpty());
-    EXPECT_THAT(revision.notes, ::testing::Contains(HasSubstr("r3")));
+    EXPECT_THAT(calc::texts(revision.notes), ::testing::Contains(HasSubstr("r3")));
   }
 }
 
@@ -1144,7 +1150,7 @@ TEST(Revise, ARenamedPlaneThatDoesNotSaySoIsPointedAt) {
   const Revision revision = revised([](Document& d) { plane(d).id = "table"; });
   EXPECT_THAT(asked(revision), ElementsAre("weaker plane", "stricter plane"));
   ASSERT_EQ(revision.notes.size(), 1u);
-  EXPECT_THAT(revision.notes[0], HasSubstr("was=\""));
+  EXPECT_THAT(revision.notes[0].english(), HasSubstr("was=\""));
 }
 
 TEST(Revise, DimmingLevelsAreInputs) {

@@ -1,5 +1,6 @@
 #include "report/shell/command_line.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/shell/config_file.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/geometry/geometry.h"

@@ -1,5 +1,6 @@
 #include "report/shell/exit_code.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/document/document.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "report/shell/warning_tally.h"
 
+#include "calc/base/diagnostic_ids.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -201,7 +201,7 @@ TEST(BindRequirements, TakesStepsAlongTheStandardsScaleWithTheReason) {
   const Requirement& average = bound.requirements[0];
   EXPECT_EQ(average.limit, 300);
   EXPECT_EQ(average.clause, "EN 12464-1:2021 34.2 (-1 step) [unverified requirement]");
-  EXPECT_THAT(average.note, testing::HasSubstr("level -1 step: used for an hour a week"));
+  EXPECT_THAT(average.note.english(), testing::HasSubstr("level -1 step: used for an hour a week"));
   EXPECT_EQ(average.origin.level, (RowLevel{.steps = -1}));
   // What no scale is about stays what it is, and needs no word.
   EXPECT_EQ(bound.requirements[1].limit, 0.6);
@@ -315,7 +315,7 @@ TEST(BindRequirements, AFactIsSaidWithTheLimitThatHangsOnIt) {
   const auto note_with = [](const std::string& role, const std::string& facts) {
     return bind_one({{"pack", "en1838"}, {"role", role}, {"scene", "night"}, {"facts", facts}})
         .requirements.at(0)
-        .note;
+        .note.english();
   };
   EXPECT_THAT(note_with("high-risk", "task-illuminance=500 lx"),
               HasSubstr("not calculated but stated by the project: task-illuminance = 500 lx"));
@@ -357,7 +357,7 @@ TEST(BindRequirements, PutsOutOnlyLuminairesWithAGroupOfTheirOwn) {
   };
   EXPECT_TRUE(bound_with("b").any_one_unit_out);
   EXPECT_EQ(bound_with("b").problem, "");
-  EXPECT_THAT(bound_with("b").note, testing::HasSubstr("any one luminaire out"));
+  EXPECT_THAT(bound_with("b").note.english(), testing::HasSubstr("any one luminaire out"));
   EXPECT_EQ(bound_with("a").problem,
             "luminaire 'E2' has no dimming group of its own in scene 'night': give each one, so "
             "that it can be out alone");
@@ -477,7 +477,7 @@ TEST(BindRequirements, KnowsTheEnergyOfTheRoom) {
   EXPECT_EQ(requirement.id, "LENI");
   EXPECT_NEAR(requirement.of_space.value, 11.86, 1e-12);
   EXPECT_EQ(requirement.problem, "");
-  EXPECT_THAT(requirement.note, testing::HasSubstr("Fo 0.8, FD 0.75"));
+  EXPECT_THAT(requirement.note.english(), testing::HasSubstr("Fo 0.8, FD 0.75"));
   EXPECT_STREQ(unit_of(requirement), "kWh/m2/a");
   EXPECT_FALSE(is_in_lux(requirement));
 }
@@ -510,9 +510,9 @@ TEST(BindRequirements, TakesEnergyOfPacks) {
 TEST(BindRequirements, CannotJudgeEnergyThatNobodyStates) {
   const Attributes attributes{{"quantity", "LENI"}, {"at-most", "12"}};
   const calc::EnergyUse use{2000, 500, 2.5, {}, {}};
-  EXPECT_THAT(bind_in_lit_room({30}, attributes).requirements.at(0).problem,
+  EXPECT_THAT(bind_in_lit_room({30}, attributes).requirements.at(0).problem.english(),
               testing::HasSubstr("hours of use and parasitic energy are not stated"));
-  EXPECT_THAT(bind_in_lit_room({30, 0}, attributes, use).requirements.at(0).problem,
+  EXPECT_THAT(bind_in_lit_room({30, 0}, attributes, use).requirements.at(0).problem.english(),
               testing::HasSubstr("1 of 2 luminaires state no power"));
   const Attributes dimmed{{"quantity", "LENI"}, {"at-most", "12"}, {"state", "initial"}};
   EXPECT_THAT(bind_in_lit_room({30}, dimmed, use).messages,

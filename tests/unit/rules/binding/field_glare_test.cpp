@@ -59,7 +59,7 @@ TEST(FieldGlareRequirement, HasTheVeilAndSaysHow) {
   EXPECT_EQ(full.field_reflectance, 0.2);
   EXPECT_GT(full.veiling_cd_m2.value, 0.0);
   EXPECT_NEAR(field.requirements[1].veiling_cd_m2.value, 0.5 * full.veiling_cd_m2.value, 1e-12);
-  EXPECT_THAT(full.note,
+  EXPECT_THAT(full.note.english(),
               HasSubstr("a field of reflectance 0.2, which is not calculated but stated"));
   EXPECT_STREQ(unit_of(full), "");
 }
@@ -73,7 +73,8 @@ TEST(FieldGlareRequirement, IsNotOfAFieldWithoutLuminaires) {
   const calc::MemoryFileReader files({{"p.xml", xml}});
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   ASSERT_TRUE(judged.has_value());
-  EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("there is no luminaire in the space"));
+  EXPECT_THAT(judged->requirements.at(0).problem.english(),
+              HasSubstr("there is no luminaire in the space"));
 }
 
 TEST(FieldGlareRequirement, NeedsAReflectance) {
@@ -82,7 +83,8 @@ TEST(FieldGlareRequirement, NeedsAReflectance) {
   const Field row =
       bind_field(kTask + "<require pack='en12464-2' row='5.9-medium' role='observer'/>");
   ASSERT_EQ(row.requirements.size(), 3u) << testing::PrintToString(row.messages);
-  EXPECT_THAT(row.requirements[2].problem, HasSubstr("the reflectance of the field is not stated"));
+  EXPECT_THAT(row.requirements[2].problem.english(),
+              HasSubstr("the reflectance of the field is not stated"));
   for (const std::string wrong : {"0", "1.1", "-0.2"}) {
     EXPECT_THAT(
         bind_field("<require quantity='GR' at-most='50' reflectance='" + wrong + "'/>").messages,
@@ -104,9 +106,11 @@ TEST(FieldGlareRequirement, OfARowIsOnTheAreaOfTheRow) {
   const Field before = bind_field(glare + kTask);
   EXPECT_EQ(before.requirements.at(0).problem, "");
   const Field without = bind_field(glare);
-  EXPECT_THAT(without.requirements.at(0).problem, HasSubstr("ask the row of this plane as well"));
+  EXPECT_THAT(without.requirements.at(0).problem.english(),
+              HasSubstr("ask the row of this plane as well"));
   const Field other = bind_field("<require pack='en12464-2' row='5.9-heavy'/>" + glare);
-  EXPECT_THAT(other.requirements.at(2).problem, HasSubstr("ask the row of this plane as well"));
+  EXPECT_THAT(other.requirements.at(2).problem.english(),
+              HasSubstr("ask the row of this plane as well"));
 }
 
 // A road's luminaires go on, and GR counts all that are in view.
@@ -120,7 +124,7 @@ TEST(FieldGlareRequirement, IsNotOfRoads) {
   const calc::MemoryFileReader files({{"p.xml", xml}, {"flood.ies", kFlood}});
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   ASSERT_TRUE(judged.has_value());
-  EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("not of a road"));
+  EXPECT_THAT(judged->requirements.at(0).problem.english(), HasSubstr("not of a road"));
 }
 
 // Before anything is judged, nobody can stop it.
@@ -133,7 +137,7 @@ TEST(FieldGlareRequirement, EndsWhereItWouldTakeMinutes) {
                          "<luminaire-grid id='n' type='flood' origin='0 0 9' size='9 9' "
                          "columns='2' rows='2'/>")
                   .requirements.at(0)
-                  .problem,
+                  .problem.english(),
               HasSubstr("are too many: at most"));
 }
 
@@ -144,7 +148,8 @@ TEST(FieldGlareRequirement, IsOfLevelAreas) {
         "origin='0 0 0' u='40 0 0' v='0 20 0' quantity='hemispherical'"}) {
     const Field field = bind_field(require, plane);
     ASSERT_EQ(field.requirements.size(), 1u) << testing::PrintToString(field.messages);
-    EXPECT_THAT(field.requirements[0].problem, HasSubstr("GR is of a level area")) << plane;
+    EXPECT_THAT(field.requirements[0].problem.english(), HasSubstr("GR is of a level area"))
+        << plane;
   }
 }
 

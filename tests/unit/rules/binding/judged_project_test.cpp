@@ -1,4 +1,5 @@
 #include "rules/binding/judged_project.h"
+#include "calc/base/diagnostic_ids.h"
 #include "tests/support/memory_file_reader.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 

@@ -77,7 +77,7 @@ TEST(LuminaireValue, UpwardShareIsOfNewLuminairesInTheScene) {
   EXPECT_NEAR(bound.at(1).of_space.value, 100.0 * 0.25 * ball / (0.5 * ball + down), 1e-3);
   EXPECT_EQ(bound.at(0).state, LightState::initial);
   EXPECT_STREQ(unit_of(bound.at(0)), "%");
-  EXPECT_THAT(bound.at(0).note, HasSubstr("as they are mounted"));
+  EXPECT_THAT(bound.at(0).note.english(), HasSubstr("as they are mounted"));
 }
 
 TEST(LuminaireValue, IntensityIsTowardsThePointsAndSaysOfWhich) {
@@ -88,8 +88,8 @@ TEST(LuminaireValue, IntensityIsTowardsThePointsAndSaysOfWhich) {
   EXPECT_NEAR(bound.at(0).of_space.value, 900.0, 1e-9);
   EXPECT_NEAR(bound.at(0).of_space.low, 900.0, 1e-9);
   EXPECT_STREQ(unit_of(bound.at(0)), "cd");
-  EXPECT_THAT(bound.at(0).note, HasSubstr("that of 'w' towards (0.00, 1.00, 1.50) m"));
-  EXPECT_THAT(bound.at(0).note, Not(HasSubstr("may hide")));
+  EXPECT_THAT(bound.at(0).note.english(), HasSubstr("that of 'w' towards (0.00, 1.00, 1.50) m"));
+  EXPECT_THAT(bound.at(0).note.english(), Not(HasSubstr("may hide")));
 }
 
 TEST(LuminaireValue, WhatMayBeHiddenOrBehindCannotFail) {
@@ -97,12 +97,12 @@ TEST(LuminaireValue, WhatMayBeHiddenOrBehindCannotFail) {
   const Bound behind = bind_plane("<luminaire id='b' type='ball' position='-4 4 5'/>", require);
   EXPECT_EQ(behind.at(0).of_space.high, 100.0);
   EXPECT_EQ(behind.at(0).of_space.low, 0.0);
-  EXPECT_THAT(behind.at(0).note, HasSubstr("behind the plane of the points"));
+  EXPECT_THAT(behind.at(0).note.english(), HasSubstr("behind the plane of the points"));
   const Bound wall =
       bind_plane(kBall + "<box id='x' size='1 1 3' position='2 2 0' material='m'/>", require);
   EXPECT_EQ(wall.at(0).of_space.high, 100.0);
   EXPECT_EQ(wall.at(0).of_space.low, 0.0);
-  EXPECT_THAT(wall.at(0).note, HasSubstr("may hide luminaires"));
+  EXPECT_THAT(wall.at(0).note.english(), HasSubstr("may hide luminaires"));
   const Bound ground = bind_plane(
       kBall + "<quad id='x' origin='-9 -9 0' u='30 0 0' v='0 30 0' material='m'/>", require);
   EXPECT_EQ(ground.at(0).of_space.low, 100.0);
@@ -123,12 +123,12 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
                  "height='1' count='1 1'", kRoom, "</room>");
   EXPECT_THAT(bound.messages, IsEmpty());
   EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
-  EXPECT_THAT(bound.at(0).note,
+  EXPECT_THAT(bound.at(0).note.english(),
               HasSubstr("'low', 2.49 m above the highest floor about it, luminaires there: 1"));
   EXPECT_NEAR(bound.at(1).of_space.value, 900.0, 1e-9);
   EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
   EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
-  EXPECT_THAT(bound.at(3).note, HasSubstr("luminaires there: 3"));
+  EXPECT_THAT(bound.at(3).note.english(), HasSubstr("luminaires there: 3"));
   EXPECT_EQ(bound.at(4).problem,
             "no luminaire that is on hangs at 4 m or higher: the highest is 3 m above the floor");
 }
@@ -174,7 +174,8 @@ TEST(LuminaireValue, HeightsThatHoldNoLuminaireAreNotJudged) {
                                "<require pack='en1838:2024' role='glare' scene='half'/>",
                                "height='0' count='1 1'", kRoom, "</room>");
   ASSERT_EQ(row.requirements.size(), 6u) << testing::PrintToString(row.messages);
-  EXPECT_THAT(row.at(0).note, HasSubstr("none of the luminaires that are on hangs there"));
+  EXPECT_THAT(row.at(0).note.english(),
+              HasSubstr("none of the luminaires that are on hangs there"));
   for (const Requirement& one : row.requirements) EXPECT_EQ(one.problem, "") << one.id;
 }
 
@@ -201,9 +202,10 @@ TEST(LuminaireValue, OverAPodiumTheHeightIsOpen) {
   for (const std::size_t i : {0u, 1u}) {
     EXPECT_NEAR(bound.at(i).of_space.high, 100.0, 1e-9) << i;
     EXPECT_EQ(bound.at(i).of_space.low, 0.0) << i;
-    EXPECT_THAT(bound.at(i).note, HasSubstr("of several heights"));
+    EXPECT_THAT(bound.at(i).note.english(), HasSubstr("of several heights"));
   }
-  EXPECT_THAT(bound.at(2).problem, HasSubstr("no luminaire that is on hangs at 3.5 m or higher"));
+  EXPECT_THAT(bound.at(2).problem.english(),
+              HasSubstr("no luminaire that is on hangs at 3.5 m or higher"));
   EXPECT_NEAR(bound.at(3).of_space.low, 100.0, 1e-9);
   // On the podium itself: a plane there says that people walk on it, wherever the luminaire is.
   const Bound beside = bind_plane(
@@ -229,9 +231,9 @@ TEST(LuminaireValue, ARoomHasNoSkyAndItsOwnLuminairesAlone) {
       lights,
       "<require quantity='ULR' at-most='5'/><require quantity='luminaire-distance' at-most='2'/>",
       "origin='0 0 1' u='2 0 0' v='0 2 0' count='1 1'", kRoom, "</room>");
-  EXPECT_THAT(bound.at(0).problem, HasSubstr("luminaires in the open space"));
+  EXPECT_THAT(bound.at(0).problem.english(), HasSubstr("luminaires in the open space"));
   EXPECT_NEAR(bound.at(1).of_space.value, 8.0 * std::sqrt(2.0), 1e-9);
-  EXPECT_THAT(bound.at(1).note, HasSubstr("to 'in'"));
+  EXPECT_THAT(bound.at(1).note.english(), HasSubstr("to 'in'"));
 }
 
 TEST(LuminaireValue, TheNearestLuminaireIsInPlanAndOn) {
@@ -246,7 +248,7 @@ TEST(LuminaireValue, TheNearestLuminaireIsInPlanAndOn) {
   EXPECT_DOUBLE_EQ(bound.at(0).of_space.value, 1.0);
   EXPECT_DOUBLE_EQ(bound.at(1).of_space.value, 3.0);
   EXPECT_STREQ(unit_of(bound.at(1)), "m");
-  EXPECT_THAT(bound.at(1).note, HasSubstr("from (0.00, 1.00, 1.50) m to 'far'"));
+  EXPECT_THAT(bound.at(1).note.english(), HasSubstr("from (0.00, 1.00, 1.50) m to 'far'"));
 }
 
 // At curfew all is off: nothing goes up, and nothing shines to anybody.
@@ -260,16 +262,16 @@ TEST(LuminaireValue, WhatASceneSwitchesOffMeetsEveryLimitFromAbove) {
     EXPECT_EQ(dark.at(0).note, "scene 'none' switches every luminaire off: nothing is lit");
     const Bound least =
         bind_plane(kBall, "<require quantity='" + quantity + "' at-least='5' scene='none'/>");
-    EXPECT_THAT(least.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+    EXPECT_THAT(least.at(0).problem.english(), HasSubstr("no luminaire is on")) << quantity;
     // One that no scene names stays on.
     const Bound other =
         bind_plane(kBall + "<luminaire id='x' type='ball' position='4 4 5'/>",
                    "<require quantity='" + quantity + "' at-most='5' scene='none'/>");
-    EXPECT_THAT(other.at(0).note, Not(HasSubstr("switches every"))) << quantity;
+    EXPECT_THAT(other.at(0).note.english(), Not(HasSubstr("switches every"))) << quantity;
   }
   const Bound distance =
       bind_plane(kBall, "<require quantity='luminaire-distance' at-most='5' scene='none'/>");
-  EXPECT_THAT(distance.at(0).problem, HasSubstr("no luminaire is on"));
+  EXPECT_THAT(distance.at(0).problem.english(), HasSubstr("no luminaire is on"));
 }
 
 // Before their end they may give anything.
@@ -277,13 +279,13 @@ TEST(LuminaireValue, WhatBatteriesGiveIsNotKnownFromAnEndInTheDark) {
   const Bound dark = bind_plane("<luminaire id='l' type='ball' position='4 4 2.4' group='g'/>",
                                 "<require pack='en1838' role='glare' scene='none'/>",
                                 "height='1' count='1 1'", kRoom, "</room>");
-  EXPECT_THAT(dark.at(0).problem, HasSubstr("no luminaire is on"));
+  EXPECT_THAT(dark.at(0).problem.english(), HasSubstr("no luminaire is on"));
 }
 
 TEST(LuminaireValue, WithoutLightNothingIsJudged) {
   for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "luminaire-distance"}) {
     const Bound empty = bind_plane("", "<require quantity='" + quantity + "' at-most='5'/>");
-    EXPECT_THAT(empty.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+    EXPECT_THAT(empty.at(0).problem.english(), HasSubstr("no luminaire is on")) << quantity;
   }
 }
 
@@ -298,7 +300,7 @@ TEST(LuminaireValue, OfARoadIsNotJudged) {
     const calc::MemoryFileReader files({{"p.xml", xml}, {"ball.ies", ies("0 180", "100 100", 2)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
     ASSERT_TRUE(judged.has_value());
-    EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("whose luminaires go on"))
+    EXPECT_THAT(judged->requirements.at(0).problem.english(), HasSubstr("whose luminaires go on"))
         << quantity;
   }
 }
@@ -337,7 +339,8 @@ TEST(LuminaireValue, LightBeyondATableIsMissing) {
     const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies(gammas, candelas, count)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
     std::vector<std::string> words;
-    for (const Requirement& one : judged->requirements) words.push_back(one.missing_light);
+    for (const Requirement& one : judged->requirements)
+      words.push_back(one.missing_light.english());
     return words;
   };
   const std::string kCut =
@@ -360,7 +363,7 @@ TEST(LuminaireValue, AFluxForAPartOfATableMakesAllOfItUnsure) {
     calc::Diagnostics diagnostics;
     const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 60", candelas, 2)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
-    return judged->requirements.at(0).unsure_light;
+    return judged->requirements.at(0).unsure_light.english();
   };
   EXPECT_THAT(unsure(" flux-lm='1000'", "100 50"), HasSubstr("an unknown share"));
   EXPECT_EQ(unsure(" flux-lm='1000'", "100 0"), "");
@@ -384,7 +387,7 @@ TEST(LuminaireValue, LightOfLuminairesThatAreNotInTheirRoomIsMissing) {
     calc::Diagnostics diagnostics;
     const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 90", "100 50", 2)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
-    return judged->requirements.at(0).missing_light;
+    return judged->requirements.at(0).missing_light.english();
   };
   EXPECT_EQ(missing(""), "");
   const std::string above = "<luminaire id='l' type='t' position='2 2 3.01' group='g'/>";
@@ -410,7 +413,7 @@ TEST(LuminaireValue, RoomsInTheWayOfLightMakeItUnsure) {
     calc::Diagnostics diagnostics;
     const calc::MemoryFileReader files({{"p.xml", xml}, {"t.ies", ies("0 180", "100 100", 2)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
-    return judged->requirements.at(0).unsure_light;
+    return judged->requirements.at(0).unsure_light.english();
   };
   EXPECT_THAT(unsure("-6 0 6", "11 -2 0.01"), HasSubstr("room 'house' stands between"));
   EXPECT_EQ(unsure("-6 0 6", "-8 -2 0.01"), "") << "before it";
@@ -440,7 +443,7 @@ TEST(LuminaireValue, RowsAskForThem) {
   // Its group is named in the scene; else nobody knows whether it is on in an emergency.
   const Bound unnamed = bind_plane(kBall + "<luminaire id='x' type='ball' position='0 1 3'/>",
                                    "<require pack='en1838' role='emphasis' scene='half'/>");
-  EXPECT_THAT(unnamed.at(0).problem, HasSubstr("does not say what"));
+  EXPECT_THAT(unnamed.at(0).problem.english(), HasSubstr("does not say what"));
 }
 
 // The scene has the levels of the end; before it luminaires may give more.
@@ -453,7 +456,7 @@ TEST(LuminaireValue, GlareInAnEmergencyIsUpToFullOutput) {
   EXPECT_EQ(bound.at(0).state, LightState::end_of_duration);
   EXPECT_NEAR(bound.at(0).of_space.low, 50.0, 1e-9);
   EXPECT_NEAR(bound.at(0).of_space.high, 100.0, 1e-9);
-  EXPECT_THAT(bound.at(0).note, HasSubstr("to full output"));
+  EXPECT_THAT(bound.at(0).note.english(), HasSubstr("to full output"));
   for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(bound.at(i).of_space.high, 0.0) << i;
 }
 

@@ -94,9 +94,9 @@ TEST(RoadRequirements, HaveTheValuesOfTheRoad) {
   EXPECT_STREQ(unit_of(bound.by("REI")), "");
   EXPECT_EQ(bound.by("TI").state, LightState::initial);
   EXPECT_EQ(bound.by("road-luminance").state, LightState::maintained);
-  EXPECT_THAT(bound.by("road-Uo").note,
+  EXPECT_THAT(bound.by("road-Uo").note.english(),
               AllOf(HasSubstr("lanes from the right: "), HasSubstr("by EN 13201-3")));
-  EXPECT_THAT(bound.by("REI").note, HasSubstr("right and left edge: "));
+  EXPECT_THAT(bound.by("REI").note.english(), HasSubstr("right and left edge: "));
 }
 
 // The worst lane and the darker edge count, by both ends of their intervals.
@@ -158,10 +158,10 @@ TEST(RoadRequirements, OfEdgesNeedStrips) {
   const Bound none = bind_road({rei, "right-strip='0' left-strip='0'"});
   EXPECT_EQ(both.by("REI").of_space.value,
             std::min(right.by("REI").of_space.value, left.by("REI").of_space.value));
-  EXPECT_THAT(right.by("REI").note, HasSubstr("of one edge alone"));
+  EXPECT_THAT(right.by("REI").note.english(), HasSubstr("of one edge alone"));
   EXPECT_EQ(right.by("REI").problem, "");
   EXPECT_EQ(none.by("REI").problem, "no strip beside the road counts");
-  EXPECT_THAT(none.by("REI").note, Not(HasSubstr("of one edge alone")));
+  EXPECT_THAT(none.by("REI").note.english(), Not(HasSubstr("of one edge alone")));
 }
 
 TEST(RoadRequirements, OfClassesNameTheirChecks) {
@@ -214,11 +214,11 @@ TEST(RoadRequirements, SayWhatTheRoadIs) {
 
 // An assumption that turns everything is with every value.
 TEST(RoadRequirements, SayThatTheStreetIsAssumed) {
-  EXPECT_THAT(bind_road({kAll}).by("TI").note,
+  EXPECT_THAT(bind_road({kAll}).by("TI").note.english(),
               HasSubstr("looks to the street is taken as is usual"));
   RoadText text{kAll};
   text.row = "street='C90'";
-  EXPECT_THAT(bind_road(text).by("TI").note, Not(HasSubstr("looks to the street")));
+  EXPECT_THAT(bind_road(text).by("TI").note.english(), Not(HasSubstr("looks to the street")));
 }
 
 // M classes are of dry surfaces; a limit of the project's own may be of a wet one.
@@ -234,7 +234,8 @@ TEST(RoadRequirements, OfRowsAreOfDrySurfaces) {
         requirement.origin.pack.empty() ? "" : "the row is about dry surfaces, and W3 is a wet one";
     EXPECT_EQ(requirement.problem, wanted) << requirement.origin.check;
   }
-  EXPECT_THAT(bound.project.spaces.at(0).notes, Contains(HasSubstr("the surface is a wet one")));
+  EXPECT_THAT(calc::texts(bound.project.spaces.at(0).notes),
+              Contains(HasSubstr("the surface is a wet one")));
 }
 
 // An emitter beside the middle of its luminaire, behind the beginning of the field.

@@ -147,12 +147,14 @@ TEST(Fitness, AMarginIsOfWallsOnly) {
   const std::string off_walls = "origin='0.3 0.3 0.75' u='11.4 0 0' v='0 7.4 0'";
   EXPECT_THAT(aspects(off_walls + " margin='0.2'"), IsEmpty());
   EXPECT_THAT(aspects(off_walls + " margin='0.25'"), ElementsAre("margin"));
-  EXPECT_THAT(fit({desk + " margin='0.5'", kDeskWork}).first().problem,
+  EXPECT_THAT(fit({desk + " margin='0.5'", kDeskWork}).first().problem.english(),
               HasSubstr("leaves out 0.5 m along walls, and parts of the outline run along none"));
 }
 
 TEST(Fitness, WhatTheMarginLeavesOfASpeckIsASpeck) {
-  const auto note = [](const std::string& plane) { return fit({plane, kDeskWork}).first().note; };
+  const auto note = [](const std::string& plane) {
+    return fit({plane, kDeskWork}).first().note.english();
+  };
   EXPECT_THAT(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0' margin='0.5'"), HasSubstr("0.01 m2"));
   EXPECT_EQ(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0'"), "");
 }
@@ -185,7 +187,7 @@ TEST(Fitness, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
   const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
   const Fitted on = fit(in_mesh("origin='0 0 0' u='0 8 0' v='0 0 3' margin='0.5'", wall));
   EXPECT_THAT(on.aspects("wall.Em"), IsEmpty()) << on.first().problem;
-  EXPECT_THAT(on.first().note, HasSubstr("not known which surfaces"));
+  EXPECT_THAT(on.first().note.english(), HasSubstr("not known which surfaces"));
   EXPECT_THAT(
       fit(in_mesh("origin='4 2 0.5' u='0 2 0' v='0 0 2' margin='0.5'", wall)).aspects("wall.Em"),
       ElementsAre("place"));
@@ -433,7 +435,7 @@ TEST(Fitness, ASpeckOfARouteIsTold) {
   const auto note = [](const std::string& points) {
     Setting setting{"points='" + points + "' width='0.2'", "pack='en1838:2024' scene='em'"};
     setting.element = "route";
-    return fit(setting).first().note;
+    return fit(setting).first().note.english();
   };
   EXPECT_THAT(note("2 2 0 2.1 2 0"), HasSubstr("the route has only 0.02 m2"));
   EXPECT_THAT(note("2 2 0 4 2 0"), testing::Not(HasSubstr("has only")));
@@ -456,7 +458,7 @@ TEST(Fitness, WhoStandsOnAPlatformIsTold) {
   const auto note = [](const std::string& size) {
     Setting setting{"height='1.45' margin='0.5'", kDeskWork};
     setting.objects = "<box id='podium' size='" + size + "' position='0.2 0.2 0' material='m'/>";
-    return fit(setting).first().note;
+    return fit(setting).first().note.english();
   };
   EXPECT_THAT(note("11.6 7.6 0.7"), HasSubstr("lies above 'podium', 0.7 m above the floor"));
   EXPECT_EQ(note("2 2 0.7"), "");
@@ -506,14 +508,15 @@ TEST(Fitness, AStatedDeviationEnds) {
       fit({"height='0.75' count='1 1'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-21'/>"});
   EXPECT_FALSE(fitted.first().deviations.at(0).is_accepted);
-  EXPECT_THAT(fitted.first().problem, HasSubstr("(stated by A. Meier, but only until 2026-11-21)"));
+  EXPECT_THAT(fitted.first().problem.english(),
+              HasSubstr("(stated by A. Meier, but only until 2026-11-21)"));
 }
 
 TEST(Fitness, AnotherDeviationThanTheStatedOneCounts) {
   const Fitted fitted =
       fit({"height='1.8' margin='0.5'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2030-01-01'/>"});
-  EXPECT_THAT(fitted.first().problem, HasSubstr("0.72 to 0.85 m above the floor"));
+  EXPECT_THAT(fitted.first().problem.english(), HasSubstr("0.72 to 0.85 m above the floor"));
   EXPECT_EQ(fitted.first().note, "a deviation in grid is stated, and there is none");
 }
 
@@ -569,12 +572,12 @@ TEST(Fitness, PointsThatAreLostAreNamedWithEveryRequirement) {
   Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
   setting.objects = "<box id='desk' size='1 1 0.8' position='5 2.5 0' material='m'/>";
   const Fitted own = fit(setting);
-  EXPECT_THAT(own.first().note, HasSubstr("points are left out: 1 inside 'desk'"));
+  EXPECT_THAT(own.first().note.english(), HasSubstr("points are left out: 1 inside 'desk'"));
   EXPECT_EQ(own.first().problem, "");
   setting.require = kDeskWork;
   const Fitted few = fit(setting);
   EXPECT_EQ(few.first().problem, "") << "a point in seventy is no harm, and is named";
-  EXPECT_THAT(few.first().note, HasSubstr("inside 'desk'"));
+  EXPECT_THAT(few.first().note.english(), HasSubstr("inside 'desk'"));
   setting.objects = "<box id='desk' size='6 5 0.8' position='2 2 0' material='m'/>";
   EXPECT_THAT(fit(setting).aspects("task.Em"), ElementsAre("points"));
 }
@@ -596,10 +599,10 @@ TEST(Fitness, AListMayNotFaceElsewhere) {
   std::vector<Requirement> requirements{requirement};
   const std::vector<RulePack> packs = builtin_rule_packs();
   check_fitness({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
-  EXPECT_THAT(requirements[0].problem,
+  EXPECT_THAT(requirements[0].problem.english(),
               HasSubstr("role 'vertical' of rp-8:2014 is about a plane that is vertical, and this "
                         "one is not"));
-  EXPECT_THAT(requirements[0].problem, HasSubstr("its points are a list"));
+  EXPECT_THAT(requirements[0].problem.english(), HasSubstr("its points are a list"));
 }
 
 // 1.5 m above the pavement: that is the middle of an upright plane, which is not tall.
@@ -607,7 +610,7 @@ TEST(Fitness, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
   const std::string vertical = "pack='rp-20' row='lot-enhanced' role='vertical'";
   EXPECT_THAT(fit({"origin='2 2 1' u='2 0 0' v='0 0 1'", vertical}).aspects("vertical.min"),
               IsEmpty());
-  EXPECT_THAT(fit({"origin='2 2 0' u='2 0 0' v='0 0 1'", vertical}).first().problem,
+  EXPECT_THAT(fit({"origin='2 2 0' u='2 0 0' v='0 0 1'", vertical}).first().problem.english(),
               HasSubstr("planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and "
                         "this one is 0 to 1 m"));
   for (const char* elsewhere :
@@ -622,7 +625,7 @@ TEST(Fitness, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
 TEST(Fitness, ARowAboutAFloorSaysSo) {
   const std::string row = "pack='en12464-1:2021' row='9.4'";
   EXPECT_THAT(fit({"height='0.02' margin='0.5'", row}).aspects("task.Em"), IsEmpty());
-  EXPECT_THAT(fit({kWholeRoom, row}).first().problem,
+  EXPECT_THAT(fit({kWholeRoom, row}).first().problem.english(),
               HasSubstr("planes of role 'task' of en12464-1:2021 are 0 to 0.2 m above the floor in "
                         "row 9.4, and this one is 0.75 m"));
 }
@@ -677,7 +680,7 @@ TEST(FitnessOfRoute, FollowsItsLineAndTheFloor) {
   for (const Requirement& requirement : fitted.requirements) {
     EXPECT_THAT(requirement.deviations, IsEmpty());
     EXPECT_EQ(requirement.problem, "");
-    EXPECT_THAT(requirement.note, testing::Not(HasSubstr("left out")));
+    EXPECT_THAT(requirement.note.english(), testing::Not(HasSubstr("left out")));
   }
 }
 
@@ -699,14 +702,14 @@ TEST(FitnessOfRoute, ItsHeightIsWhatItStates) {
   EXPECT_THAT(fit_route(line + "'0.2'").aspects("route.line"), IsEmpty());
   const Fitted high = fit_route(line + "'0.5'");
   EXPECT_THAT(high.aspects("route.line"), ElementsAre("height"));
-  EXPECT_THAT(high.first().problem,
+  EXPECT_THAT(high.first().problem.english(),
               HasSubstr("above the floor, and the points of this route are 0.5 m"));
 }
 
 TEST(FitnessOfRoute, IsNoUprightPlane) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'",
                                   "pack='en1838:2024' role='safety-item' scene='em'");
-  EXPECT_THAT(fitted.first().problem,
+  EXPECT_THAT(fitted.first().problem.english(),
               HasSubstr("is about a plane that is vertical, and the points of a route face up"));
 }
 
@@ -719,14 +722,15 @@ TEST(FitnessOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
   };
   const Fitted small = with_table("1 0.9");
   EXPECT_EQ(small.first().problem, "");
-  EXPECT_THAT(small.first().note, HasSubstr("4 of 80 points are left out: 4 where 'table' stands"));
+  EXPECT_THAT(small.first().note.english(),
+              HasSubstr("4 of 80 points are left out: 4 where 'table' stands"));
   const Fitted large = with_table("4 0.9");
   EXPECT_THAT(large.aspects("route.line"), ElementsAre("points"));
-  EXPECT_THAT(large.first().problem,
+  EXPECT_THAT(large.first().problem.english(),
               HasSubstr("16 of 80 points are left out: 16 where 'table' stands"));
   const Fitted across = with_table("0.5 2");
   EXPECT_THAT(across.aspects("route.line"), ElementsAre("points"));
-  EXPECT_THAT(across.first().problem,
+  EXPECT_THAT(across.first().problem.english(),
               HasSubstr("nobody gets past (3.25, 0.4, 0) m: 'table' stands across the whole width; "
                         "5 of 80 points are left out"));
 }
@@ -735,7 +739,7 @@ TEST(FitnessOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
 TEST(FitnessOfRoute, NobodyGoesThroughAWall) {
   const auto barred = [](const std::string& objects) {
     const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'", kEmergency, objects);
-    return fitted.first().problem.substr(0, fitted.first().problem.find(" m:"));
+    return fitted.first().problem.english().substr(0, fitted.first().problem.english().find(" m:"));
   };
   EXPECT_EQ(barred("<box id='wall' size='0.1 8 3' position='4.95 0 0' material='m'/>"),
             "nobody gets past (4.75, 0.4, 0)");
@@ -750,13 +754,13 @@ TEST(FitnessOfRoute, NobodyGoesThroughAWall) {
 TEST(FitnessOfRoute, AMissingStairIsNoFloor) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 2' width='1.5'");
   EXPECT_THAT(fitted.aspects("route.line"), ElementsAre("points"));
-  EXPECT_THAT(fitted.first().problem,
+  EXPECT_THAT(fitted.first().problem.english(),
               HasSubstr("60 of 80 points are left out: 60 without a floor"));
 }
 
 TEST(FitnessOfRoute, SaysThatPointsCountAlikeInAShare) {
   const std::string share = "quantity='percentile' percent='50' at-least='1'";
-  EXPECT_THAT(fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'", share).first().note,
+  EXPECT_THAT(fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'", share).first().note.english(),
               HasSubstr("points count alike, though cells at bends differ in area"));
   EXPECT_EQ(fit_route("points='1 1 0  9 1 0' width='1.5'", share).first().note, "");
 }
@@ -791,10 +795,10 @@ TEST(Fitness, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
               ElementsAre("orientation"));
   EXPECT_THAT(fit({leaning + quantity, cylinder}).aspects("cylinder.Em"),
               ElementsAre("orientation"));
-  EXPECT_THAT(fit({upright + " quantity='cylindrical'", cylinder}).first().problem,
+  EXPECT_THAT(fit({upright + " quantity='cylindrical'", cylinder}).first().problem.english(),
               HasSubstr("role 'cylinder' of en12464-1:2021 is about cylinders that stand upright, "
                         "and those of this plane lean 90 degrees from upright"));
-  EXPECT_THAT(fit({leaning + " quantity='cylindrical'", cylinder}).first().problem,
+  EXPECT_THAT(fit({leaning + " quantity='cylindrical'", cylinder}).first().problem.english(),
               HasSubstr("lean 27 degrees"));
 }
 
@@ -804,12 +808,12 @@ TEST(Fitness, APartOfAWallIsNotTheWall) {
   const auto of_wall = [&](const std::string& plane) { return fit({plane, wall}); };
   const Fitted patch = of_wall("origin='2.5 0 1' u='-1 0 0' v='0 0 1'");
   EXPECT_THAT(patch.aspects("wall.Em"), ElementsAre("place", "grid"));
-  EXPECT_THAT(patch.first().problem,
+  EXPECT_THAT(patch.first().problem.english(),
               HasSubstr("role 'wall' of en12464-1:2021 is about a whole wall, and what counts of "
                         "this plane covers only 0 % of the 22 m2 of 'r.wall1' (0.5 m along the "
                         "edges count of neither)"));
   // Two thirds; a speck between two of the places where it is measured; one in a corner.
-  EXPECT_THAT(of_wall("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'").first().problem,
+  EXPECT_THAT(of_wall("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'").first().problem.english(),
               HasSubstr("64 % of the 22 m2 of 'r.wall1'"));
   EXPECT_THAT(of_wall("origin='2.501 0 1' u='-0.001 0 0' v='0 0 0.001'").aspects("wall.Uo"),
               testing::Contains("place"));
@@ -832,7 +836,7 @@ TEST(Fitness, APartOfAWallIsJudgedIfSomebodyStatesIt) {
   const Fitted fitted =
       fit({"origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'", kDeskWork + " role='wall'", stated});
   EXPECT_EQ(fitted.first().problem, "");
-  EXPECT_THAT(fitted.first().deviations.at(0).words, HasSubstr("64 %"));
+  EXPECT_THAT(fitted.first().deviations.at(0).words.english(), HasSubstr("64 %"));
 }
 
 // Two pieces of one straight side: each by itself, or both together.
@@ -875,7 +879,7 @@ TEST(Fitness, ASpeckIsSaid) {
 TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
   const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
   EXPECT_THAT(fitted.aspects("wall.Em"), ElementsAre("grid"));
-  EXPECT_THAT(fitted.first().problem,
+  EXPECT_THAT(fitted.first().problem.english(),
               HasSubstr("the mask leaves 26 x 5 points, where role 'wall' of en12464-1:2021 asks "
                         "for 33 x 6 on the 11.1 x 2.14 m that are left"));
   EXPECT_THAT(fit({"on='wall1' count='40 12'", kDeskWork + " role='wall'"}).aspects("wall.Em"),
@@ -970,7 +974,8 @@ std::string attribute(const calc::XmlElement& element, const char* name) {
 bool is_refused(const Fitted& fitted, const std::string& check, const std::string& aspect) {
   return std::any_of(fitted.requirements.begin(), fitted.requirements.end(), [&](const auto& r) {
     if (r.origin.check != check || r.problem.empty()) return false;
-    if (aspect == "maintenance") return r.problem.find("maintained light") != std::string::npos;
+    if (aspect == "maintenance")
+      return r.problem.english().find("maintained light") != std::string::npos;
     return std::any_of(r.deviations.begin(), r.deviations.end(),
                        [&](const Deviation& d) { return calc::name_of(d.aspect) == aspect; });
   });

@@ -83,7 +83,7 @@ TEST(DespiteDoubt, OneDarkPointFailsAMinimumAndTheDoubtIsSaid) {
   const Finding finding = judged(required(Metric::minimum, kAtLeast, 200), field);
   EXPECT_EQ(finding.verdict, Verdict::fail);
   EXPECT_FALSE(finding.is_doubtful);
-  EXPECT_THAT(finding.reason, HasSubstr("no sampled light reached 1 of 4 points"));
+  EXPECT_THAT(finding.reason.english(), HasSubstr("no sampled light reached 1 of 4 points"));
   EXPECT_DOUBLE_EQ(finding.measured.value, 100.0);  // of the point that is known
   EXPECT_EQ(finding.measured.low, 0.0);             // the other one may be darker
   EXPECT_LT(finding.measured.high, 110.0);
@@ -91,9 +91,9 @@ TEST(DespiteDoubt, OneDarkPointFailsAMinimumAndTheDoubtIsSaid) {
   ASSERT_TRUE(finding.place_m.has_value());
   EXPECT_EQ(finding.place_m->x, 0.5);
   // Nothing more is to be found out.
-  EXPECT_EQ(stop_or_go_on({Goal::verdict, 0.05, 0.95}, {finding.requirement}, row_of(4), field, {})
-                .finished,
-            calc::StopReason::decided);
+  EXPECT_EQ(
+      judge_look({Goal::verdict, 0.05, 0.95}, {finding.requirement}, row_of(4), field, {}).finished,
+      calc::StopReason::decided);
 }
 
 TEST(DespiteDoubt, TheUnseenPointAloneProvesNothing) {
@@ -132,7 +132,7 @@ TEST(DespiteDoubt, OneBrightPointFailsAMaximum) {
   EXPECT_DOUBLE_EQ(finding.measured.value, 500.0);
   EXPECT_EQ(finding.measured.high, kInfinity);
   EXPECT_EQ(finding.place_m->x, 2.5);
-  EXPECT_THAT(finding.reason, HasSubstr("no sampled light reached 1 of 4 points"));
+  EXPECT_THAT(finding.reason.english(), HasSubstr("no sampled light reached 1 of 4 points"));
   EXPECT_EQ(judged(required(Metric::maximum, kAtMost, 600), field).verdict, Verdict::undecided);
 }
 
@@ -143,7 +143,7 @@ TEST(DespiteDoubt, AnAverageFailsAnUpperLimitByItsKnownPoints) {
   const Finding finding = judged(required(Metric::average, kAtMost, 200), field);
   EXPECT_EQ(finding.verdict, Verdict::fail);
   EXPECT_NEAR(finding.measured.value, 425.0, 1e-9);
-  EXPECT_THAT(finding.reason, HasSubstr("single samples at 1 of 4 points"));
+  EXPECT_THAT(finding.reason.english(), HasSubstr("single samples at 1 of 4 points"));
   EXPECT_EQ(judged(required(Metric::average, kAtMost, 300), field).verdict, Verdict::undecided);
   EXPECT_EQ(judged(required(Metric::average, kAtLeast, 600), field).verdict, Verdict::undecided);
 }
@@ -155,7 +155,7 @@ TEST(DespiteDoubt, APairOfNeighboursFailsAGradient) {
   const Finding finding = judged(required(Metric::gradient, kAtMost, 4.0), field);
   EXPECT_EQ(finding.verdict, Verdict::fail) << finding.reason;
   EXPECT_NEAR(finding.measured.value, 5.0, 1e-9);
-  EXPECT_THAT(finding.reason, HasSubstr("no sampled light reached"));
+  EXPECT_THAT(finding.reason.english(), HasSubstr("no sampled light reached"));
   EXPECT_NE(judged(required(Metric::gradient, kAtMost, 6.0), field).verdict, Verdict::fail);
 }
 
@@ -181,7 +181,7 @@ TEST(DespiteDoubt, OneOutageIsEnough) {
     return judge_plane({requirement}, row_of(2), field, scenes, 0.95).at(0);
   };
   EXPECT_EQ(verdict(3.0).verdict, Verdict::fail);
-  EXPECT_THAT(verdict(3.0).reason, HasSubstr("no sampled light reached 1 of 2 points"));
+  EXPECT_THAT(verdict(3.0).reason.english(), HasSubstr("no sampled light reached 1 of 2 points"));
   EXPECT_EQ(verdict(0.5).verdict, Verdict::undecided);
 }
 

@@ -84,7 +84,7 @@ TEST(Gradient, IsTheSameInBothDirectionsAndOneWhereAllIsAlike) {
 TEST(Gradient, OfADarkPlaneIsUndefined) {
   const Measurement result = gradient_of(grid_of(2, 2), exact_field({0, 0, 0, 0}));
   EXPECT_FALSE(result.metric.has_value());
-  EXPECT_THAT(result.reason, testing::HasSubstr("all points are 0 lx"));
+  EXPECT_THAT(result.reason.english(), testing::HasSubstr("all points are 0 lx"));
 }
 
 TEST(Gradient, KnowsNoNeighboursBeyondTheMaskOrInLists) {
@@ -105,7 +105,7 @@ TEST(Gradient, KnowsNoNeighboursBeyondTheMaskOrInLists) {
 TEST(Gradient, HasNoLimitBesideAPointThatIsDark) {
   const Measurement result = gradient_of(grid_of(3, 1), exact_field({10.0, 10.0, 0.0}));
   EXPECT_FALSE(result.metric.has_value());
-  EXPECT_THAT(result.reason, testing::HasSubstr("may be dark"));
+  EXPECT_THAT(result.reason.english(), testing::HasSubstr("may be dark"));
 }
 
 // 400 lx and 300 lx side by side in a plane of 300 .. 310 lx, known to 1 % each.

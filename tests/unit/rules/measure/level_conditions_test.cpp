@@ -264,7 +264,7 @@ TEST(LevelConditions, SayWhatTheyAreNotFor) {
   out.any_one_unit_out = true;
   EXPECT_NE(problem(out), "");
   out.any_one_unit_out = false;
-  out.problem = "no such thing";
+  out.problem = calc::Message::words("no such thing");
   EXPECT_EQ(problem(out), "no such thing");
 }
 

@@ -72,9 +72,11 @@ TEST(Measure, AValueIsThatOfAPlaceInThePlane) {
   EXPECT_TRUE(measured(-0.05 * across).metric);
   EXPECT_FALSE(measured(0.051 * across).metric);
   EXPECT_FALSE(measured(-0.051 * across).metric);
-  EXPECT_THAT(measured(1.15 * across).reason, testing::HasSubstr("along the plane and 0.05 m "
-                                                                 "across it of"));
-  EXPECT_THAT(measured(1.15 * across).reason, testing::EndsWith("the plane 1.150 m away"));
+  EXPECT_THAT(measured(1.15 * across).reason.english(),
+              testing::HasSubstr("along the plane and 0.05 m "
+                                 "across it of"));
+  EXPECT_THAT(measured(1.15 * across).reason.english(),
+              testing::EndsWith("the plane 1.150 m away"));
 }
 
 TEST(Measure, ASinglePointHasNoUniformity) {
@@ -99,7 +101,7 @@ TEST(Measure, ASinglePointHasNoUniformity) {
     requirement.metric = metric;
     const Measurement result = measure(requirement, one, field, {}, 0.95);
     EXPECT_FALSE(result.metric);
-    EXPECT_THAT(result.reason, testing::HasSubstr("a single point has no uniformity"));
+    EXPECT_THAT(result.reason.english(), testing::HasSubstr("a single point has no uniformity"));
   }
   requirement.metric = Metric::average;
   EXPECT_TRUE(measure(requirement, one, field, {}, 0.95).metric);
@@ -217,7 +219,8 @@ TEST(Measure, OfARulePackNeedsPointsEverywhere) {
   requirement.origin.pack = "own:1";
   const Measurement result = measure(requirement, grid, field_of_twelve(), {}, 0.95);
   EXPECT_FALSE(result.metric.has_value());
-  EXPECT_THAT(result.reason, testing::HasSubstr("0.8 m2 of the area have no calculation point"));
+  EXPECT_THAT(result.reason.english(),
+              testing::HasSubstr("0.8 m2 of the area have no calculation point"));
   EXPECT_EQ(result.unseen_points, 0u);  // more samples do not help
 }
 
@@ -257,7 +260,7 @@ TEST(Measure, WorksOnAtPointsOfTheMask) {
 
 TEST(Measure, DoesNothingForWhatCannotBeJudged) {
   Requirement requirement = minimum_at_least(1);
-  requirement.problem = "no daylight";
+  requirement.problem = calc::Message::words("no daylight");
   const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   EXPECT_FALSE(result.metric.has_value());
   EXPECT_EQ(result.reason, "no daylight");
@@ -302,7 +305,8 @@ TEST(Measure, AValueOnARouteIsOfTheCellAround) {
   EXPECT_EQ(measured({4.58, -0.585, 0}).metric->estimate.value, 4.0);
   EXPECT_FALSE(measured(third + glm::dvec3(0, 0, 0.2)).metric);
   EXPECT_FALSE(measured(third - glm::dvec3(0, 0.3, 0)).metric);
-  EXPECT_THAT(measured({4.5, -5, 0}).reason, testing::HasSubstr("no calculation point within"));
+  EXPECT_THAT(measured({4.5, -5, 0}).reason.english(),
+              testing::HasSubstr("no calculation point within"));
 }
 
 }  // namespace

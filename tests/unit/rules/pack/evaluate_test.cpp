@@ -46,7 +46,7 @@ std::string limit_of(const std::string& formula, RowLevel level = RowLevel::requ
                      const std::string& ref = "1") {
   const RulePack pack = pack_of(check("x", formula));
   const Limit limit = evaluate_limit(pack.checks.at(0), {pack, pack.find_row(ref), level, facts});
-  if (limit.status != LimitStatus::known) return limit.reason;
+  if (limit.status != LimitStatus::known) return limit.reason.english();
   return std::to_string(limit.value.value).substr(0, 7);
 }
 
@@ -85,7 +85,7 @@ TEST(EvaluateLimit, TakesAParameterAlongItsScale) {
     const RulePack pack = pack_of(scale + row + required + "'/></row>" + check("x", formula));
     const Limit limit =
         evaluate_limit(pack.checks.at(0), {pack, pack.find_row("9"), RowLevel{.steps = steps}});
-    if (limit.status != LimitStatus::known) return limit.reason;
+    if (limit.status != LimitStatus::known) return limit.reason.english();
     EXPECT_EQ(limit.trust, Trust::unverified);
     EXPECT_EQ(limit.level.steps, steps);
     return std::to_string(limit.value.value).substr(0, 7);

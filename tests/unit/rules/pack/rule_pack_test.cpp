@@ -1,5 +1,6 @@
 #include "rules/pack/rule_pack.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "rules/pack/builtin_packs.h"
 #include "rules/pack/limit.h"
 #include "rules/pack/rule_lint.h"

@@ -239,13 +239,14 @@ TEST(RowCoverage, WhatIsWaivedIsAcceptedAndNotMet) {
   EXPECT_EQ(state_of(pass, true), RoleState::waived);
   EXPECT_EQ(state_of(waived, true), RoleState::waived);
   EXPECT_EQ(state_of(fail, true), RoleState::failed);
-  RowCoverage row{"w", "EN 12464-1:2021 34.2", {{"task", RoleState::met, ""}}};
+  RowCoverage row{
+      "w", calc::Message::words("EN 12464-1:2021 34.2"), {{"task", RoleState::met, {}}}};
   EXPECT_TRUE(row.is_met());
-  row.roles.push_back({"wall", RoleState::waived, ""});
+  row.roles.push_back({"wall", RoleState::waived, {}});
   EXPECT_TRUE(row.is_whole());
   EXPECT_TRUE(row.is_accepted());
   EXPECT_FALSE(row.is_met());
-  row.roles.back() = {"wall", RoleState::met, "", {}, {{"wall.1", {}, false}}};
+  row.roles.back() = {"wall", RoleState::met, {}, {}, {{"wall.1", {}, false}}};
   EXPECT_TRUE(row.is_accepted());
   EXPECT_FALSE(row.is_met());
 }

@@ -141,7 +141,7 @@ TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   site.eyes("e", {1, 0, 0}, kPass);
   site.eyes("f", {0.9, 0.4, 0}, kPass);
   EXPECT_EQ(site.only().verdict, kNone);
-  EXPECT_THAT(site.only().reason, HasSubstr("one way"));
+  EXPECT_THAT(site.only().reason.english(), HasSubstr("one way"));
   site.eyes("g", {0, 1, 0}, kPass);
   EXPECT_EQ(site.only().verdict, kPass);
   // Two seats that each look one way, apart from each other, are no two ways.
@@ -153,7 +153,8 @@ TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   Site dark(parts);  // nothing that any of them sees is rated
   dark.room("r");
   for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
-    dark.eyes("e" + std::to_string(way.y), way, kPass).reason = "nothing is seen";
+    dark.eyes("e" + std::to_string(way.y), way, kPass).reason =
+        calc::Message::words("nothing is seen");
   }
   EXPECT_EQ(dark.only().verdict, kNone);
   Site failing(parts);
@@ -170,7 +171,7 @@ TEST(JudgeAggregates, AtLeastOfTooFewIsNotJudged) {
   site.add("mean", kPass, "B");
   const AggregateFinding finding = site.only();
   EXPECT_EQ(finding.verdict, kNone);
-  EXPECT_THAT(finding.reason, HasSubstr("at least 2 must be met"));
+  EXPECT_THAT(finding.reason.english(), HasSubstr("at least 2 must be met"));
 }
 
 TEST(JudgeAggregates, OfOneRoleAreMadeForEveryPlaneAndEveryRequire) {
@@ -224,7 +225,8 @@ TEST(JudgeAggregates, WhatNobodyAsksForIsNotJudged) {
     site.plane("desk");
     site.add("mean", kFail);
     EXPECT_EQ(site.only().verdict, rule == "any" ? kNone : kFail);
-    EXPECT_THAT(site.only().reason, HasSubstr("wall (no plane of this room is asked for it"));
+    EXPECT_THAT(site.only().reason.english(),
+                HasSubstr("wall (no plane of this room is asked for it"));
   }
   // Of row B nothing is required of the walls.
   Site site(kMean + kWall + "<aggregate id='a' rule='all' of='mean wall'/>");
@@ -298,7 +300,8 @@ TEST(JudgeAggregates, AFloorCountsOnceInAShareOfTheArea) {
     return site.only();
   };
   EXPECT_EQ(finding({0, 0, 0.1}, kFail).verdict, kNone);
-  EXPECT_THAT(finding({1, 1, 0}, kFail).reason, HasSubstr("planes 'bright' and 'again' share"));
+  EXPECT_THAT(finding({1, 1, 0}, kFail).reason.english(),
+              HasSubstr("planes 'bright' and 'again' share"));
   EXPECT_EQ(finding({0, 0, 0}, kFail, -1.0).verdict, kNone);  // as a route
   EXPECT_EQ(finding({0, 0, 0}, kPass).verdict, kPass);        // whatever their areas are
   EXPECT_EQ(finding({0, 0, 2}, kFail).verdict, kPass);        // on a gallery

@@ -95,7 +95,7 @@ TEST(Judge, WhatFailsHasNoMarginThatReadsAsGood) {
 // A refused plane has no values: its zeros must never be judged.
 TEST(Judge, ARefusedPlaneIsNotJudged) {
   calc::PlaneField field = exact_field({0, 0, 0});
-  field.problem = "no steady state";
+  field.problem = calc::Message::words("no steady state");
   Requirement at_most = at_least(Metric::maximum, 1000);
   at_most.comparison = Comparison::at_most;
   for (const Requirement& requirement : {at_most, at_least(Metric::average, 100)}) {
@@ -145,9 +145,9 @@ TEST(Judge, WhatIsCutOffIsInNoInterval) {
 TEST(Judge, NothingPassesOnLightThatIsUnsure) {
   const auto judge_unsure = [](Requirement requirement, Comparison comparison) {
     requirement.comparison = comparison;
-    requirement.unsure_light = "a room stands between";
+    requirement.unsure_light = calc::Message::words("a room stands between");
     const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
-    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.unsure_light : "");
+    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.unsure_light : calc::Message());
     return finding.verdict;
   };
   constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
@@ -161,10 +161,10 @@ TEST(Judge, NothingPassesOnLightThatIsUnsure) {
 TEST(Judge, NothingPassesThatMissingLightCouldFail) {
   const auto judge_missing = [](Requirement requirement, Comparison comparison) {
     requirement.comparison = comparison;
-    requirement.missing_light = "the file ends at 60 degrees";
+    requirement.missing_light = calc::Message::words("the file ends at 60 degrees");
     const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
     EXPECT_EQ(finding.is_doubtful, finding.verdict == Verdict::undecided);
-    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.missing_light : "");
+    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.missing_light : calc::Message());
     return finding.verdict;
   };
   constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
@@ -253,7 +253,7 @@ TEST(Judge, ShowsEnoughDigitsToBelieveTheReason) {
 // 500 -+ 9.19 lx.
 TEST(Judge, SaysHowMuchMoreWorkWouldDecide) {
   const auto reason_at = [](double limit) {
-    return judge(at_least(Metric::average, limit), sampled_field(500, 5)).reason;
+    return judge(at_least(Metric::average, limit), sampled_field(500, 5)).reason.english();
   };
   EXPECT_THAT(reason_at(508), testing::HasSubstr("about 2 times"));
   EXPECT_THAT(reason_at(502.5), testing::HasSubstr("about 16 times"));  // 3.7^2
@@ -267,7 +267,8 @@ TEST(Judge, SaysWhenASingleSampleWouldBeSmallEnough) {
   field.largest_share = {0.75F, 0.01F, 0.01F};
   const Finding finding = judge(at_least(Metric::minimum, 200), field);
   EXPECT_EQ(finding.verdict, Verdict::undecided);
-  EXPECT_THAT(finding.reason, testing::HasSubstr("about 8 times the light paths would decide"));
+  EXPECT_THAT(finding.reason.english(),
+              testing::HasSubstr("about 8 times the light paths would decide"));
 }
 
 // An average of 500 -+ 1.84 lx to which one sample may add 20 lx at a point, and so 6.7 lx.
@@ -394,8 +395,9 @@ TEST(Judge, KeepsTheOrderOfRequirements) {
 }
 
 TEST(NotJudgedPlane, RepeatsTheReasonForEveryRequirement) {
-  const std::vector<Finding> findings = not_judged_plane(
-      {at_least(Metric::average, 1), at_least(Metric::minimum, 2)}, "no point is left");
+  const std::vector<Finding> findings =
+      not_judged_plane({at_least(Metric::average, 1), at_least(Metric::minimum, 2)},
+                       calc::Message::words("no point is left"));
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[1].verdict, Verdict::not_judged);
   EXPECT_EQ(findings[1].reason, "no point is left");

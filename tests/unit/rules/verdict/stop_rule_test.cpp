@@ -42,13 +42,14 @@ Requirement at_least(Metric metric, double limit) {
 
 Requirement judged(Metric metric) { return at_least(metric, 0.0); }
 
-StopAnswer answer(const StopRule& rule, const std::vector<Requirement>& requirements,
-                  const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes = {}) {
-  return stop_or_go_on(rule, requirements, grid_of(field.points), field, scenes);
+LookJudgement answer(const StopRule& rule, const std::vector<Requirement>& requirements,
+                     const calc::PlaneField& field,
+                     const std::vector<calc::LightScene>& scenes = {}) {
+  return judge_look(rule, requirements, grid_of(field.points), field, scenes);
 }
 
-StopAnswer verdict_answer(const std::vector<Requirement>& requirements,
-                          const calc::PlaneField& field) {
+LookJudgement verdict_answer(const std::vector<Requirement>& requirements,
+                             const calc::PlaneField& field) {
   return answer({Goal::verdict, 0.02, 0.95}, requirements, field);
 }
 
@@ -175,10 +176,29 @@ TEST(ActivePoints, AreThoseOfTheOpenRequirementsOnly) {
   EXPECT_THAT(verdict_answer({minimum, maximum}, four_points()).active, ElementsAre(1, 0, 0, 1));
 }
 
+// What a report says of a look is what the plane is judged by, whatever the goal.
+TEST(JudgeLook, FindsWhatThePlaneIsJudgedBy) {
+  calc::PlaneField field = four_points();
+  field.largest_share = {0.01F, 0.6F, 0.01F, 0.01F};
+  const std::vector<Requirement> requirements{at_least(Metric::minimum, 80),
+                                              at_least(Metric::average, 100)};
+  const std::vector<Finding> judged = judge_plane(requirements, grid_of(4), field, {}, 0.95);
+  for (const Goal goal : {Goal::verdict, Goal::accuracy}) {
+    const LookJudgement look = answer({goal, 0.02, 0.95}, requirements, field);
+    ASSERT_EQ(look.findings.size(), judged.size());
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+      EXPECT_EQ(look.findings[i].verdict, judged[i].verdict);
+      EXPECT_EQ(look.findings[i].measured.low, judged[i].measured.low);
+      EXPECT_TRUE(look.findings[i].reason == judged[i].reason);
+    }
+  }
+  EXPECT_THAT(answer({Goal::verdict, 0.02, 0.95}, {}, field).findings, IsEmpty());
+}
+
 TEST(ActivePoints, AreAllForAnOpenAverage) {
   calc::PlaneField field = four_points();
   for (std::size_t r = 0; r < 4; ++r) field.indirect_lx[4 * r + 3] += r < 2 ? 5.0 : -5.0;
-  const StopAnswer open =
+  const LookJudgement open =
       verdict_answer({at_least(Metric::minimum, 100), at_least(Metric::average, 200)}, field);
   EXPECT_FALSE(open.finished);
   EXPECT_THAT(open.active, IsEmpty());
@@ -194,7 +214,7 @@ TEST(ActivePoints, KeepAnUnseenPointThatMatters) {
   calc::PlaneField field = four_points();
   for (std::size_t r = 0; r < 4; ++r) field.indirect_lx[4 * r + 1] = 0.0;
   field.unseen = {0, 1, 0, 0};
-  const StopAnswer open = verdict_answer({at_least(Metric::minimum, 50)}, field);
+  const LookJudgement open = verdict_answer({at_least(Metric::minimum, 50)}, field);
   EXPECT_FALSE(open.finished);
   EXPECT_THAT(open.active, ElementsAre(0, 1, 0, 0));
 }
@@ -209,7 +229,7 @@ TEST(SingleSamples, LeaveTheVerdictOpenAndThePointActive) {
   EXPECT_EQ(finding.reason,
             "the result rests on single samples at 1 of 4 points: their intervals cannot be "
             "trusted; about 8 times the light paths would decide (--max-paths)");
-  const StopAnswer open = verdict_answer(requirements, field);
+  const LookJudgement open = verdict_answer(requirements, field);
   EXPECT_FALSE(open.finished);
   EXPECT_THAT(open.active, ElementsAre(0, 1, 0, 0));
   EXPECT_FALSE(is_accurate_to(0.5, {judged(Metric::maximum)}, [&field] {

@@ -97,7 +97,8 @@ TEST(WaiverRemarks, DeviationsAndZonesEndToo) {
   Finding deviating = finding_of(Verdict::pass);
   const Waiver by = *deviating.requirement.waiver;
   deviating.requirement.waiver.reset();
-  deviating.requirement.deviations = {{FitAspect::grid, "few points", by, true}};
+  deviating.requirement.deviations = {
+      {FitAspect::grid, calc::Message::words("few points"), by, true}};
   EXPECT_THAT(told({{deviating}}, "2027-06-01"),
               ElementsAre(HasSubstr("the deviation, by J. Doe, ends in 29 days")));
   deviating.requirement.deviations[0].is_accepted = false;

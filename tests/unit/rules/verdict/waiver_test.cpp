@@ -10,7 +10,7 @@ namespace {
 Finding finding_of(Verdict verdict, const std::string& reason = "") {
   Finding finding;
   finding.verdict = verdict;
-  finding.reason = reason;
+  finding.reason = calc::Message::words(reason);
   finding.requirement.waiver = Waiver{"wall moves in May", "J. Doe", "2027-06-30"};
   return finding;
 }

@@ -1,4 +1,5 @@
 // What `luxgate export gltf` writes, read by itself and by the program's own reader of meshes.
+#include "calc/base/diagnostic_ids.h"
 #include "report/tools/export/gltf_room.h"
 
 #include "calc/meshes/mesh_file.h"

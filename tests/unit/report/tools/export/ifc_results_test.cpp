@@ -1,5 +1,6 @@
 #include "report/tools/export/ifc_results.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/text/ifc_guid.h"
 #include "report/tools/import/step_text.h"
 #include "tests/support/sample_document.h"
@@ -204,7 +205,7 @@ TEST(IfcResults, NothingThatIsNoPassLooksLikeOne) {
   report::Document missing = document;
   report::PlanePart none;
   none.id = "none";
-  none.reason = "no luminaire";
+  none.reason = calc::Message::words("no luminaire");
   missing.projects[0].spaces[0].planes.push_back(none);
   const Written w(model(), missing);
   EXPECT_EQ(w.words(kRoom, "Verdict"), "not judged");
@@ -364,7 +365,7 @@ TEST(IfcResults, NamesAndOddValuesAreWrittenSafely) {
   plane.findings[1].requirement.id = "a";
   plane.findings[0].measured.high = std::numeric_limits<double>::infinity();
   plane.findings[1].verdict = rules::Verdict::not_judged;
-  plane.findings[1].reason = "it is not possible";
+  plane.findings[1].reason = calc::Message::words("it is not possible");
   const Written w(model(), document);
   ASSERT_TRUE(w.with) << w.problem;
   EXPECT_EQ(w.words(kPlane, "Plane"), plane.name);

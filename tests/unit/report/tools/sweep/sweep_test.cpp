@@ -299,7 +299,7 @@ TEST(RowOf, HasMarginsWithoutNoise) {
 TEST(RowOf, HasNoMarginWhereSomethingIsNotJudged) {
   using enum rules::Verdict;
   rules::Finding open = finding("b", rules::Comparison::at_least, 1, {}, not_judged);
-  open.reason = "because";
+  open.reason = calc::Message::words("because");
   const cli::SweepRow row = cli::row_of(
       0, {}, part_with({finding("a", rules::Comparison::at_least, 1, {2, 2, 2}, pass), open}));
   EXPECT_FALSE(row.margin);

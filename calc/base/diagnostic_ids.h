@@ -1,0 +1,17 @@
+#pragma once
+// The ids of all messages about input. Apart from diagnostics.h, so that one more of them has only
+// those compiled anew that report something.
+
+#include "calc/base/diagnostics.h"
+
+#include <cstdint>
+
+namespace calc {
+
+enum class DiagnosticId : std::uint16_t {
+#define LUXGATE_DIAGNOSTIC(id, severity, text) id,
+#include "calc/base/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+};
+
+}  // namespace calc

@@ -1,0 +1,96 @@
+#pragma once
+// What results say in words: why a verdict, how a grid, from where a plane. A message is kept as
+// its parts: sentences by their ids with their arguments, numbers, names, paths and the words of
+// people. Words are made of it where somebody reads it, in English here and in other languages by
+// report/text/sentences.h. Who speaks includes calc/base/sentences.h.
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace calc {
+
+enum class Sentence : std::uint16_t;  // see calc/base/sentences.h
+
+// What joins messages: "; ", ", ", " (", ")". The compiler refuses letters and digits, in which
+// words of ours could hide.
+class Glue {
+ public:
+  template <std::size_t N>
+  consteval Glue(const char (&text)[N]) : text_(text, N - 1) {  // NOLINT: a literal is one
+    for (const char c : text_) {
+      const bool is_word =
+          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+      if (is_word) throw "words are said with sentences.def";
+    }
+  }
+  std::string_view text() const { return text_; }
+
+ private:
+  std::string_view text_;
+};
+
+// Kinds of the parts of a message.
+enum class PartKind : std::uint8_t {
+  glue,      // text: punctuation
+  sentence,  // id and arguments
+  number,    // text: numbers with units and signs, with decimal points
+  path,      // text: of a file or folder
+  words,     // text: names, and what people have written, to the letter
+};
+
+struct MessagePart;
+
+// A value. Empty: nothing is said.
+class Message {
+ public:
+  Message() = default;
+  static Message number(std::string text);
+  static Message path(std::string text);
+  static Message words(std::string text);  // "" is an empty message
+  static Message of(Sentence id, std::vector<Message> arguments);
+
+  bool empty() const { return parts_.empty(); }
+  const std::vector<MessagePart>& parts() const { return parts_; }
+  std::vector<MessagePart>& parts() { return parts_; }
+
+  Message& operator+=(const Message& other);
+  Message& operator+=(Glue glue);
+  friend Message operator+(Message a, const Message& b) { return std::move(a += b); }
+  friend Message operator+(Message a, Glue b) { return std::move(a += b); }
+  friend Message operator+(Glue a, const Message& b);
+
+  // In English, for reports in that language and for logs.
+  std::string english() const;
+
+ private:
+  std::vector<MessagePart> parts_;
+};
+
+struct MessagePart {
+  PartKind kind = PartKind::words;
+  Sentence id{};     // of a sentence
+  std::string text;  // of all others
+  std::vector<Message> arguments;
+};
+
+// By what they hold, in an order that means nothing.
+std::strong_ordering operator<=>(const Message& a, const Message& b);
+bool operator==(const Message& a, const Message& b);
+
+// Whether one of its own sentences is this one.
+bool says(const Message& message, Sentence id);
+
+// Adds it behind what is there; "; ..." where that is not empty. Nothing of an empty one.
+void append(Message& to, const Message& next, Glue separator = "; ");
+// All that are not empty.
+Message joined(const std::vector<Message>& messages, Glue separator);
+// "a, b, c and 3 more": at most so many.
+Message listed(const std::vector<Message>& messages, std::size_t most);
+Message names_message(const std::vector<std::string>& names, std::size_t most);
+
+}  // namespace calc

@@ -1,0 +1,20 @@
+#pragma once
+// What a limit is from, for people.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// A clause of a rule pack, with how well its number is known; of others as it is. Behind it who
+// says the number, where that is not a rule pack that comes with luxgate: "EN 12464-1:2021 34.2
+// (project's own)". "" of "".
+std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source);
+std::string clause_words(const Texts& t, const rules::Requirement& requirement);
+std::string clause_words(const Texts& t, const rules::AggregateFinding& finding);
+// For formats that show no clauses: "" of packs that come with luxgate.
+std::string foreign_clause_words(const Texts& t, const rules::Requirement& requirement);
+
+}  // namespace report
