@@ -23,6 +23,14 @@ bool is_near_limit(const rules::Finding& finding) {
   return finding.verdict == rules::Verdict::undecided || !(distance > kHalfWidths * half_width);
 }
 
+constexpr int kRatioDigits = 2;
+
+// Whether the value stays on its side of the limit in so few digits.
+bool reads_alike(double value, double limit) {
+  const double shown = std::round(100.0 * value) / 100.0;
+  return (shown < limit) == (value < limit) && (shown > limit) == (value > limit);
+}
+
 // "412 ≥ 500": what was calculated, and what is required. "503 ± 9 ≥ 500" near the limit.
 std::string value_cell(const Texts& t, const rules::Finding* finding) {
   if (finding == nullptr) return "";
@@ -31,10 +39,12 @@ std::string value_cell(const Texts& t, const rules::Finding* finding) {
   const std::string required = format_required(t, threshold, "");
   if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
   if (calc::is_nothing(finding->measured)) return t[Text::none] + (" " + required);  // no glare
-  const std::string number = is_near_limit(*finding)
-                                 ? format_measured(t, finding->measured, "", threshold)
-                                 : format_cell(t, finding->measured.value, threshold);
-  return number + " " + required;
+  const double value = finding->measured.value;
+  if (is_near_limit(*finding))
+    return format_measured(t, finding->measured, "", threshold) + " " + required;
+  if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
+    return format_fixed(t, value, kRatioDigits) + " " + required;
+  return format_cell(t, value, threshold) + " " + required;
 }
 
 std::string power_cell(const Texts& t, const SpacePart& space) {
