@@ -106,7 +106,9 @@ calc::Message read_message(const JsonCursor& at, const std::optional<JsonCursor>
   const std::string text = at.text();
   std::optional<calc::Message> message;
   if (parts) message = read_parts(*parts, 0);
-  return message ? *message : calc::Message::words(text);
+  // Who has edited the text, or reads it after another wording, must find it.
+  const std::string said = message ? message->english() : "";
+  return message && said == text ? *std::move(message) : calc::Message::words(text);
 }
 
 std::vector<calc::Message> read_messages(const JsonCursor& at,

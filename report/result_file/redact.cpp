@@ -264,6 +264,11 @@ void redact_revision(const std::vector<std::string>& paths, const std::vector<Fi
   for (ChangedQuestion& question : revision.questions) redact_change(question);
   for (ChangedInput& input : revision.inputs) redact_change(input);
   for (ChangedPlane& plane : revision.planes) redact_change(plane);
+  for (KnownWarnings& known : revision.known_warnings) {
+    const auto found = std::find(paths.begin(), paths.end(), known.project);
+    if (found == paths.end()) continue;
+    known.project = names[static_cast<std::size_t>(found - paths.begin())].of(known.project);
+  }
   if (revision.commits.empty()) revision.baseline = last_name(revision.baseline);
   for (calc::Message& note : revision.notes) {
     for (const FileNames& own : names) own.redact(note);

@@ -469,7 +469,8 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
 
 void describe(auto& v, Is<RowUse> auto& use) {
   v.is("row_use");
-  v.field("clause", use.clause);
+  std::string clause = use.clause.english();
+  v.field("clause", clause);
   v.field("user_supplied", use.is_user_supplied,
           {.words = "The pack does not come with luxgate.",
            .presence = only_if(use.is_user_supplied),

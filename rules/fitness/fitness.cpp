@@ -586,12 +586,12 @@ class PlaneFit {
 };
 
 // Types of the space's luminaires that state no maintenance factor, in their order.
-std::vector<std::string> types_without_factor(const FitContext& context) {
-  std::vector<std::string> ids;
+std::vector<calc::Message> types_without_factor(const FitContext& context) {
+  std::vector<calc::Message> ids;
   for (const calc::Luminaire& luminaire : context.space.luminaires) {
     const calc::LuminaireType& type = context.project.luminaire_types[luminaire.type];
     if (type.maintenance.is_stated || !type.counts_as_luminaire()) continue;
-    std::string id = "'" + type.id + "'";
+    calc::Message id = say<Sentence::quoted>(type.id);
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(std::move(id));
   }
   return ids;
@@ -600,10 +600,10 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
 calc::Message maintenance_problem(const FitContext& context, const Requirement& requirement) {
   const bool has_no_light = is_of_space(requirement.metric) && !is_of_road(requirement.metric);
   if (requirement.state == LightState::initial || has_no_light) return {};
-  const std::vector<std::string> ids = types_without_factor(context);
+  const std::vector<calc::Message> ids = types_without_factor(context);
   if (ids.empty()) return {};
   constexpr std::size_t kMostNamed = 3;
-  const calc::Message names = calc::names_message(ids, kMostNamed);
+  const calc::Message names = calc::listed(ids, kMostNamed);
   return ids.size() == 1 ? say<Sentence::no_factor>(names) : say<Sentence::no_factors>(names);
 }
 

@@ -3,7 +3,7 @@
 // sample_document(): everything a report can show, with light from a simple closed form, so that
 // pictures look like real ones.
 
-#include "calc/base/diagnostic_ids.h"
+#include "calc/base/diagnostics.h"
 #include "report/document/document.h"
 
 #include <glm/glm.hpp>
@@ -350,7 +350,7 @@ inline Document sample_document() {
   broken.path = "yard.xml";
   const calc::SourceLocation where{"yard.xml", 12, 5};
   calc::Diagnostics found;
-  found.report(calc::DiagnosticId::file_not_readable, where, "yard.ies",
+  found.report(*calc::diagnostic_from_name("file-not-readable"), where, "yard.ies",
                "No such file or directory");
   broken.diagnostics = found.all();
   document.projects.push_back(std::move(broken));

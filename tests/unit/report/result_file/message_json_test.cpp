@@ -39,7 +39,9 @@ TEST(MessageJson, IsWhatTheMessageIsMadeOf) {
             R"([{"id":"with-one-out","arguments":[[{"words":"L 1"}],[{"id":"undecided",)"
             R"("arguments":[[{"number":"498"}],[{"number":"502 lx"}],[{"number":"500 lx"}]]}]]},)"
             R"({"glue":"; "},{"words":"as agreed"}])");
-  EXPECT_TRUE(read_back(message_json(kMessage), "") == kMessage);
+  EXPECT_TRUE(read_back(message_json(kMessage), kMessage.english()) == kMessage);
+  // Whoever has changed the text finds it.
+  EXPECT_TRUE(read_back(message_json(kMessage), "another") == Message::words("another"));
 }
 
 // A file of a later version says what this one does not know.

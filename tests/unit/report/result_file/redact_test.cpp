@@ -126,6 +126,7 @@ TEST(Redact, RevisionHasTheSameNames) {
   revision.planes[0].place = place;
   revision.notes = {calc::Message::words("/home/anna/p/a.xml could not be judged now")};
   revision.gate.weaker_accepted_by = "see /home/anna/letter.txt";
+  revision.known_warnings = {{"/home/anna/p/a.xml", {}}};
   document.revision = revision;
   redact(document);
   EXPECT_EQ(document.revision->baseline, "main.json");
