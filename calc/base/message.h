@@ -21,7 +21,7 @@ enum class Sentence : std::uint16_t;  // see calc/base/sentences.h
 class Glue {
  public:
   template <std::size_t N>
-  consteval Glue(const char (&text)[N]) : text_(text, N - 1) {  // NOLINT: a literal is one
+  consteval Glue(const char (&text)[N]) : text_(text, N - 1) {  // not explicit: a literal is one
     for (const char c : text_) {
       const bool is_word =
           (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

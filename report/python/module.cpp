@@ -12,6 +12,7 @@
 #include "report/python/checked.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json.h"
+#include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 #include "report/result_file/result_schema.h"
 #include "report/shell/exit_code.h"
@@ -22,6 +23,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <atomic>
@@ -122,6 +124,10 @@ class PartWriter : public report::Visitor {
   void field(const char* key, const T& value, const About& about = {}) {
     const bool is_null = !about.presence.is_there || about.null_if.value_or(false);
     fields_[key] = is_null ? absent<T>(about) : object_of(makers_, value, child(key));
+    if constexpr (report::kIsMessage<T> || report::kIsMessageList<T>) {
+      const bool has_parts = !is_null && report::has_parts(value);
+      fields_[report::message_key(key).c_str()] = has_parts ? parts_of(value) : py::none();
+    }
   }
   template <class Make, class Choices = int>
   void written(const char* key, const Make& make, const About& /*about*/ = {},
@@ -171,6 +177,14 @@ class PartWriter : public report::Visitor {
   };
 
   std::string child(const char* key) const { return name_ + "_" + key; }
+
+  // Lists and dicts, as the file has them.
+  template <class T>
+  static py::object parts_of(const T& message) {
+    using Json = nlohmann::ordered_json;
+    return py::module_::import("json").attr("loads")(text_of(
+        report::message_json(message).dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
 
   // A mark is false where it is not there, and a list is empty.
   template <class T>

@@ -57,7 +57,7 @@ void describe(auto& v, Is<rules::RequirementName> auto& name) {
 void describe(auto& v, Is<rules::Deviation> auto& deviation) {
   v.is("deviation");
   v.field("in", deviation.aspect);
-  v.field("words", deviation.words, {.holds = Holds::prose});
+  v.field("words", deviation.words);
   v.field("accepted", deviation.is_accepted,
           {.words = "The project states it, and its last day is not over."});
   v.field("stated", deviation.stated, {.presence = only_if(deviation.stated.has_value())});
@@ -96,7 +96,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
            .presence = only_if(!finding.without_replicate.empty())});
   v.field("is_close", finding.is_close, {.words = "Usual rounding would change the verdict."});
   v.field("place_m", finding.place_m, {.null_if = !is_judged});
-  v.field("reason", finding.reason, {.holds = Holds::prose});
+  v.field("reason", finding.reason);
   v.field("doubtful", finding.is_doubtful,
           {.words = "There if samples do not show that the interval can be trusted: undecided, "
                     "wherever it lies.",
@@ -107,7 +107,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.written("policy", [&] { return rules::policy_text(requirement.policy); },
             {.words = "How values are compared, in words.", .holds = Holds::prose});
   v.field("decision", requirement.policy);
-  v.field("requirement_note", requirement.note, {.holds = Holds::prose});
+  v.field("requirement_note", requirement.note);
   v.field("severity", requirement.severity);
   v.field("direct_only", requirement.direct_only);
   v.field("by_tolerance", finding.by_tolerance);
@@ -180,12 +180,10 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   const bool is_energy = requirement.metric == rules::Metric::leni;
   v.field("energy", requirement.stated_words,
           {.words = "From which hours and factors: also in requirement_note.",
-           .presence = only_if(is_energy && !requirement.stated_words.empty()),
-           .holds = Holds::prose});
+           .presence = only_if(is_energy && !requirement.stated_words.empty())});
   v.field("stated", requirement.stated_words,
           {.words = "What the project states of a road or a field, in words.",
-           .presence = only_if(!is_energy && !requirement.stated_words.empty()),
-           .holds = Holds::prose});
+           .presence = only_if(!is_energy && !requirement.stated_words.empty())});
   v.field("field_reflectance", requirement.field_reflectance,
           {.words = "Stated, of the field that GR is rated on.",
            .presence = only_if(requirement.field_reflectance > 0.0)});
@@ -207,7 +205,7 @@ void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
   v.is("role_coverage");
   v.field("role", role.role);
   v.field("state", role.state);
-  v.field("words", role.words, {.holds = Holds::prose});
+  v.field("words", role.words);
   v.field("of", role.of, {.words = "What the state is from; empty: nothing is asked."});
   v.field("left_out", role.left_out,
           {.words = "What of the role the project leaves out.",
@@ -243,15 +241,14 @@ void describe(auto& v, Is<rules::AggregateMember> auto& member) {
                     "eyes that look one way only: not judged.",
            .presence = only_if(member.is_in_part),
            .is_mark = true});
-  v.field("reason", member.reason, {.holds = Holds::prose});
+  v.field("reason", member.reason);
   v.field("of", member.of, {.words = "What it is made of, beside checks that nothing asks for."});
   v.field("value", member.value,
           {.words = "Of a sum: what it has for each square metre, in the unit of the sum.",
            .presence = only_if(member.value.has_value())});
   v.field("stated", member.stated,
           {.words = "Of a sum: what the project states that the value rests on.",
-           .presence = only_if(!member.stated.empty()),
-           .holds = Holds::prose});
+           .presence = only_if(!member.stated.empty())});
 }
 
 void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
@@ -275,7 +272,7 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
           {.words = "The pack does not come with luxgate.",
            .presence = only_if(finding.is_user_supplied),
            .is_mark = true});
-  v.field("note", finding.note, {.holds = Holds::prose});
+  v.field("note", finding.note);
   v.field("where", finding.where);
   v.field("rule", finding.rule);
   v.field("over", finding.over, {.words = "What the members are."});
@@ -288,7 +285,7 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
   v.field("is_waived", finding.is_waived);
   v.refuse_if(finding.is_waived && finding.verdict == rules::Verdict::pass, "is_waived",
               "what passes cannot be waived");
-  v.field("reason", finding.reason, {.holds = Holds::prose});
+  v.field("reason", finding.reason);
   v.field("members", finding.members);
   v.field("asked", finding.asked,
           {.words = "Of classes: the one asked for, the best that is reached for certain, the best "

@@ -116,10 +116,10 @@ std::vector<calc::Message> read_messages(const JsonCursor& at,
   std::vector<calc::Message> messages;
   const std::vector<JsonCursor> texts = at.items();
   std::vector<JsonCursor> all;
-  if (parts) all = parts->items(texts.size());
+  if (parts) all = parts->items();
+  const bool is_of_each = all.size() == texts.size();  // else somebody has edited the texts
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    messages.push_back(
-        read_message(texts[i], parts ? std::optional(all[i]) : std::optional<JsonCursor>()));
+    messages.push_back(read_message(texts[i], is_of_each ? std::optional(all[i]) : std::nullopt));
   }
   return messages;
 }

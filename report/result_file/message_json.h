@@ -32,8 +32,8 @@ nlohmann::ordered_json message_json(const calc::Message& message);
 nlohmann::ordered_json message_json(const std::vector<calc::Message>& messages);
 
 // at: of the text; parts: what stands beside it. Of results of earlier versions, which have no
-// parts, and of parts that this version does not know, it is the text to the letter. Throws
-// BadJson.
+// parts, and of parts that do not make the text in this version, it is the text to the letter.
+// Throws BadJson.
 calc::Message read_message(const JsonCursor& at, const std::optional<JsonCursor>& parts);
 std::vector<calc::Message> read_messages(const JsonCursor& at,
                                          const std::optional<JsonCursor>& parts);

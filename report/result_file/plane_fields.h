@@ -206,9 +206,7 @@ void describe_statistics(auto& v, Is<PlanePart> auto& plane) {
 void describe_results(auto& v, Is<PlanePart> auto& plane) {
   auto& counters = plane.counters;
   v.field("remarks", plane.remarks,
-          {.words = "How the quantity was come by.",
-           .presence = only_if(!plane.remarks.empty()),
-           .holds = Holds::prose});
+          {.words = "How the quantity was come by.", .presence = only_if(!plane.remarks.empty())});
   v.object("statistics", [&](auto& o) { describe_statistics(o, plane); },
            {.words = "Of ugr and modelling, which have no unit: minimum and maximum alone."});
   v.field("stop", plane.stop, {.words = "Why the work on the plane ended."});
@@ -273,11 +271,11 @@ void describe(auto& v, Is<PlanePart> auto& plane) {
     assign(plane.derived, known.derived);
   }
   v.field("is_computed", plane.is_computed);
-  v.field("reason", plane.reason, {.words = "Why it was not computed.", .holds = Holds::prose});
+  v.field("reason", plane.reason, {.words = "Why it was not computed."});
   v.field("findings", plane.findings);
   const auto zone = [&](auto& o) {
-    o.field("made_by", plane.made_by, {.holds = Holds::prose});
-    o.field("changed", plane.changed, {.holds = Holds::prose});
+    o.field("made_by", plane.made_by);
+    o.field("changed", plane.changed);
   };
   v.object("zone", zone,
            {.words = "Only of planes that a workplace has made: from what, and what the project "

@@ -310,8 +310,7 @@ void describe(auto& v, Is<SpacePart> auto& space) {
            .presence = only_if(!space.coverage.empty())});
   v.field("notes", space.notes,
           {.words = "Zones of workplaces that were not made, and why.",
-           .presence = only_if(!space.notes.empty()),
-           .holds = Holds::prose});
+           .presence = only_if(!space.notes.empty())});
 }
 
 void describe(auto& v, Is<PhaseTimes> auto& times) {
@@ -400,8 +399,7 @@ void describe(auto& v, Is<LevelAdvice> auto& advice) {
           {.words = "levels: these are enough, checked with other random numbers; contradiction: "
                     "surely none are; more-light: only more light than there is, not checked; "
                     "too-uncertain: the intervals are too wide; none-found: see reason."});
-  v.field("reason", advice.reason,
-          {.presence = only_if(!advice.reason.empty()), .holds = Holds::prose});
+  v.field("reason", advice.reason, {.presence = only_if(!advice.reason.empty())});
   v.field("unit", advice.unit, {.words = "Of now and advised: lumens where a power is not known."});
   v.field("now", advice.now, {.least = 0.0});
   v.field("advised", advice.advised, {.least = 0.0});

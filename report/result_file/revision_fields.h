@@ -143,7 +143,7 @@ void describe(auto& v, Is<Revision> auto& revision) {
           {.words = "Warnings that were there before, word for word; none that counts like an "
                     "error.",
            .presence = only_if(!revision.known_warnings.empty())});
-  v.field("notes", revision.notes, {.holds = Holds::prose});
+  v.field("notes", revision.notes);
 }
 
 }  // namespace report

@@ -260,7 +260,7 @@ class WorkplaceMaker {
 
   void leave_unmade(const std::string& role, const calc::Message& why,
                     bool is_place_unknown = false) {
-    not_made_.push_back(calc::say<calc::Sentence::with_remark>(role, why));
+    not_made_.push_back(calc::Message::words(role) + " (" + why + ")");
     unmade_.push_back({role, why, std::nullopt, is_place_unknown});
   }
 
@@ -284,7 +284,7 @@ class WorkplaceMaker {
                           by.where.column != whole->left_out->where.column;
       const std::string& name = is_own ? left_out_names_[i] : role;
       if (!unmade_.empty() && unmade_.back().left_out && unmade_.back().role == name) continue;
-      left_out_.push_back(calc::say<calc::Sentence::with_remark>(name, waiver_words(by)));
+      left_out_.push_back(calc::Message::words(name) + " (" + waiver_words(by) + ")");
       unmade_.push_back({name, calc::Message::words(by.reason), by, false});
     }
   }

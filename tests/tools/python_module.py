@@ -55,8 +55,7 @@ def differences(file, part, place=""):
     """Where a part is not what the result file has."""
     if isinstance(part, luxgate.Part):
         fields = part.__dict__
-        file = {{"pass": "pass_", "from": "from_", "in": "in_"}.get(key, key): value for key, value in file.items()
-                if not key.endswith("_message")}  # of texts, for who reads files
+        file = {{"pass": "pass_", "from": "from_", "in": "in_"}.get(key, key): value for key, value in file.items()}
         for key, value in file.items():
             if key not in fields:
                 yield f"{place}/{key} is missing"
@@ -66,6 +65,9 @@ def differences(file, part, place=""):
             is_absent = fields[key] is None or fields[key] is False or not isinstance(fields[key], (str, float, int, luxgate.Part)) and len(fields[key]) == 0
             if not is_absent and key not in ("space", "plane", "project", "words", "outcome", "unit", "formatted"):
                 yield f"{place}/{key} is not in the file"
+    elif isinstance(part, list):  # what a text is made of
+        if part != file:
+            yield f"{place}: {file!r} is {part!r}"
     elif isinstance(part, (tuple, numpy.ndarray)) and isinstance(file, list):
         if len(part) != len(file):
             yield f"{place}: {len(file)} are {len(part)}"

@@ -44,6 +44,16 @@ TEST(MessageJson, IsWhatTheMessageIsMadeOf) {
   EXPECT_TRUE(read_back(message_json(kMessage), "another") == Message::words("another"));
 }
 
+// One of two is gone: nobody knows whose parts are left.
+TEST(MessageJson, OfAListIsItsTextsWhereTheirNumberDiffers) {
+  const nlohmann::json json = {{"notes", {kMessage.english(), "more"}},
+                               {"notes_message", nlohmann::json::array({message_json(kMessage)})}};
+  const JsonCursor at(json);
+  const std::vector<Message> notes = read_messages(at["notes"], at.find("notes_message"));
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_TRUE(notes[0] == Message::words(kMessage.english()));
+}
+
 // A file of a later version says what this one does not know.
 TEST(MessageJson, IsItsTextWhereItsPartsAreNotKnown) {
   for (const char* parts : {R"([{"id":"of-tomorrow","arguments":[]}])",
