@@ -3,7 +3,7 @@ luxgate_test(cli_tests
   SOURCES
     unit/report/build/build_test.cpp
     unit/report/check/backend_test.cpp
-    unit/report/check/check_project_test.cpp
+    unit/report/check/run_test.cpp
     unit/report/check/drawing_device_test.cpp
     unit/report/check/in_order_test.cpp
     unit/report/check/units_test.cpp

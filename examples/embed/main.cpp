@@ -1,6 +1,6 @@
 // Checks one project and prints the average of each plane and the verdict of each requirement.
 //   embed PROJECT.xml
-#include "report/check/check_project.h"
+#include "report/check/run.h"
 #include "report/text/words.h"
 
 #include <cstdio>
@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
   check::Settings settings;
   settings.confidence = 0.99;
 
-  const report::ProjectPart project = check::check_project(argv[1], settings);
+  const check::Run run(settings);
+  const report::ProjectPart project = run.check(argv[1]);
   for (const calc::Diagnostic& message : project.diagnostics) {
     std::fprintf(stderr, "%s\n", calc::format_diagnostic(message).c_str());
   }

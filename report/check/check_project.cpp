@@ -33,11 +33,32 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace check {
 namespace {
+
+// A run and who watches it, for one project.
+struct Context {
+  Context(const Run& run, Observer& its_observer)
+      : settings(run.settings()),
+        files(run.files()),
+        packs(run.packs()),
+        stages(run.stages()),
+        observer(its_observer),
+        vertices(run.vertices()),
+        kept(run.store()),
+        most_spaces(run.crew().most_begun) {}
+
+  const Settings& settings;
+  const calc::FileReader& files;
+  const std::vector<rules::RulePack>& packs;
+  const calc::Stages stages;
+  Observer& observer;
+  const VertexSource* vertices;  // null: light paths are traced
+  const std::optional<calc::LookStore> kept;
+  const std::size_t most_spaces;  // that are calculated at the same time
+};
 
 class Stopwatch {
  public:
@@ -148,7 +169,7 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
   };
   return calc::solve_illuminance(scene, tasks.list, remaining_settings(wanted, watch),
                                  wanted.confidence, context.stages, test, progress, cache,
-                                 context.store);
+                                 context.kept ? &*context.kept : nullptr);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
@@ -389,7 +410,7 @@ bool is_cut_short(const report::SpacePart& space, const Observer& observer) {
 }
 
 std::size_t spaces_at_once(const ProjectInBudget& project, const Context& context) {
-  return calc::spaces_within(project.memory, context.settings.budget, context.spaces_at_once);
+  return calc::spaces_within(project.memory, context.settings.budget, context.most_spaces);
 }
 
 // Several at a time. Stops after one that is cut short; false: there was one.
@@ -440,20 +461,9 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
 
 }  // namespace
 
-std::size_t most_at_once(const Settings& settings, Backend backend) {
-  if (backend == Backend::gpu || settings.radiosity.time_limit_s > 0.0) return 1;
-  constexpr std::size_t kForEachThread = 2;  // so that nobody waits while results are written
-  return kForEachThread * static_cast<std::size_t>(calc::thread_count(settings.radiosity));
-}
-
-report::ProjectPart check_project(const std::string& path, const Context& given) {
-  if (const std::string problem = problem_with(given.settings); !problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
-  Settings settings = given.settings;
-  settings.today = day_of(given.settings);  // one day, even over midnight
-  const Context context{settings,       given.files,    given.packs, given.stages,
-                        given.observer, given.vertices, given.store, given.spaces_at_once};
+report::ProjectPart check_project(const std::string& path, const Run& run, Observer& observer) {
+  const Context context(run, observer);
+  const Settings& settings = context.settings;
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   std::optional<ProjectInBudget> in_budget =
@@ -490,15 +500,6 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
   return part;
 }
 
-report::ProjectPart check_project(const std::string& path, const Settings& settings) {
-  const calc::DiskFileReader files;
-  const std::vector<rules::RulePack> packs = rules::builtin_rule_packs();
-  const std::unique_ptr<calc::Gatherer> gatherer = calc::make_cpu_gatherer();
-  const calc::Stages stages(*gatherer);
-  Observer nobody;
-  return check_project(path, Context{settings, files, packs, stages, nobody});
-}
-
 namespace {
 
 // "" if every look that a check needs of it has been taken, and a store can keep it. A space whose
@@ -525,11 +526,9 @@ calc::Message why_not_kept(const LitSpace& lit) {
 }  // namespace
 
 calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& units,
-                              const Context& given) {
-  Settings settings = given.settings;
-  settings.today = day_of(given.settings);
-  const Context context{settings,       given.files,    given.packs, given.stages,
-                        given.observer, given.vertices, given.store, given.spaces_at_once};
+                              const Run& run, Observer& observer) {
+  const Context context(run, observer);
+  const Settings& settings = context.settings;
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   const std::optional<ProjectInBudget> in_budget =

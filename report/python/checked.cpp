@@ -6,7 +6,7 @@
 #include "calc/store/entry_folder.h"
 #include "report/check/check_project.h"
 #include "report/check/load_rules.h"
-#include "report/check/plan.h"
+#include "report/check/run.h"
 #include "report/check/set_values.h"
 #include "report/formats/format.h"
 #include "report/result_file/read_json.h"
@@ -162,11 +162,9 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
       !problem.empty()) {
     return refused(std::move(problem));
   }
-  options.settings.today = day_of(options.settings);
   if (std::string problem = problem_with(options.settings); !problem.empty()) {
     return refused(std::move(problem));
   }
-  const calc::RadiositySettings& radiosity = options.settings.radiosity;
   const calc::DiskFileReader disk(options.input.allowed);
   const check::SetReader files(disk, options.input.projects, options.set);
   calc::Diagnostics diagnostics;
@@ -174,40 +172,22 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
     check::check_values(options.input.projects, options.set, "set", disk, diagnostics);
     if (diagnostics.has_errors()) return refused(diagnostics);
   }
-  const std::vector<rules::RulePack> packs =
+  std::vector<rules::RulePack> packs =
       check::load_rule_packs(options.input.rule_files, files, diagnostics);
   if (diagnostics.has_errors()) return refused(diagnostics);
-
-  check::Hardware hardware(gpu::Fault::none, environment.program_folder);
-  const check::BackendChoice choice =
-      check::choose_backend(options.backend, radiosity.shadow_map_texels, hardware, [&] {
-        return first_look_work(check::plan_projects(options.input.projects, files, packs, radiosity,
-                                                    options.settings.today, options.settings.budget,
-                                                    options.settings.selection),
-                               radiosity);
-      });
-  std::string problem, software;
-  const std::optional<check::OpenBackend> backend =
-      check::open_backend(choice, gpu::Fault::none, environment.program_folder, problem, software);
-  if (!backend) {
-    diagnostics.report(calc::DiagnosticId::backend_not_available, {}, "gpu", problem);
-    return refused(diagnostics);
-  }
-  if (!software.empty()) {
-    diagnostics.report(calc::DiagnosticId::backend_is_software, {}, software);
-  }
-  std::optional<calc::EntryFolder> folder;
-  std::optional<calc::LookStore> store;
+  std::optional<check::Run> run =
+      check::Run::open({options.settings, std::move(packs), options.backend,
+                        environment.program_folder, gpu::Fault::none, nullptr},
+                       files, options.input.projects, diagnostics);
+  if (!run) return refused(diagnostics);
+  std::shared_ptr<calc::EntryFolder> folder;
   if (!options.store.empty()) {
-    folder.emplace(options.store);
-    store.emplace(calc::LookStore{*folder, backend->identity});
+    folder = std::make_shared<calc::EntryFolder>(options.store);
+    run = run->with_light_in(folder);
   }
 
-  const calc::Stages stages = backend->stages();
   Watcher watcher(goes_on);
-  report::ProjectPart part = cli::check_safely(
-      path, {options.settings, files, packs, stages, watcher, nullptr, store ? &*store : nullptr,
-             check::most_at_once(options.settings, choice.backend)});
+  report::ProjectPart part = run->check(path, watcher);
   cli::tell_set_values(options.set, part);
   if (report::is_nothing_chosen(part)) {
     diagnostics.report(calc::DiagnosticId::selection_empty, {},
@@ -218,10 +198,9 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
   if (folder) tell_of_store(options.store, folder->troubles(), diagnostics);
 
   report::Document document;
-  document.provenance = cli::provenance_of(options, choice.backend, backend->description);
+  document.provenance = cli::provenance_of(options, *run);
   document.projects.push_back(std::move(part));
-  cli::complete_provenance(document.provenance, totals_of(document), options.settings.today,
-                           choice.backend);
+  cli::complete_provenance(document.provenance, totals_of(document), *run);
   return {"", std::move(document), diagnostics.all()};
 }
 

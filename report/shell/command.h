@@ -2,7 +2,6 @@
 // What a command of the program is: what may stand behind its name, and what it does. Every tool
 // describes itself by one of these; command_line.cpp alone knows how such a line is read.
 
-#include "gpu/egl_context.h"
 #include "report/shell/environment.h"
 #include "report/shell/exit_code.h"
 
@@ -13,6 +12,10 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+namespace gpu {
+enum class Fault;
+}
 
 namespace cli {
 
@@ -101,7 +104,7 @@ struct Command;
 // What a run needs of its surroundings.
 struct RunContext {
   Environment environment;
-  gpu::Fault gl_fault = gpu::Fault::none;          // for tests
+  gpu::Fault gl_fault{};                           // for tests; gpu::Fault::none
   const std::vector<Command>* commands = nullptr;  // all, for those that explain them
 };
 

@@ -1,9 +1,8 @@
 // A run with a store gives the bytes of a run without, whatever the store holds.
 #include "calc/store/entry_folder.h"
-#include "report/check/check_project.h"
+#include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/result_file/json.h"
-#include "rules/pack/builtin_packs.h"
 #include "tests/support/memory_file_reader.h"
 #include "tests/support/scratch_folder.h"
 
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <random>
 #include <vector>
 
@@ -99,15 +97,13 @@ Checked checked(const Design& design, calc::EntryStore* entries) {
   settings.by_luminaire = design.by_luminaire;
   settings.goal = design.goal;
   settings.today = "2026-11-23";
-  const auto packs = rules::builtin_rule_packs();
-  const auto gatherer = calc::make_cpu_gatherer();
-  const calc::Stages stages(*gatherer);
+  check::Run run = check::Run(settings).with_files(files);
+  if (entries != nullptr) {  // which is the caller's
+    run = run.with_light_in({std::shared_ptr<calc::EntryStore>(), entries});
+  }
   Counter counter;
-  std::optional<calc::LookStore> store;
-  if (entries != nullptr) store.emplace(calc::LookStore{*entries, gatherer->description()});
   report::Document document;
-  document.projects.push_back(check::check_project(
-      "design.xml", {settings, files, packs, stages, counter, nullptr, store ? &*store : nullptr}));
+  document.projects.push_back(run.check("design.xml", counter));
   EXPECT_TRUE(document.projects[0].is_judged) << report::render_json(document);
   return {report::render_json(document), counter.looks, counter.pool_rays};
 }

@@ -1,8 +1,7 @@
 // Small projects from their text to every report: grids, a few light paths, verdicts.
-#include "calc/radiosity/gatherer.h"
 #include "report/check/check_project.h"
+#include "report/check/run.h"
 #include "report/formats/format.h"
-#include "rules/pack/rule_pack.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/small_files.h"
 #include "tests/fuzz/target.h"
@@ -36,15 +35,11 @@ bool has_error(const report::ProjectPart& part) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::SmallFiles files;
-  static const std::vector<rules::RulePack> kPacks = rules::builtin_rule_packs();
-  static const check::Settings kSettings = small_settings();
-  static const std::unique_ptr<calc::Gatherer> kGatherer = calc::make_cpu_gatherer();
-  static const calc::Stages kStages(*kGatherer);
+  static const check::Run kRun = check::Run(small_settings()).with_files(files);
   files.project = fuzz::as_text(data, size);
   check::Observer nobody;
   report::Document document;
-  document.projects.push_back(
-      check::check_project("d/p.xml", {kSettings, files, kPacks, kStages, nobody}));
+  document.projects.push_back(check::check_project("d/p.xml", kRun, nobody));
   const report::ProjectPart& part = document.projects.front();
   if (part.is_judged) fuzz::count_result();
   fuzz::require(part.is_judged || has_error(part), "judged, or why not");

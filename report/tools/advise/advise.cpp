@@ -3,7 +3,6 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/project/project_xml.h"
 #include "calc/store/memory_store.h"
-#include "report/advice/changed_project.h"
 #include "report/advice/find_advice.h"
 #include "report/advice/level_solver.h"
 #include "report/advice/written_levels.h"
@@ -22,14 +21,12 @@
 #include "report/tools/check/advice_checks.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/check_setup.h"
-#include "report/tools/check/checked_document.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -237,7 +234,6 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   CheckOptions& check = options.check;
   const ProjectReader disk(check.input);
   const RememberingReader files(disk);
-  check.settings.today = day_of(check.settings);
   std::set<std::string> inputs{options.project};
   if (!options.write_file.empty()) inputs.insert(options.write_file);
   calc::Diagnostics outputs;
@@ -251,21 +247,16 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   }
   const calc::FileContent project = files.read(options.project);
   if (!is_readable_or_print(project, options.project)) return kNotJudged;
-  const std::optional<CheckSetup> setup = set_up_or_print(check, context, files);
-  if (!setup) return kNotJudged;
-
-  const calc::Stages stages = setup->opened.stages();
-  calc::MemoryStore memory(kMostStoreBytes);
-  const calc::LookStore store{memory, setup->opened.identity};
+  const std::optional<check::Run> opened = open_run_or_print(check, context, files);
+  if (!opened) return kNotJudged;
+  // Whatever happens to the file from now on, all is about these bytes.
+  const check::Run run = opened->with_light_in(std::make_shared<calc::MemoryStore>(kMostStoreBytes))
+                             .with_text(options.project, project.bytes);
   Progress progress(progress_style(check.output, context.environment),
                     context.environment.stderr_columns, "checks");
   KeptLight light;
   LightKeeper keeper(progress, options.project, light);
-  // Whatever happens to the file from now on, all is about these bytes.
-  const ChangedProject as_read(files, options.project, project.bytes);
-  const report::ProjectPart part =
-      check_safely(options.project, {check.settings, as_read, setup->packs, stages, keeper, nullptr,
-                                     &store, setup->crew.most_begun});
+  const report::ProjectPart part = run.check(options.project, keeper);
   progress.clear();
   if (interrupted()) return kInterrupted;
   print_diagnostics(part.diagnostics, check.output.quiet);
@@ -275,9 +266,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     return kNotJudged;
   }
 
-  const check::Context context_of_checks{
-      check.settings, files, setup->packs, stages, keeper, nullptr, &store, setup->crew.most_begun};
-  const CheckText check_text = check_by_other_numbers(options.project, context_of_checks, progress);
+  const CheckText check_text = check_by_other_numbers(options.project, run, progress);
   Advice advice{options.project, {}, {}, {}, {}};
   const AdviceSettings advised{options.steps, check.settings.confidence,
                                options.scene, options.has_scene,
@@ -301,7 +290,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   std::optional<RoomsText> rooms;  // that are to be written
   if (options.packages || options.places || options.surfaces || options.turns) {
     calc::Diagnostics again;
-    const std::optional<calc::Project> loaded = calc::load_project(as_read, options.project, again);
+    const std::optional<calc::Project> loaded =
+        calc::load_project(run.files(), options.project, again);
     if (!loaded) {
       print_diagnostics(again.all(), true);
       return kNotJudged;
@@ -311,12 +301,11 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
     importance.jobs = check.settings.radiosity.jobs;
     importance.goes_on = [] { return !interrupted(); };
     const auto light_apart = [&] {
-      check::Settings settings = check.settings;
+      check::Settings settings = run.settings();
       settings.by_luminaire = true;
       KeptLight kept;
       LightKeeper apart(progress, options.project, kept);
-      check_safely(options.project, {settings, as_read, setup->packs, stages, apart, nullptr,
-                                     &store, setup->crew.most_begun});
+      run.with_settings(settings).check(options.project, apart);
       progress.clear();
       return kept.planes();
     };

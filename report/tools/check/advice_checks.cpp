@@ -1,29 +1,23 @@
 #include "report/tools/check/advice_checks.h"
 
 #include "report/advice/advised_levels.h"
-#include "report/advice/changed_project.h"
 #include "report/shell/interrupt.h"
-#include "report/tools/check/checked_document.h"
 #include "rules/catalogue/goal.h"
 
 #include <optional>
 
 namespace cli {
 
-CheckText check_by_other_numbers(const std::string& path, const check::Context& context,
+CheckText check_by_other_numbers(const std::string& path, const check::Run& run,
                                  Progress& progress) {
-  return [path, &settings = context.settings, &files = context.files, &packs = context.packs,
-          &stages = context.stages, store = context.store, at_once = context.spaces_at_once,
-          &progress](const std::string& text,
-                     std::string& reason) -> std::optional<report::ProjectPart> {
-    const ChangedProject changed(files, path, text);
-    check::Settings other = settings;
-    other.goal = rules::Goal::verdict;
-    other.by_luminaire = false;
-    ++other.radiosity.seed;
+  check::Settings other = run.settings();
+  other.goal = rules::Goal::verdict;
+  other.by_luminaire = false;
+  ++other.radiosity.seed;
+  return [path, other_run = run.with_settings(other), &progress](
+             const std::string& text, std::string& reason) -> std::optional<report::ProjectPart> {
     WatchedProject observer(progress, path);
-    report::ProjectPart result =
-        check_safely(path, {other, changed, packs, stages, observer, nullptr, store, at_once});
+    report::ProjectPart result = other_run.with_text(path, text).check(path, observer);
     progress.clear();
     if (result.is_judged) return result;
     reason = result.diagnostics.empty() ? "the changed project was not judged"
@@ -33,25 +27,23 @@ CheckText check_by_other_numbers(const std::string& path, const check::Context& 
 }
 
 std::vector<report::LevelAdvice> advice_on(const report::ProjectPart& part,
-                                           const std::string& bytes, const check::Context& context,
+                                           const std::string& bytes, const check::Run& run,
                                            Progress& progress) {
   const std::string& path = part.path;
   AdviceSettings settings;
-  settings.confidence = context.settings.confidence;
+  settings.confidence = run.settings().confidence;
   settings.is_stopped = interrupted;
   const auto check_light = [&](KeptLight& light) -> std::optional<report::ProjectPart> {
-    check::Settings finer = context.settings;
+    check::Settings finer = run.settings();
     finer.goal = rules::Goal::accuracy;
     finer.by_luminaire = false;
     LightKeeper keeper(progress, path, light);
-    report::ProjectPart result =
-        check_safely(path, {finer, context.files, context.packs, context.stages, keeper, nullptr,
-                            context.store, context.spaces_at_once});
+    report::ProjectPart result = run.with_settings(finer).check(path, keeper);
     if (!result.is_judged) return std::nullopt;
     return result;
   };
   return advised_levels({path, bytes, part}, settings, check_light,
-                        check_by_other_numbers(path, context, progress));
+                        check_by_other_numbers(path, run, progress));
 }
 
 }  // namespace cli

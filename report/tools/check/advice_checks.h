@@ -3,7 +3,7 @@
 
 #include "report/advice/find_advice.h"
 #include "report/advice/kept_light.h"
-#include "report/check/check_project.h"
+#include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/document/level_advice.h"
 #include "report/shell/progress.h"
@@ -32,15 +32,15 @@ class LightKeeper : public WatchedProject {
   KeptLight& kept_;
 };
 
-// The project at that path with another text, by other random numbers than those of the context's
-// seed: what was chosen by the same ones may owe something to them. What the context refers to, and
-// progress, outlives it; its observer is not used.
-CheckText check_by_other_numbers(const std::string& path, const check::Context& context,
+// The project at that path with another text, by other random numbers than those of the run's seed:
+// what was chosen by the same ones may owe something to them. progress, and the files of the run,
+// outlive it.
+CheckText check_by_other_numbers(const std::string& path, const check::Run& run,
                                  Progress& progress);
 
-// What check --advice says of a project that was checked in this context; bytes: of its file.
+// What check --advice says of a project that this run has checked; bytes: of its file.
 std::vector<report::LevelAdvice> advice_on(const report::ProjectPart& part,
-                                           const std::string& bytes, const check::Context& context,
+                                           const std::string& bytes, const check::Run& run,
                                            Progress& progress);
 
 }  // namespace cli

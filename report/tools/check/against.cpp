@@ -2,6 +2,7 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
+#include "report/check/in_order.h"
 #include "report/check/load_rules.h"
 #include "report/git/moved_files.h"
 #include "report/shell/config_file.h"
@@ -334,19 +335,18 @@ void OldState::print_errors(const std::vector<calc::Diagnostic>& diagnostics) co
 }
 
 std::optional<std::vector<report::ProjectPart>> OldState::check(
-    const CheckOne& check_one, const check::Crew& crew, const std::function<bool()>& go_on) const {
+    const check::Run& run, const CheckOne& check_one, const std::function<bool()>& go_on) const {
   const std::size_t failures_before = failures();
   const RuleReader rules([this](const std::string& path) { return repository_of(path); });
   calc::Diagnostics diagnostics;
-  const std::vector<rules::RulePack> packs =
-      check::load_rule_packs(rule_files_, rules, diagnostics);
+  const check::Run then = run.with_packs(check::load_rule_packs(rule_files_, rules, diagnostics));
   print_errors(diagnostics.all());
   std::vector<report::ProjectPart> parts;
   std::vector<report::ProjectPart> begun(projects_.size());
   const auto work = [&](std::size_t k) {
     const Project& project = projects_[k];
     if (!project.is_checked()) return;
-    begun[k] = check_one(project.path_then, *project.files, packs,
+    begun[k] = check_one(project.path_then, then.with_files(*project.files),
                          shown(project.path_then, project.files));
   };
   const auto deliver = [&](std::size_t k) {
@@ -354,7 +354,7 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
     begun[k].path = projects_[k].path;
     parts.push_back(std::move(begun[k]));
   };
-  check::in_order(projects_.size(), crew, work, deliver, go_on);
+  check::in_order(projects_.size(), run.crew(), work, deliver, go_on);
   for (const report::ProjectPart& part : parts) print_errors(part.diagnostics);
   if (!go_on()) return parts;
   if (failures() == failures_before) return parts;

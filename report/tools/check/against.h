@@ -3,11 +3,10 @@
 
 #include "calc/base/file_reader.h"
 #include "calc/base/message.h"
-#include "report/check/in_order.h"
+#include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/git/git_tree_reader.h"
 #include "report/shell/project_options.h"
-#include "rules/pack/rule_pack.h"
 
 #include <cstddef>
 #include <functional>
@@ -27,17 +26,17 @@ class OldState {
                                                const git::GitPlaces& places,
                                                const calc::FileReader& now);
 
-  // "main:designs/a.xml" comes before a project is checked; then its part, with the files and the
-  // rule packs of the revision.
-  using CheckOne = std::function<report::ProjectPart(
-      const std::string& path, const calc::FileReader& files,
-      const std::vector<rules::RulePack>& packs, const std::string& shown_path)>;
+  // Its part. run: with the files and the rule packs of the revision. shown_path:
+  // "main:designs/a.xml".
+  using CheckOne = std::function<report::ProjectPart(const std::string& path, const check::Run& run,
+                                                     const std::string& shown_path)>;
   // Projects that were there, by their paths of today; one that could not be read or judged then is
   // there and not judged. Errors are printed as of "REVISION:path". Empty where something could not
-  // be had that the revision holds; it has been printed. crew: check_one is called for several at
-  // the same time. go_on: asked before each project; once it is false the rest is missing.
-  std::optional<std::vector<report::ProjectPart>> check(const CheckOne& check_one,
-                                                        const check::Crew& crew,
+  // be had that the revision holds; it has been printed. run: the one of today but for these;
+  // check_one is called for several at the same time. go_on: asked before each project; once it is
+  // false the rest is missing.
+  std::optional<std::vector<report::ProjectPart>> check(const check::Run& run,
+                                                        const CheckOne& check_one,
                                                         const std::function<bool()>& go_on) const;
   // Whether it is HEAD, with nothing staged, and has the same rule files: what was read for the
   // projects may still differ.

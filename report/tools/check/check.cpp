@@ -6,12 +6,13 @@
 #include "calc/base/utf8.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
-#include "report/advice/changed_project.h"
 #include "report/advice/level_solver.h"
-#include "report/check/check_project.h"
+#include "report/check/drawing_device.h"
 #include "report/check/in_order.h"
+#include "report/check/run.h"
 #include "report/check/set_values.h"
 #include "report/check/units.h"
+#include "report/check/vertex_source.h"
 #include "report/policy/judge_policy.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
@@ -264,210 +265,262 @@ void warn_of_changed_settings(const CheckOptions& options) {
   print_diagnostics(diagnostics.all(), options.output.quiet);
 }
 
+// First of all: before anything is read. False after an error, which has been printed.
+bool can_begin(CheckOptions& options, const RunContext& context) {
+  if (!open_printer_or_print(options.output, context.environment)) return false;
+  if (const std::string problem = options.advice ? solver_problem() : ""; !problem.empty()) {
+    print_error(calc::DiagnosticId::output_not_possible, "--advice: " + problem);
+    return false;
+  }
+  return enter_sandbox_or_print(options, context);
+}
+
+// One run of the command. Members stand in the order in which they come to be.
+class CheckCommand {
+ public:
+  CheckCommand(CheckOptions options, const RunContext& context)
+      : options_(std::move(options)),
+        context_(context),
+        progress_(progress_style(options_.output, context.environment),
+                  context.environment.stderr_columns) {}
+
+  ExitCode run() {
+    if (!read_inputs() || !open()) return kNotJudged;
+    if (old_state_) {
+      if (const std::optional<ExitCode> end = check_old_state()) return *end;
+    }
+    return check_projects();
+  }
+
+ private:
+  // What the run needs beside its projects. False after an error, which has been printed.
+  bool read_inputs() {
+    options_.settings.today = day_of(options_.settings);  // one for all, also over midnight
+    return read_vertices() && can_write() &&
+           check_values_or_print(options_.input, options_.set, "set", recorded_) && read_policy() &&
+           read_baseline();
+  }
+
+  bool read_vertices() {
+    if (options_.vpl_file.empty()) return true;
+    calc::Diagnostics diagnostics;
+    vertices_ = check::read_vertex_source(options_.vpl_file, files_, diagnostics);
+    print_diagnostics(diagnostics.all(), true);
+    if (vertices_) check::use_settings_of(vertices_->cache, options_.settings.radiosity);
+    return vertices_.has_value();
+  }
+
+  bool can_write() const {
+    std::vector<std::string> inputs = options_.input.projects;
+    inputs.insert(inputs.end(), options_.input.rule_files.begin(), options_.input.rule_files.end());
+    for (const std::string* file :
+         {&options_.baseline, &options_.policy, &options_.input.standard_input_file}) {
+      if (!file->empty()) inputs.push_back(*file);
+    }
+    const std::string problem = check_outputs(options_.output, inputs);
+    if (!problem.empty()) print_error(calc::DiagnosticId::output_not_possible, problem);
+    return problem.empty();
+  }
+
+  bool read_policy() {
+    if (options_.policy.empty()) return true;
+    policy_ = read_policy_or_print(options_.policy, files_);
+    if (!policy_ || !is_allowed_or_print(*policy_, options_)) return false;
+    // Whoever changes designs may set SOURCE_DATE_EPOCH, and must not revive a waiver by it.
+    options_.settings.today = check::day_or_today("");
+    StrictWarnings& strict = options_.strict;
+    const std::vector<calc::DiagnosticId>& fatal = policy_->fatal_warnings;
+    strict.ids.insert(strict.ids.end(), fatal.begin(), fatal.end());
+    strict.all = strict.all || policy_->are_all_warnings_fatal;
+    return true;
+  }
+
+  bool read_baseline() {
+    if (!options_.baseline.empty()) {
+      baseline_ = read_whole_result_or_print(options_.baseline, files_);
+      return baseline_.has_value();
+    }
+    if (options_.against.empty()) return true;
+    warn_of_changed_settings(options_);
+    const Environment& environment = context_.environment;
+    old_state_ = OldState::open_or_print(
+        options_.input, options_.against,
+        {environment.git_dir, environment.git_work_tree, environment.git_index_file}, files_);
+    return old_state_.has_value();
+  }
+
+  bool open() {
+    run_ = open_run_or_print(options_, context_, files_,
+                             [&](const auto& plans) { picture_work_ = picture_work(plans); });
+    if (!run_) return false;
+    if (!options_.store.empty()) {
+      folder_ = std::make_shared<calc::EntryFolder>(options_.store);
+      run_ = run_->with_light_in(folder_, options_.batch.is_stored_only);
+    } else if (old_state_ || options_.advice) {  // what did not change is calculated once
+      run_ = run_->with_light_in(std::make_shared<calc::MemoryStore>(kMostMemoryStoreBytes));
+    }
+    progress_.expect(options_.input.projects.size());
+    options_.output.are_messages_printed = !options_.output.quiet;
+    provenance_ = provenance_of(options_, *run_);
+    if (policy_) {
+      provenance_.policy = policy_->name;
+      provenance_.policy_sha256 = policy_->sha256;
+    }
+    return true;
+  }
+
+  // The baseline is made of it. An exit code where the run ends.
+  std::optional<ExitCode> check_old_state() {
+    progress_.expect(old_state_->project_count());
+    check::Settings settings = options_.settings;
+    settings.today = kWaiversHold;
+    const auto check_one = [&](const std::string& path, const check::Run& then,
+                               const std::string& shown_path) {
+      WatchedProject observer(progress_, shown_path);
+      report::ProjectPart part = then.check(path, observer);
+      progress_.done(shown_path, report::outcome_words(report::outcome_of(part)));
+      return part;
+    };
+    auto parts = old_state_->check(run_->with_settings(settings), check_one, go_on);
+    progress_.clear();
+    if (interrupted()) return told_of_interrupt(options_);
+    if (!parts) return kNotJudged;
+    baseline_.emplace(report::Document{provenance_, std::move(*parts), {}});
+    return std::nullopt;
+  }
+
+  report::Revision revise(const report::Document& document) const {
+    report::Revision revision = report::revise(
+        *baseline_, document, old_state_ ? options_.against : options_.baseline, options_.gate);
+    if (!old_state_) return revision;
+    const std::vector<SettingChange>& changed = options_.input.config.changed;
+    add_changed_settings(changed, revision);
+    revision.commits = old_state_->commits();
+    const std::vector<calc::Message>& notes = old_state_->notes();
+    revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
+    revision.is_of_itself = changed.empty() && have_same_inputs(*baseline_, document) &&
+                            old_state_->is_unchanged_head(files_);
+    const bool is_gate = options_.gate.mode == report::GateMode::regression;
+    if (revision.is_of_itself && is_gate) {  // an error of every report
+      print_error(calc::DiagnosticId::revision_is_head, options_.against);
+    } else if (revision.is_of_itself) {
+      revision.notes.push_back(calc::say<calc::Sentence::revision_of_itself>(options_.against));
+    }
+    return revision;
+  }
+
+  // Empty: no pictures are wanted.
+  std::optional<check::PictureDevice::Request> picture_device() {
+    if (!options_.pictures || !wants_pictures(options_.output)) return std::nullopt;
+    const std::shared_ptr<gpu::DeviceThread>& open = run_->device();
+    const auto work = [&] {
+      return picture_work_ ? *picture_work_ : picture_work(run_->plan(options_.input.projects));
+    };
+    const auto warn = [&](const std::string& failure) {
+      calc::Diagnostics diagnostics;
+      diagnostics.report(calc::DiagnosticId::picture_device_failed, {}, failure);
+      progress_.aside([&] { print_diagnostics(diagnostics.all(), options_.output.quiet); });
+    };
+    return check::PictureDevice::Request{
+        check::choose_for_pictures(open == nullptr ? nullptr : &open->device(),
+                                   options_.backend.gl_device >= 0, run_->hardware(), work),
+        context_.gl_fault, context_.environment.program_folder, open, warn};
+  }
+
+  CheckedProject check_project(std::size_t p, Gallery& gallery) {
+    const std::string& path = options_.input.projects[p];
+    CheckObserver observer(options_, progress_, gallery, p);
+    check::Run run = *run_;
+    // Whatever happens to the file from now on, advice is about what was checked.
+    const calc::FileContent as_read = options_.advice ? files_.read(path) : calc::FileContent{};
+    const bool is_advised = options_.advice && as_read.ok();
+    if (is_advised) run = run.with_text(path, as_read.bytes);
+    CheckedProject project;
+    project.part = run.check(path, observer);
+    if (is_advised && project.part.is_judged) {
+      project.part.advice = advice_on(project.part, as_read.bytes, run, progress_);
+    }
+    tell_set_values(options_.set, project.part);
+    if (policy_) report::judge_policy(*policy_, options_.settings.today, project.part);
+    project.cost_log = observer.cost_log(project.part);
+    project.looks = observer.looks();
+    return project;
+  }
+
+  ExitCode check_projects() {
+    if (vertices_) run_ = run_->with_vertices(*std::move(vertices_));
+    CheckedResults results(options_, *run_, context_.environment, provenance_,
+                           baseline_
+                               ? [&](const report::Document& document) { return revise(document); }
+                               : CheckedResults::Revise());
+    std::optional<check::PictureDevice::Request> device = picture_device();
+    const std::string pictures_line = device ? check::pictures_line(device->choice) : "";
+    Gallery gallery(options_, std::move(device));
+    WarningTally warnings(options_.strict);
+    MissingUnits missing;
+    std::vector<std::optional<CheckedProject>> checked(options_.input.projects.size());
+    std::string cost_log;
+    calc::LookCounts looks;
+    bool has_chosen = options_.settings.selection.is_all();
+    const auto work = [&](std::size_t p) { checked[p] = check_project(p, gallery); };
+    const auto deliver = [&](std::size_t p) {
+      if (interrupted()) return;
+      report::ProjectPart& project = checked[p]->part;
+      project.strict_warnings = warnings.add(project.diagnostics);
+      progress_.aside([&] {
+        print_diagnostics(project.diagnostics, options_.output.quiet);
+        if (options_.settings.has_times && project.is_judged) print_timing(project);
+      });
+      progress_.done(project.path, report::outcome_words(report::outcome_of(project)));
+      missing.add(project);
+      has_chosen = has_chosen || !report::is_nothing_chosen(project);
+      cost_log += checked[p]->cost_log;
+      looks.read += checked[p]->looks.read;
+      looks.computed += checked[p]->looks.computed;
+      results.add(std::move(project), recorded_.new_paths());
+      checked[p].reset();
+    };
+    check::in_order(checked.size(), run_->crew(), work, deliver, go_on);
+    progress_.clear();
+    if (!begin_to_write()) return told_of_interrupt(options_);
+    if (options_.explain_cost) {
+      tell("{}{}{}{}", check::backend_line(run_->backend()), pictures_line, cost_log,
+           folder_ || old_state_ ? looks_line(looks, options_) : "");
+    }
+    bool is_written = results.finish(recorded_.paths());
+    warnings.print(options_.output.quiet);
+    if (options_.batch.is_stored_only) missing.print(options_.store);
+    if (folder_ && !options_.output.quiet) print_troubles(options_.store, folder_->troubles());
+    if (is_written && options_.batch.resumes) is_written = remove_resume_store(options_.store);
+    if (!has_chosen) print_nothing_chosen(options_.settings.selection);
+    return is_written ? exit_code_of(results.outcome()) : kNotJudged;
+  }
+
+  static bool go_on() { return !interrupted(); }
+
+  CheckOptions options_;
+  const RunContext& context_;
+  Progress progress_;
+  const ProjectReader disk_{options_.input};
+  const RecordingReader recorded_{disk_};
+  const check::SetReader files_{recorded_, options_.input.projects, options_.set};
+  std::optional<check::VertexSource> vertices_;
+  std::optional<report::Policy> policy_;
+  std::optional<report::Document> baseline_;
+  std::optional<OldState> old_state_;
+  std::optional<calc::DrawingWork> picture_work_;  // of all projects, if they were planned
+  std::optional<check::Run> run_;
+  std::shared_ptr<calc::EntryFolder> folder_;
+  report::Provenance provenance_;
+};
+
 }  // namespace
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   CheckOptions options = asked;
-  if (!open_printer_or_print(options.output, context.environment)) return kNotJudged;
-  if (const std::string problem = options.advice ? solver_problem() : ""; !problem.empty()) {
-    print_error(calc::DiagnosticId::output_not_possible, "--advice: " + problem);
-    return kNotJudged;
-  }
-  if (!enter_sandbox_or_print(options, context)) return kNotJudged;
+  if (!can_begin(options, context)) return kNotJudged;
   watch_for_interrupt();
-  const ProjectReader disk(asked.input);
-  const RecordingReader recorded(disk);
-  const check::SetReader files(recorded, asked.input.projects, asked.set);
-  options.settings.today = day_of(options.settings);  // one for all, also over midnight
-  std::optional<check::VertexSource> vertices;
-  if (!options.vpl_file.empty()) {
-    calc::Diagnostics diagnostics;
-    vertices = check::read_vertex_source(options.vpl_file, files, diagnostics);
-    print_diagnostics(diagnostics.all(), true);
-    if (!vertices) return kNotJudged;
-    check::use_settings_of(vertices->cache, options.settings.radiosity);
-  }
-  std::vector<std::string> inputs = options.input.projects;
-  inputs.insert(inputs.end(), options.input.rule_files.begin(), options.input.rule_files.end());
-  if (!options.baseline.empty()) inputs.push_back(options.baseline);
-  if (!options.policy.empty()) inputs.push_back(options.policy);
-  if (const std::string& file = options.input.standard_input_file; !file.empty()) {
-    inputs.push_back(file);
-  }
-  if (const std::string problem = check_outputs(options.output, inputs); !problem.empty()) {
-    print_error(calc::DiagnosticId::output_not_possible, problem);
-    return kNotJudged;
-  }
-  if (!check_values_or_print(options.input, options.set, "set", recorded)) return kNotJudged;
-  std::optional<report::Policy> policy;
-  if (!options.policy.empty()) {
-    policy = read_policy_or_print(options.policy, files);
-    if (!policy || !is_allowed_or_print(*policy, options)) return kNotJudged;
-    // Whoever changes designs may set SOURCE_DATE_EPOCH, and must not revive a waiver by it.
-    options.settings.today = check::day_or_today("");
-    const std::vector<calc::DiagnosticId>& fatal = policy->fatal_warnings;
-    options.strict.ids.insert(options.strict.ids.end(), fatal.begin(), fatal.end());
-    options.strict.all = options.strict.all || policy->are_all_warnings_fatal;
-  }
-  std::optional<report::Document> baseline;
-  if (!options.baseline.empty()) {
-    baseline = read_whole_result_or_print(options.baseline, files);
-    if (!baseline) return kNotJudged;
-  }
-  std::optional<OldState> old_state;
-  if (!options.against.empty()) {
-    warn_of_changed_settings(options);
-    const Environment& environment = context.environment;
-    old_state = OldState::open_or_print(
-        options.input, options.against,
-        {environment.git_dir, environment.git_work_tree, environment.git_index_file}, files);
-    if (!old_state) return kNotJudged;
-  }
-  std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
-  if (!setup) return kNotJudged;
-  const check::Backend backend = setup->backend.backend;
-  const std::string& identity = setup->opened.identity;
-  const std::size_t at_once = setup->crew.most_begun;
-
-  const calc::Stages stages = setup->opened.stages();
-  std::optional<calc::EntryFolder> folder;
-  std::optional<calc::MemoryStore> memory;
-  std::optional<calc::LookStore> store;
-  if (!options.store.empty()) {
-    folder.emplace(options.store);
-    store.emplace(calc::LookStore{*folder, identity, options.batch.is_stored_only});
-  } else if (old_state || options.advice) {  // what did not change is calculated once
-    memory.emplace(kMostMemoryStoreBytes);
-    store.emplace(calc::LookStore{*memory, identity});
-  }
-  Progress progress(progress_style(options.output, context.environment),
-                    context.environment.stderr_columns);
-  progress.expect(options.input.projects.size());
-  const auto go_on = [] { return !interrupted(); };
-  options.output.are_messages_printed = !options.output.quiet;
-  WarningTally warnings(options.strict);
-  report::Provenance provenance = provenance_of(options, backend, setup->opened.description);
-  if (policy) {
-    provenance.policy = policy->name;
-    provenance.policy_sha256 = policy->sha256;
-  }
-  if (old_state) {
-    progress.expect(old_state->project_count());
-    check::Settings old_settings = options.settings;
-    old_settings.today = kWaiversHold;
-    const auto check_one = [&](const std::string& path, const calc::FileReader& old_files,
-                               const std::vector<rules::RulePack>& old_packs,
-                               const std::string& shown_path) {
-      WatchedProject observer(progress, shown_path);
-      report::ProjectPart part =
-          check_safely(path, {old_settings, old_files, old_packs, stages, observer, nullptr,
-                              store ? &*store : nullptr, at_once});
-      progress.done(shown_path, report::outcome_words(report::outcome_of(part)));
-      return part;
-    };
-    auto parts = old_state->check(check_one, setup->crew, go_on);
-    progress.clear();
-    if (interrupted()) return told_of_interrupt(options);
-    if (!parts) return kNotJudged;
-    baseline.emplace(report::Document{provenance, std::move(*parts), {}});
-  }
-  const auto revise = [&](const report::Document& document) {
-    report::Revision revision = report::revise(
-        *baseline, document, old_state ? options.against : options.baseline, options.gate);
-    if (old_state) {
-      add_changed_settings(options.input.config.changed, revision);
-      revision.commits = old_state->commits();
-      const std::vector<calc::Message>& notes = old_state->notes();
-      revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
-      revision.is_of_itself = options.input.config.changed.empty() &&
-                              have_same_inputs(*baseline, document) &&
-                              old_state->is_unchanged_head(files);
-      const bool is_gate = options.gate.mode == report::GateMode::regression;
-      if (revision.is_of_itself && is_gate) {  // an error of every report
-        print_error(calc::DiagnosticId::revision_is_head, options.against);
-      } else if (revision.is_of_itself) {
-        revision.notes.push_back(calc::say<calc::Sentence::revision_of_itself>(options.against));
-      }
-    }
-    return revision;
-  };
-  CheckedResults results(options, context.environment, provenance,
-                         baseline ? CheckedResults::Revise(revise) : nullptr);
-  std::optional<check::PictureDevice::Request> picture_device;
-  if (options.pictures && wants_pictures(options.output)) {
-    picture_device = {
-        choose_for_pictures(options, files, *setup), context.gl_fault,
-        context.environment.program_folder, setup->opened.device, [&](const std::string& failure) {
-          calc::Diagnostics diagnostics;
-          diagnostics.report(calc::DiagnosticId::picture_device_failed, {}, failure);
-          progress.aside([&] { print_diagnostics(diagnostics.all(), options.output.quiet); });
-        }};
-  }
-  const std::string pictures_line =
-      picture_device ? check::pictures_line(picture_device->choice) : "";
-  Gallery gallery(options, std::move(picture_device));
-  MissingUnits missing;
-  std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
-  std::string cost_log;
-  calc::LookCounts looks;
-  bool has_chosen = options.settings.selection.is_all();
-  const auto work = [&](std::size_t p) {
-    const std::string& path = options.input.projects[p];
-    CheckObserver observer(options, progress, gallery, p);
-    // Whatever happens to the file from now on, advice is about what was checked.
-    const calc::FileContent as_read = options.advice ? files.read(path) : calc::FileContent{};
-    std::optional<ChangedProject> kept;
-    if (options.advice && as_read.ok()) kept.emplace(files, path, as_read.bytes);
-    const check::Context check{options.settings,
-                               kept ? static_cast<const calc::FileReader&>(*kept) : files,
-                               setup->packs,
-                               stages,
-                               observer,
-                               vertices ? &*vertices : nullptr,
-                               store ? &*store : nullptr,
-                               at_once};
-    CheckedProject project;
-    project.part = check_safely(path, check);
-    if (kept && project.part.is_judged) {
-      project.part.advice = advice_on(project.part, as_read.bytes, check, progress);
-    }
-    tell_set_values(options.set, project.part);
-    if (policy) report::judge_policy(*policy, options.settings.today, project.part);
-    project.cost_log = observer.cost_log(project.part);
-    project.looks = observer.looks();
-    checked[p] = std::move(project);
-  };
-  const auto deliver = [&](std::size_t p) {
-    if (interrupted()) return;
-    report::ProjectPart& project = checked[p]->part;
-    project.strict_warnings = warnings.add(project.diagnostics);
-    progress.aside([&] {
-      print_diagnostics(project.diagnostics, options.output.quiet);
-      if (options.settings.has_times && project.is_judged) print_timing(project);
-    });
-    progress.done(project.path, report::outcome_words(report::outcome_of(project)));
-    missing.add(project);
-    has_chosen = has_chosen || !report::is_nothing_chosen(project);
-    cost_log += checked[p]->cost_log;
-    looks.read += checked[p]->looks.read;
-    looks.computed += checked[p]->looks.computed;
-    results.add(std::move(project), recorded.new_paths());
-    checked[p].reset();
-  };
-  check::in_order(checked.size(), setup->crew, work, deliver, go_on);
-  progress.clear();
-  if (!begin_to_write()) return told_of_interrupt(options);
-  if (options.explain_cost) {
-    tell("{}{}{}{}", check::backend_line(setup->backend), pictures_line, cost_log,
-         folder || old_state ? looks_line(looks, options) : "");
-  }
-  bool is_written = results.finish(backend, recorded.paths());
-  warnings.print(options.output.quiet);
-  if (options.batch.is_stored_only) missing.print(options.store);
-  if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
-  if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
-  if (!has_chosen) print_nothing_chosen(options.settings.selection);
-  return is_written ? exit_code_of(results.outcome()) : kNotJudged;
+  return CheckCommand(std::move(options), context).run();
 }
 
 Command check_command() {

@@ -1,10 +1,9 @@
 #include "report/tools/check/check_setup.h"
 
-#include "report/check/check_project.h"
-#include "report/check/plan.h"
 #include "report/git/repository_places.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/outputs.h"
+#include "report/shell/print.h"
 #include "report/tools/pictures/room_pictures.h"
 
 #include <filesystem>
@@ -43,14 +42,6 @@ bool may_compile(const CheckOptions& options) {
          (fs::exists("/dev/dri", ignored) || fs::exists("/dev/nvidiactl", ignored));
 }
 
-std::vector<check::ProjectPlan> plans_of(const CheckOptions& options,
-                                         const std::vector<rules::RulePack>& packs,
-                                         const calc::FileReader& files) {
-  return check::plan_projects(options.input.projects, files, packs, options.settings.radiosity,
-                              options.settings.today, options.settings.budget,
-                              options.settings.selection);
-}
-
 }  // namespace
 
 bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context) {
@@ -81,38 +72,23 @@ bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context) {
   return enter_sandbox_or_print(options.sandbox, rules, environment);
 }
 
-std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const RunContext& context,
-                                          const calc::FileReader& files) {
+std::optional<check::Run> open_run_or_print(const CheckOptions& options, const RunContext& context,
+                                            const calc::FileReader& files, SeePlans planned) {
   auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return std::nullopt;
-  const calc::RadiositySettings& radiosity = options.settings.radiosity;
-  check::Hardware hardware(context.gl_fault, context.environment.program_folder);
-  std::optional<calc::DrawingWork> pictures;
-  check::BackendChoice backend =
-      check::choose_backend(options.backend, radiosity.shadow_map_texels, hardware, [&] {
-        const std::vector<check::ProjectPlan> plans = plans_of(options, *packs, files);
-        pictures = picture_work(plans);
-        return first_look_work(plans, radiosity);
-      });
-  std::optional<check::OpenBackend> opened = open_or_complain(
-      backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
-  if (!opened) return std::nullopt;
-  const check::Crew crew{radiosity.jobs, check::most_at_once(options.settings, backend.backend)};
-  return CheckSetup{*std::move(packs),   std::move(backend),
-                    *std::move(opened),  crew,
-                    std::move(hardware), pictures};
+  return open_run_or_print(options, context, files, *std::move(packs), std::move(planned));
 }
 
-check::DrawingChoice choose_for_pictures(const CheckOptions& options, const calc::FileReader& files,
-                                         CheckSetup& setup) {
-  const gpu::DeviceThread* const open = setup.opened.device.get();
-  return check::choose_for_pictures(open == nullptr ? nullptr : &open->device(),
-                                    options.backend.gl_device >= 0, setup.hardware, [&] {
-                                      if (!setup.pictures)
-                                        setup.pictures =
-                                            picture_work(plans_of(options, setup.packs, files));
-                                      return *setup.pictures;
-                                    });
+std::optional<check::Run> open_run_or_print(const CheckOptions& options, const RunContext& context,
+                                            const calc::FileReader& files,
+                                            std::vector<rules::RulePack> packs, SeePlans planned) {
+  calc::Diagnostics diagnostics;
+  std::optional<check::Run> run =
+      check::Run::open({options.settings, std::move(packs), options.backend,
+                        context.environment.program_folder, context.gl_fault, std::move(planned)},
+                       files, options.input.projects, diagnostics);
+  print_diagnostics(diagnostics.all(), options.output.quiet);
+  return run;
 }
 
 }  // namespace cli

@@ -8,9 +8,10 @@
 
 namespace cli {
 
-CheckedResults::CheckedResults(const CheckOptions& options, const Environment& environment,
-                               const report::Provenance& provenance, Revise revise)
-    : options_(options), environment_(environment), revise_(std::move(revise)) {
+CheckedResults::CheckedResults(const CheckOptions& options, const check::Run& run,
+                               const Environment& environment, const report::Provenance& provenance,
+                               Revise revise)
+    : options_(options), run_(run), environment_(environment), revise_(std::move(revise)) {
   document_.provenance = provenance;
   if (revise_) return;
   report::DocumentFrame frame{provenance, options.input.projects, nullptr};
@@ -34,20 +35,19 @@ void CheckedResults::add(report::ProjectPart project, const std::set<std::string
   files_->add(project, inputs);
 }
 
-bool CheckedResults::finish(check::Backend backend, const std::set<std::string>& inputs) {
-  return revise_ ? finish_revised(backend, inputs) : finish_streamed(backend, inputs);
+bool CheckedResults::finish(const std::set<std::string>& inputs) {
+  return revise_ ? finish_revised(inputs) : finish_streamed(inputs);
 }
 
-bool CheckedResults::finish_streamed(check::Backend backend, const std::set<std::string>& inputs) {
+bool CheckedResults::finish_streamed(const std::set<std::string>& inputs) {
   report::DocumentEnd end{document_.provenance, totals_};
-  complete_provenance(end.provenance, totals_, options_.settings.today, backend);
+  complete_provenance(end.provenance, totals_, run_);
   outcome_ = totals_.outcome;
   return files_->finish(end, inputs);
 }
 
-bool CheckedResults::finish_revised(check::Backend backend, const std::set<std::string>& inputs) {
-  complete_provenance(document_.provenance, report::totals_of(document_), options_.settings.today,
-                      backend);
+bool CheckedResults::finish_revised(const std::set<std::string>& inputs) {
+  complete_provenance(document_.provenance, report::totals_of(document_), run_);
   document_.revision = revise_(document_);
   if (options_.output.redact) report::redact(document_);
   outcome_ = report::gate_outcome(document_);

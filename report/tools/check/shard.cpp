@@ -16,10 +16,8 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <map>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <set>
 #include <string>
@@ -32,13 +30,11 @@ namespace {
 // been printed. What cannot be read has no units: that is told, but ends no shard, as the others
 // go on and the closing job judges it.
 std::optional<std::vector<check::Unit>> all_units(const CheckOptions& options,
-                                                  const CheckSetup& setup,
+                                                  const check::Run& run,
                                                   const calc::FileReader& files) {
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   if (options.batch.units_file.empty()) {
-    const std::vector<check::ProjectPlan> plans =
-        check::plan_projects(options.input.projects, files, setup.packs, radiosity,
-                             options.settings.today, options.settings.budget);
+    const std::vector<check::ProjectPlan> plans = run.plan(options.input.projects);
     for (const check::ProjectPlan& plan : plans) {
       if (!plan.is_planned) print_diagnostics(plan.diagnostics, true);
     }
@@ -92,16 +88,14 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   const ProjectReader disk(asked.input);
   const check::SetReader files(disk, asked.input.projects, asked.set);
   if (!check_values_or_print(asked.input, asked.set, "set", disk)) return kNotJudged;
-  options.settings.today = day_of(options.settings);
-  const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
-  if (!setup) return kNotJudged;
-  const auto units = all_units(options, *setup, files);
+  std::optional<check::Run> run = open_run_or_print(options, context, files);
+  if (!run) return kNotJudged;
+  const auto units = all_units(options, *run, files);
   if (!units) return kNotJudged;
   const std::vector<ProjectShare> own = own_share(*units, options.batch.share);
 
-  const calc::Stages stages = setup->opened.stages();
-  calc::EntryFolder folder(options.store);
-  const calc::LookStore store{folder, setup->opened.identity};
+  const auto folder = std::make_shared<calc::EntryFolder>(options.store);
+  run = run->with_light_in(folder);
   Progress progress(progress_style(options.output, context.environment),
                     context.environment.stderr_columns);
   progress.expect(own.size());
@@ -112,17 +106,7 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   std::size_t done = 0;
   const auto work = [&](std::size_t p) {
     WatchedProject observer(progress, own[p].path);
-    try {
-      told[p] = check::light_units(own[p].path, own[p].units,
-                                   {options.settings, files, setup->packs, stages, observer,
-                                    nullptr, &store, setup->crew.most_begun});
-    } catch (const calc::BackendFailure& failure) {
-      told[p].report(calc::DiagnosticId::backend_failed, {own[p].path, 0, 0}, failure.what());
-    } catch (const std::bad_alloc&) {
-      told[p].report(calc::DiagnosticId::not_enough_memory, {own[p].path, 0, 0});
-    } catch (const std::exception& error) {
-      told[p].report(calc::DiagnosticId::internal_error, {own[p].path, 0, 0}, error.what());
-    }
+    told[p] = run->light(own[p].path, own[p].units, observer);
     const std::scoped_lock lock(looks_mutex);
     looks.read += observer.looks().read;
     looks.computed += observer.looks().computed;
@@ -134,9 +118,9 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
     done += told[p].has_errors() ? 0 : own[p].units.size();
     progress.done(own[p].path);
   };
-  check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
+  check::in_order(own.size(), run->crew(), work, deliver, [] { return !interrupted(); });
   progress.clear();
-  calc::StoreTroubles troubles = folder.troubles();
+  calc::StoreTroubles troubles = folder->troubles();
   const bool is_kept = is_light_kept_or_print(options.store, troubles);
   troubles.not_written.clear();
   print_troubles(options.store, troubles);

@@ -1,20 +1,20 @@
 #include "report/tools/rules/project_effect.h"
 
 #include "calc/store/memory_store.h"
-#include "report/check/check_project.h"
+#include "report/check/run.h"
 #include "report/revision/matching.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/text/number_format.h"
 #include "report/tools/check/check_setup.h"
-#include "report/tools/check/checked_document.h"
 #include "report/tools/check/watched_project.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace cli {
@@ -163,21 +163,18 @@ std::optional<ProjectEffect> check_with_both(const CheckOptions& check, const Ru
                                              const ComparedPacks& compared) {
   watch_for_interrupt();
   const calc::DiskFileReader files(check.input.allowed);
-  const std::optional<CheckSetup> setup = set_up_or_print(check, context, files);
-  if (!setup) return std::nullopt;
-  const calc::Stages stages = setup->opened.stages();
-  calc::MemoryStore memory(kMostStoreBytes);  // light that both need is calculated once
-  const calc::LookStore store{memory, setup->opened.identity};
+  std::optional<check::Run> run = open_run_or_print(check, context, files);
+  if (!run) return std::nullopt;
+  // Light that both need is calculated once.
+  run = run->with_light_in(std::make_shared<calc::MemoryStore>(kMostStoreBytes));
   Progress progress(progress_style(check.output, context.environment),
                     context.environment.stderr_columns);
   progress.expect(2);
   std::vector<report::ProjectPart> parts;
   for (const bool is_after : {false, true}) {
-    const std::vector<rules::RulePack> packs = packs_with(is_after, compared, setup->packs);
     WatchedProject observer(progress, check.input.projects.front());
-    parts.push_back(check_safely(
-        check.input.projects.front(),
-        {check.settings, files, packs, stages, observer, nullptr, &store, setup->crew.most_begun}));
+    parts.push_back(run->with_packs(packs_with(is_after, compared, run->packs()))
+                        .check(check.input.projects.front(), observer));
     progress.done(parts.back().path);
     if (interrupted()) return std::nullopt;
     if (!parts.back().is_judged) {

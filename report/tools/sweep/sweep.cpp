@@ -290,7 +290,6 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   const KeptFiles files(disk);
   SweepOptions options = asked;
   CheckOptions& check = options.check;
-  check.settings.today = day_of(check.settings);  // one for all, also over midnight
   std::set<std::string> inputs(check.input.rule_files.begin(), check.input.rule_files.end());
   inputs.insert(options.project);
   if (!can_write_sweep(options, inputs)) return kNotJudged;
@@ -298,30 +297,26 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
       all_settings(options, values_of_variant(options.vary, 0));
   if (!check_values_or_print(check.input, first, "vary", files)) return kNotJudged;
   const check::SetReader first_files(files, check.input.projects, first);
-  const std::optional<CheckSetup> setup = set_up_or_print(check, context, first_files);
-  if (!setup) return kNotJudged;
+  const std::optional<check::Run> opened = open_run_or_print(check, context, first_files);
+  if (!opened) return kNotJudged;
+  std::shared_ptr<calc::EntryFolder> folder;
+  const auto memory = std::make_shared<calc::MemoryStore>(kMostSweepStoreBytes);
+  if (!check.store.empty()) folder = std::make_shared<calc::EntryFolder>(check.store);
+  const check::Run run = folder ? opened->with_light_in(folder, check.batch.is_stored_only)
+                                : opened->with_light_in(memory);
 
-  const calc::Stages stages = setup->opened.stages();
-  calc::MemoryStore memory(kMostSweepStoreBytes);
-  std::optional<calc::EntryFolder> folder;
-  if (!check.store.empty()) folder.emplace(check.store);
-  calc::EntryStore& entries = folder ? static_cast<calc::EntryStore&>(*folder) : memory;
-  const calc::LookStore store{entries, setup->opened.identity, check.batch.is_stored_only};
-
-  const auto check_variant = [&](std::size_t v, check::Observer& observer,
-                                 const calc::LookStore& looks_of) {
+  const auto check_variant = [&](std::size_t v, check::Observer& observer, const check::Run& of) {
     const std::vector<check::SetValue> values =
         all_settings(options, values_of_variant(options.vary, v));
     const check::SetReader variant(files, check.input.projects, values);
-    return check_safely(options.project, {check.settings, variant, setup->packs, stages, observer,
-                                          nullptr, &looks_of, setup->crew.most_begun});
+    return of.with_files(variant).check(options.project, observer);
   };
   // Without a ray: a store that is all there is has nothing.
   const auto keys_of = [&](std::size_t v) {
-    AskedStore asked_keys;
+    const auto asked_keys = std::make_shared<AskedStore>();
     StoppedByInterrupt observer;
-    if (!interrupted()) check_variant(v, observer, {asked_keys, setup->opened.identity, true});
-    return asked_keys.keys();
+    if (!interrupted()) check_variant(v, observer, opened->with_light_in(asked_keys, true));
+    return asked_keys->keys();
   };
   std::vector<std::size_t> own(count_variants(options.vary));
   std::iota(own.begin(), own.end(), std::size_t{0});
@@ -338,7 +333,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   progress.expect(own.size());
   Sweep sweep{options.project, options.vary, check.set, {}, "", {}, options.front_of};
   sweep.check_words = reproducible_words(check);
-  sweep.provenance = provenance_of(check, setup->backend.backend, setup->opened.description);
+  sweep.provenance = provenance_of(check, run);
   sweep.provenance.command_line = sweep_words(options);
   report::Totals totals;
   calc::LookCounts looks;
@@ -349,7 +344,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   const auto work = [&](std::size_t i) {
     WatchedProject observer(progress, name_of(i));
     DoneVariant result;
-    result.part = check_variant(own[i], observer, store);
+    result.part = check_variant(own[i], observer, run);
     result.looks = observer.looks();
     done[i] = std::move(result);
   };
@@ -364,9 +359,9 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
     if (check.batch.is_stored_only && lacks_any_light(part)) lacking.push_back(own[i]);
     sweep.rows.push_back(row_of(own[i], values_of_variant(options.vary, own[i]), part));
     done[i].reset();
-    memory.clear_above(kMostSweepStoreBytes / 2);
+    memory->clear_above(kMostSweepStoreBytes / 2);
   };
-  check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
+  check::in_order(own.size(), run.crew(), work, deliver, [] { return !interrupted(); });
   progress.clear();
   if (!begin_to_write()) {
     tell("luxgate: interrupted; nothing was written{}\n",
@@ -375,7 +370,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   }
   messages.print(own.size(), check.output.quiet);
   print_lacking(check.store, std::move(lacking), own.size());
-  complete_provenance(sweep.provenance, totals, check.settings.today, setup->backend.backend);
+  complete_provenance(sweep.provenance, totals, run);
   std::sort(sweep.rows.begin(), sweep.rows.end(),
             [](const SweepRow& a, const SweepRow& b) { return a.variant < b.variant; });
   find_front(sweep.rows, sweep.front_of);

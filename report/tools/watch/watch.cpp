@@ -4,7 +4,7 @@
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/in_order.h"
-#include "report/check/plan.h"
+#include "report/check/run.h"
 #include "report/formats/console.h"
 #include "report/html/data_sheets.h"
 #include "report/html/html.h"
@@ -19,6 +19,7 @@
 #include "report/shell/selection_option.h"
 #include "report/text/words.h"
 #include "report/tools/check/check_options.h"
+#include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/watch/file_stamps.h"
 #include "report/tools/watch/input_watch.h"
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -134,67 +134,55 @@ class Watch {
 
   // Empty: rule packs cannot be read, which has been printed; is_good false: see check().
   std::optional<report::Document> check_files(const RecordingReader& files, bool& is_good) {
-    options_.settings.today = day_of(asked_settings_);
-    const auto packs = load_packs_or_print(options_.input.rule_files, files);
+    auto packs = load_packs_or_print(options_.input.rule_files, files);
     if (!packs) return std::nullopt;
-    if (!open_backend(files, *packs)) {
+    if (!open(files, *std::move(packs))) {
       is_good = false;
       return std::nullopt;
     }
-    const calc::Stages stages = backend_->stages();
-    memory_.clear_above(kMostStoreBytes / 2);
+    memory_->clear_above(kMostStoreBytes / 2);
     report::Document document;
-    document.provenance = provenance_of(options_, choice_.backend, backend_->description);
+    document.provenance = provenance_of(options_, *run_);
     const std::vector<std::string>& paths = options_.input.projects;
     Progress progress(progress_style_, context_.environment.stderr_columns);
     progress.expect(paths.size());
-    const std::size_t at_once = check::most_at_once(options_.settings, choice_.backend);
     const auto go_on = [this] { return !interrupted() && !watch_.has_changed(); };
     document.projects.resize(paths.size());
     const auto work = [&](std::size_t p) {
       WatchObserver observer(progress, paths[p], watch_);
-      document.projects[p] = check_safely(paths[p], {options_.settings, files, *packs, stages,
-                                                     observer, nullptr, &*store_, at_once});
+      document.projects[p] = run_->check(paths[p], observer);
     };
     const auto deliver = [&](std::size_t p) { progress.done(paths[p]); };
-    check::in_order(paths.size(), {options_.settings.radiosity.jobs, at_once}, work, deliver,
-                    go_on);
+    check::in_order(paths.size(), run_->crew(), work, deliver, go_on);
     progress.clear();
     if (!go_on()) return std::nullopt;
-    complete_provenance(document.provenance, report::totals_of(document), options_.settings.today,
-                        choice_.backend);
+    complete_provenance(document.provenance, report::totals_of(document), *run_);
     return document;
   }
 
   // Where rule packs cannot be read nothing is judged: an older result must not stand there.
   report::Document none() const {
     report::Document document;
-    if (backend_) {
-      document.provenance = provenance_of(options_, choice_.backend, backend_->description);
-    }
+    if (run_) document.provenance = provenance_of(options_, *run_);
     for (const std::string& path : options_.input.projects) {
       document.projects.emplace_back().path = path;
     }
     return document;
   }
 
-  // Once.
-  bool open_backend(const RecordingReader& files, const std::vector<rules::RulePack>& packs) {
-    if (backend_) return true;
-    const calc::RadiositySettings& radiosity = options_.settings.radiosity;
-    check::Hardware hardware(context_.gl_fault, context_.environment.program_folder);
-    choice_ = check::choose_backend(options_.backend, radiosity.shadow_map_texels, hardware, [&] {
-      return first_look_work(check::plan_projects(options_.input.projects, files, packs, radiosity,
-                                                  options_.settings.today, options_.settings.budget,
-                                                  options_.settings.selection),
-                             radiosity);
-    });
-    backend_ = open_or_complain(choice_, context_.gl_fault, context_.environment.program_folder,
-                                options_.output.quiet);
-    if (!backend_) return false;
-    if (!options_.store.empty()) folder_.emplace(options_.store);
-    calc::EntryStore& entries = folder_ ? static_cast<calc::EntryStore&>(*folder_) : memory_;
-    store_.emplace(calc::LookStore{entries, backend_->identity});
+  // The backend is opened once; files, packs and the day are those of now.
+  bool open(const RecordingReader& files, std::vector<rules::RulePack> packs) {
+    if (run_) {
+      run_ = run_->with_settings(options_.settings).with_files(files).with_packs(std::move(packs));
+      return true;
+    }
+    run_ = open_run_or_print(options_, context_, files, std::move(packs));
+    if (!run_) return false;
+    if (options_.store.empty()) {
+      run_ = run_->with_light_in(memory_);
+    } else {
+      run_ = run_->with_light_in(std::make_shared<calc::EntryFolder>(options_.store));
+    }
     return true;
   }
 
@@ -239,16 +227,12 @@ class Watch {
   }
 
   CheckOptions options_;
-  const check::Settings asked_settings_ = options_.settings;
   const RunContext& context_;
   const ProgressStyle progress_style_;
   InputWatch watch_;
   std::unique_ptr<ReportServer> server_;
-  calc::MemoryStore memory_{kMostStoreBytes};
-  std::optional<calc::EntryFolder> folder_;
-  check::BackendChoice choice_;
-  std::optional<check::OpenBackend> backend_;
-  std::optional<calc::LookStore> store_;
+  std::shared_ptr<calc::MemoryStore> memory_ = std::make_shared<calc::MemoryStore>(kMostStoreBytes);
+  std::optional<check::Run> run_;
   std::optional<report::Document> last_;  // of which everything could be judged
   ExitCode exit_code_ = kInterrupted;     // before the first result
 };

@@ -1,7 +1,7 @@
 // Real results in which one thing is changed: none of them may become a report.
 
-#include "report/check/check_project.h"
 #include "report/check/load_rules.h"
+#include "report/check/run.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "rules/binding/judged_project.h"
@@ -11,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,11 +37,8 @@ Document real_document() {
   check::Settings settings;
   settings.today = kDay;
   settings.radiosity.max_paths = 4096;
-  const calc::DiskFileReader files;
-  const std::vector<rules::RulePack> packs = packs_with(kRoot + "/tests/golden/aggregates/own.xml");
-  const std::unique_ptr<calc::Gatherer> gatherer = calc::make_cpu_gatherer();
-  const calc::Stages stages(*gatherer);
-  check::Observer nobody;
+  const check::Run run =
+      check::Run(settings).with_packs(packs_with(kRoot + "/tests/golden/aggregates/own.xml"));
   Document document;
   document.provenance.program_version = "0.1.0";
   document.provenance.numbers_version = 1;
@@ -51,8 +47,7 @@ Document real_document() {
        {"tests/golden/aggregates/project.xml", "tests/golden/waived/project.xml",
         "tests/golden/plane-without-points/project.xml", "examples/09-office-by-row/project.xml",
         "examples/06-on-the-edge/project.xml", "tests/golden/building-sums/project.xml"}) {
-    document.projects.push_back(
-        check::check_project(kRoot + "/" + path, {settings, files, packs, stages, nobody}));
+    document.projects.push_back(run.check(kRoot + "/" + path));
   }
   return document;
 }
