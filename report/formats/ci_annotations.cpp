@@ -267,12 +267,4 @@ std::unique_ptr<FormatWriter> gitlab_writer(const DocumentFrame& frame, const Sp
   return std::make_unique<GitlabWriter>(frame, place);
 }
 
-std::string render_github(const Document& document) {
-  return render_whole(document, github_writer);
-}
-
-std::string render_gitlab(const Document& document) {
-  return render_whole(document, gitlab_writer);
-}
-
 }  // namespace report

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 namespace report {
 namespace {
@@ -203,15 +202,6 @@ std::vector<CiFinding> CiFindings::of(const ProjectPart& project) const {
     entry.fingerprint =
         calc::sha256_hex(std::to_string(project.path.size()) + ":" + project.path + entry.key);
     if (revision_ != nullptr) add_change(entry);
-  }
-  return list;
-}
-
-std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
-  const CiFindings findings(t, document.revision ? &*document.revision : nullptr);
-  std::vector<CiFinding> list;
-  for (const ProjectPart& project : document.projects) {
-    for (CiFinding& entry : findings.of(project)) list.push_back(std::move(entry));
   }
   return list;
 }

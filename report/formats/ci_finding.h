@@ -53,13 +53,10 @@ std::vector<std::string> ci_left_out(const ProjectPart& project);
 // Waived, requirement or aggregate.
 bool is_waived(const CiFinding& entry);
 
-// In document order: every requirement, every plane that was not computed although nothing
+// Of a project, in its order: every requirement, every plane that was not computed although nothing
 // that counts is required of it, and every project that could not be judged; then every aggregate
-// and class. Text is printable(). Valid as long as the document. t: of the messages of planes and
+// and class. Text is printable(). Valid as long as the project. t: of the messages of planes and
 // projects; those of findings are English.
-std::vector<CiFinding> ci_findings(const Document& document, const Texts& t = {});
-
-// The same project by project; valid as long as the project.
 class CiFindings {
  public:
   // revision: that the projects are in; null: none. It must outlive this.

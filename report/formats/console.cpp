@@ -702,10 +702,4 @@ std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const Spil
   return std::make_unique<TextWriter>(frame, place, options, t);
 }
 
-std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
-  return render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
-    return text_writer(frame, place, options, t);
-  });
-}
-
 }  // namespace report

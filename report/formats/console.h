@@ -21,8 +21,6 @@ struct TextOptions {
 
 // UTF-8, every line ends in '\n'. Holds the table of each project and one summary line, which
 // counts the warnings.
-std::string render_text(const Document& document, const TextOptions& options = {},
-                        const Texts& t = {});
 std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const TextOptions& options, const Texts& t);
 

@@ -99,16 +99,4 @@ std::unique_ptr<FormatWriter> luminaires_csv_writer(const DocumentFrame& /*frame
   return std::make_unique<TableCsvWriter>(luminaires_table(), place);
 }
 
-std::string render_results_csv(const Document& document) {
-  return render_whole(document, results_csv_writer);
-}
-
-std::string render_points_csv(const Document& document) {
-  return render_whole(document, points_csv_writer);
-}
-
-std::string render_luminaires_csv(const Document& document) {
-  return render_whole(document, luminaires_csv_writer);
-}
-
 }  // namespace report

@@ -7,22 +7,18 @@
 #include "report/stream/format_writer.h"
 
 #include <memory>
-#include <string>
 
 namespace report {
 
 // results_table(), and what a revision made worse.
-std::string render_results_csv(const Document& document);
 std::unique_ptr<FormatWriter> results_csv_writer(const DocumentFrame& frame,
                                                  const SpillPlace& place);
 
 // points_table()
-std::string render_points_csv(const Document& document);
 std::unique_ptr<FormatWriter> points_csv_writer(const DocumentFrame& frame,
                                                 const SpillPlace& place);
 
 // luminaires_table()
-std::string render_luminaires_csv(const Document& document);
 std::unique_ptr<FormatWriter> luminaires_csv_writer(const DocumentFrame& frame,
                                                     const SpillPlace& place);
 

@@ -19,7 +19,7 @@ namespace report {
 // What formats for people need besides the document.
 struct FormatStyle {
   TextOptions terminal;            // of `text`
-  Texts texts;                     // of `text`, `html` and `markdown`
+  Texts texts = {};                // of `text`, `html` and `markdown`
   PageStyle page = {};             // of `html` and `pdf`
   PagePrinter* printer = nullptr;  // of `pdf`; see pdf_writer()
 };

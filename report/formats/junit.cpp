@@ -258,6 +258,4 @@ std::unique_ptr<FormatWriter> junit_writer(const DocumentFrame& frame, const Spi
   return std::make_unique<JunitWriter>(frame, place);
 }
 
-std::string render_junit(const Document& document) { return render_whole(document, junit_writer); }
-
 }  // namespace report

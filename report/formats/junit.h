@@ -5,11 +5,10 @@
 #include "report/stream/format_writer.h"
 
 #include <memory>
-#include <string>
 
 namespace report {
 
-// A <testsuite> per project, a <testcase> per finding of ci_findings(): classname is
+// A <testsuite> per project, a <testcase> per finding of CiFindings: classname is
 // "project.room", name "plane / requirement", both of ids, so that branches can be compared. fail
 // and undecided are a <failure> (type: the verdict), since both end the run with an exit code other
 // than 0; not judged is an <error>; what is
@@ -17,7 +16,6 @@ namespace report {
 // <system-out>. file and line are those of the requirement. There are no times: equal input gives
 // equal bytes.  [the set of elements documented by testmoapp/junitxml; GitLab shows bodies rather
 // than attributes, so the words are in both]
-std::string render_junit(const Document& document);
 std::unique_ptr<FormatWriter> junit_writer(const DocumentFrame& frame, const SpillPlace& place);
 
 }  // namespace report

@@ -306,10 +306,4 @@ std::unique_ptr<FormatWriter> markdown_writer(const DocumentFrame& frame, const 
   return std::make_unique<MarkdownWriter>(frame, place, t);
 }
 
-std::string render_markdown(const Document& document, const Texts& t) {
-  return render_whole(document, [&t](const DocumentFrame& frame, const SpillPlace& place) {
-    return markdown_writer(frame, place, t);
-  });
-}
-
 }  // namespace report

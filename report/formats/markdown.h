@@ -12,7 +12,6 @@ namespace report {
 
 // The verdict, a table of what did not pass, and a folded table of what did. Hosts cut long
 // comments off, so each table has at most 100 rows and says what it leaves out.
-std::string render_markdown(const Document& document, const Texts& t = {});
 std::unique_ptr<FormatWriter> markdown_writer(const DocumentFrame& frame, const SpillPlace& place,
                                               const Texts& t);
 

@@ -302,10 +302,4 @@ std::unique_ptr<FormatWriter> sarif_writer(const DocumentFrame& frame, const Spi
   return std::make_unique<SarifWriter>(frame, place, content);
 }
 
-std::string render_sarif(const Document& document, SarifContent content) {
-  return render_whole(document, [content](const DocumentFrame& frame, const SpillPlace& place) {
-    return sarif_writer(frame, place, content);
-  });
-}
-
 }  // namespace report

@@ -5,7 +5,6 @@
 #include "report/stream/format_writer.h"
 
 #include <memory>
-#include <string>
 
 namespace report {
 
@@ -19,7 +18,6 @@ enum class SarifContent {
 // is suppressed, with its reason; ruleId is the quantity, the location is the
 // requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
 // diagnostics are notifications of the invocation.  [SARIF]
-std::string render_sarif(const Document& document, SarifContent content);
 std::unique_ptr<FormatWriter> sarif_writer(const DocumentFrame& frame, const SpillPlace& place,
                                            SarifContent content);
 

@@ -486,10 +486,4 @@ std::unique_ptr<FormatWriter> xlsx_writer(const DocumentFrame& frame, const Spil
   return std::make_unique<XlsxWriter>(frame, place, most_rows);
 }
 
-std::string render_xlsx(const Document& document, std::size_t most_rows) {
-  return render_whole(document, [most_rows](const DocumentFrame& frame, const SpillPlace& place) {
-    return xlsx_writer(frame, place, most_rows);
-  });
-}
-
 }  // namespace report

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <string>
 
 namespace report {
 
@@ -18,6 +17,5 @@ namespace report {
 // baseline. most_rows: of one sheet; the table goes on in another one, which the summary says.
 std::unique_ptr<FormatWriter> xlsx_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           std::size_t most_rows = kMostSheetRows);
-std::string render_xlsx(const Document& document, std::size_t most_rows = kMostSheetRows);
 
 }  // namespace report

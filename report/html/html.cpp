@@ -504,12 +504,8 @@ std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const Spil
 }
 
 std::string render_html(const Document& document, const Texts& t) {
-  return render_html_index(document, "", t);
-}
-
-std::string render_html_index(const Document& document, const std::string& folder, const Texts& t) {
   return render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
-    return html_writer(frame, place, t, folder);
+    return html_writer(frame, place, t);
   });
 }
 
@@ -523,14 +519,6 @@ std::vector<HtmlPage> html_pages(const ProjectPart& project, std::size_t index) 
       pages.push_back({page_name({index, s, first}), index, s, first, count});
       first += kPlanesPerPage;
     } while (first < planes);
-  }
-  return pages;
-}
-
-std::vector<HtmlPage> html_pages(const Document& document) {
-  std::vector<HtmlPage> pages;
-  for (std::size_t p = 0; p < document.projects.size(); ++p) {
-    for (HtmlPage& page : html_pages(document.projects[p], p)) pages.push_back(std::move(page));
   }
   return pages;
 }

@@ -21,21 +21,11 @@ inline constexpr std::size_t kPlanesPerPage = 24;
 
 // In document order; a room without planes has a page, too. index: of the project.
 std::vector<HtmlPage> html_pages(const ProjectPart& project, std::size_t index);
-std::vector<HtmlPage> html_pages(const Document& document);
-
-// Verdicts, summary, luminaires, calculation and provenance, with links to the pages in `folder`
-// (a relative address, without a slash at its end).
-std::string render_html_index(const Document& document, const std::string& folder,
-                              const Texts& t = {});
 
 // One page, with a link back to `index` (a relative address from the page's folder).
 std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
                              const HtmlPage& page, const std::string& index, const Texts& t = {},
                              const PageStyle& style = {});
-inline std::string render_html_page(const Document& document, const HtmlPage& page,
-                                    const std::string& index, const Texts& t = {}) {
-  return render_html_page(document.provenance, document.projects.at(page.project), page, index, t);
-}
 
 // A file name as it stands in a relative address: everything but letters, digits and "-._~" as
 // %XX.  [RFC 3986, section 2]

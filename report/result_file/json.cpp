@@ -45,6 +45,4 @@ std::unique_ptr<FormatWriter> json_writer(const DocumentFrame& frame, const Spil
   return std::make_unique<ResultWriter>(frame, place);
 }
 
-std::string render_json(const Document& document) { return render_whole(document, json_writer); }
-
 }  // namespace report

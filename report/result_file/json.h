@@ -5,7 +5,6 @@
 #include "report/stream/format_writer.h"
 
 #include <memory>
-#include <string>
 
 namespace report {
 
@@ -15,7 +14,6 @@ namespace report {
 // "" for ratios). Values that were sampled are {"value", "low", "high"}; what is not a finite
 // number is null. Key order and bytes depend on the document only. UTF-8; broken text becomes
 // U+FFFD.
-std::string render_json(const Document& document);
 std::unique_ptr<FormatWriter> json_writer(const DocumentFrame& frame, const SpillPlace& place);
 
 }  // namespace report

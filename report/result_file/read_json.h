@@ -1,5 +1,5 @@
 #pragma once
-// render_json() backwards: a result file becomes a document again.
+// json_writer() backwards: a result file becomes a document again.
 
 #include "report/document/document.h"
 

@@ -5,7 +5,7 @@
 
 namespace report {
 
-// JSON Schema (draft 7) of render_json(), made of result_fields.h. result.schema.json is what it
+// JSON Schema (draft 7) of json_writer(), made of result_fields.h. result.schema.json is what it
 // was when that file was written last; a test compares them.
 std::string result_schema();
 

@@ -2,8 +2,8 @@
 #include "calc/store/entry_folder.h"
 #include "report/check/run.h"
 #include "report/document/document.h"
-#include "report/result_file/json.h"
 #include "tests/support/memory_file_reader.h"
+#include "tests/support/rendered.h"
 #include "tests/support/scratch_folder.h"
 
 #include <fmt/format.h>
@@ -104,8 +104,8 @@ Checked checked(const Design& design, calc::EntryStore* entries) {
   Counter counter;
   report::Document document;
   document.projects.push_back(run.check("design.xml", counter));
-  EXPECT_TRUE(document.projects[0].is_judged) << report::render_json(document);
-  return {report::render_json(document), counter.looks, counter.pool_rays};
+  EXPECT_TRUE(document.projects[0].is_judged) << report::rendered("json", document);
+  return {report::rendered("json", document), counter.looks, counter.pool_rays};
 }
 
 // The store must change nothing, and says what it spared.

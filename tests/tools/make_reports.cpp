@@ -5,6 +5,7 @@
 #include "report/html/html.h"
 #include "report/html/html_pages.h"
 #include "tests/support/hostile_document.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <fmt/format.h>
@@ -104,11 +105,11 @@ int main(int argc, char** argv) {
   const report::Document many = planes_document(400);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::string index = report::render_html_index(many, "split-rooms");
+  const std::string index = report::rendered_index(many, "split-rooms");
   std::size_t bytes = index.size(), largest = 0;
   std::string room;
-  for (const report::HtmlPage& page : report::html_pages(many)) {
-    const std::string html = report::render_html_page(many, page, "../split.html");
+  for (const report::HtmlPage& page : report::pages_of(many)) {
+    const std::string html = report::rendered_page(many, page, "../split.html");
     bytes += html.size();
     largest = std::max(largest, html.size());
     write(folder + "/split-rooms/" + page.name, html);

@@ -1,16 +1,10 @@
 #include "report/document/document.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "report/formats/ci_annotations.h"
-#include "report/formats/console.h"
-#include "report/formats/csv.h"
-#include "report/formats/junit.h"
-#include "report/formats/markdown.h"
-#include "report/formats/sarif.h"
 #include "report/html/html.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/text/words.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -135,26 +129,27 @@ TEST(NothingAsked, IsWhatEveryFormatSays) {
   Document advice = with_verdicts({rules::Verdict::fail});
   advice.projects[0].spaces[0].planes[0].findings[0].requirement.severity = rules::Severity::advice;
   for (const Document& document : {with_verdicts({}), advice}) {
-    EXPECT_THAT(render_text(document), HasSubstr("\n0 requirements: nothing was asked\n"));
-    EXPECT_THAT(render_github(document), HasSubstr("luxgate: 0 requirements: nothing was asked\n"));
-    EXPECT_THAT(render_markdown(document),
+    EXPECT_THAT(rendered("text", document), HasSubstr("\n0 requirements: nothing was asked\n"));
+    EXPECT_THAT(rendered("github", document),
+                HasSubstr("luxgate: 0 requirements: nothing was asked\n"));
+    EXPECT_THAT(rendered("markdown", document),
                 AllOf(HasSubstr("### luxgate: ○ nothing was asked: "), Not(HasSubstr("not judged")),
                       Not(HasSubstr("pass"))));
-    EXPECT_THAT(render_junit(document),
+    EXPECT_THAT(rendered("junit", document),
                 AllOf(HasSubstr("nothing was asked"), HasSubstr("errors=\"0\""),
                       HasSubstr("failures=\"0\"")));
     EXPECT_THAT(render_html(document),
                 AllOf(HasSubstr("<title>○ Small office – "),
                       HasSubstr("<div class=\"banner nothing-asked\""),
                       HasSubstr("<p class=\"outcome\">Nothing was asked</p>")));
-    EXPECT_THAT(render_json(document),
+    EXPECT_THAT(rendered("json", document),
                 HasSubstr("\"counts\": {\n  \"pass\": 0,\n  \"fail\": 0,\n  \"undecided\": 0,\n  "
                           "\"not_judged\": 0,\n  \"waived\": 0,\n  \"with_deviations\": 0\n }"));
   }
   const Texts german(Language::german, true);
-  EXPECT_THAT(render_text(with_verdicts({}), {}, german),
+  EXPECT_THAT(rendered("text", with_verdicts({}), {{}, german}),
               HasSubstr("0 Anforderungen: nichts war gefordert\n"));
-  EXPECT_THAT(render_markdown(with_verdicts({}), german),
+  EXPECT_THAT(rendered("markdown", with_verdicts({}), {{}, german}),
               HasSubstr("### luxgate: ○ nichts war gefordert: "));
   EXPECT_THAT(render_html(with_verdicts({}), german),
               HasSubstr("<p class=\"outcome\">Nichts war gefordert</p>"));
@@ -179,29 +174,31 @@ TEST(NothingChosen, IsAnErrorInEveryFormat) {
   document.provenance.selection = "--plane dsk";
   const std::string words = "--plane dsk chooses nothing in any of the projects";
   EXPECT_EQ(outcome_of(document), rules::Outcome::not_judged);
-  EXPECT_THAT(render_text(document), AllOf(HasSubstr("0 requirements: nothing was chosen"),
-                                           HasSubstr("error[selection-empty]: " + words + "\n")));
-  EXPECT_THAT(render_github(document),
+  EXPECT_THAT(rendered("text", document),
+              AllOf(HasSubstr("0 requirements: nothing was chosen"),
+                    HasSubstr("error[selection-empty]: " + words + "\n")));
+  EXPECT_THAT(rendered("github", document),
               HasSubstr("::error title=luxgate%3A selection-empty::" + words));
-  EXPECT_THAT(render_gitlab(document),
+  EXPECT_THAT(rendered("gitlab", document),
               AllOf(HasSubstr("luxgate/selection-empty"), HasSubstr(words), HasSubstr("blocker")));
-  EXPECT_THAT(render_markdown(document),
+  EXPECT_THAT(rendered("markdown", document),
               AllOf(HasSubstr("### luxgate: – not judged"), HasSubstr(words)));
-  EXPECT_THAT(render_junit(document), AllOf(HasSubstr("errors=\"1\""), HasSubstr("<error type="),
-                                            HasSubstr("message=\"" + words + "\"")));
-  EXPECT_THAT(render_sarif(document, SarifContent::problems),
+  EXPECT_THAT(rendered("junit", document),
+              AllOf(HasSubstr("errors=\"1\""), HasSubstr("<error type="),
+                    HasSubstr("message=\"" + words + "\"")));
+  EXPECT_THAT(rendered("sarif", document),
               AllOf(HasSubstr("\"executionSuccessful\": false"), HasSubstr(words)));
-  EXPECT_THAT(render_results_csv(document), HasSubstr("selection-empty"));
+  EXPECT_THAT(rendered("csv", document), HasSubstr("selection-empty"));
   EXPECT_THAT(render_html(document),
               AllOf(HasSubstr("<title>– "), HasSubstr("<div class=\"banner not-judged\""),
                     HasSubstr(words)));
-  const std::string json = render_json(document);
+  const std::string json = rendered("json", document);
   EXPECT_THAT(json, AllOf(HasSubstr("\"errors\": ["), HasSubstr(words)));
   std::string problem;
   const auto read = read_json(json, problem);
   ASSERT_TRUE(read) << problem;
   EXPECT_EQ(outcome_of(*read), rules::Outcome::not_judged);
-  EXPECT_EQ(render_json(*read), json);
+  EXPECT_EQ(rendered("json", *read), json);
 }
 
 // "+0.0 %" beside a failure reads as good.
@@ -217,13 +214,13 @@ TEST(Margin, IsNotShownWhereThereIsNone) {
   finding.margin = rules::margin_of(finding.requirement, finding.measured, finding.verdict);
   document.projects[0].spaces[0].planes[0].findings.resize(1);
   for (const std::string& text :
-       {render_text(document), render_markdown(document), render_html(document),
-        render_junit(document), render_sarif(document, SarifContent::problems),
-        render_github(document), render_gitlab(document), render_results_csv(document)}) {
+       {rendered("text", document), rendered("markdown", document), render_html(document),
+        rendered("junit", document), rendered("sarif", document), rendered("github", document),
+        rendered("gitlab", document), rendered("csv", document)}) {
     EXPECT_THAT(text, Not(HasSubstr("+0.0")));
   }
-  EXPECT_THAT(render_text(document), HasSubstr("–"));
-  EXPECT_THAT(render_json(document), HasSubstr("\"margin\": null"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("–"));
+  EXPECT_THAT(rendered("json", document), HasSubstr("\"margin\": null"));
 }
 
 // Of one project of several: the options have chosen something.
@@ -233,8 +230,8 @@ TEST(NothingChosen, OfOneProjectIsNoError) {
   document.projects.push_back(unchosen());
   document.provenance.selection = "--plane dsk";
   EXPECT_EQ(outcome_of(document), rules::Outcome::pass);
-  EXPECT_THAT(render_junit(document), HasSubstr("errors=\"0\""));
-  EXPECT_THAT(render_json(document), Not(HasSubstr("\"errors\"")));
+  EXPECT_THAT(rendered("junit", document), HasSubstr("errors=\"0\""));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("\"errors\"")));
 }
 
 // With something asked nothing of it is to be read.
@@ -247,14 +244,14 @@ TEST(NothingAsked, IsNotSaidOfWhatIsWaivedOrNotJudged) {
       testing::Not(testing::ContainsRegex("[Nn]othing was asked|nothing-asked|○"));
   for (const Document& document :
        {waived, uncomputed, with_verdicts({rules::Verdict::not_judged}), small_document()}) {
-    for (const std::string& text : {render_text(document), render_markdown(document),
-                                    render_html(document), render_junit(document)}) {
+    for (const std::string& text : {rendered("text", document), rendered("markdown", document),
+                                    render_html(document), rendered("junit", document)}) {
       EXPECT_THAT(text, not_said);
     }
   }
-  EXPECT_THAT(render_markdown(waived), testing::HasSubstr("### luxgate: ✓ waived: "));
+  EXPECT_THAT(rendered("markdown", waived), testing::HasSubstr("### luxgate: ✓ waived: "));
   EXPECT_THAT(render_html(waived), testing::HasSubstr("<div class=\"banner pass\">"));
-  EXPECT_THAT(render_markdown(uncomputed), testing::HasSubstr("### luxgate: – not judged: "));
+  EXPECT_THAT(rendered("markdown", uncomputed), testing::HasSubstr("### luxgate: – not judged: "));
   EXPECT_THAT(render_html(uncomputed), testing::HasSubstr("<div class=\"banner not-judged\">"));
 }
 

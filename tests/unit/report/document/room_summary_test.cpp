@@ -1,10 +1,8 @@
 #include "report/document/room_summary.h"
 
-#include "report/formats/console.h"
-#include "report/formats/markdown.h"
 #include "report/html/html.h"
-#include "report/html/html_pages.h"
 #include "report/text/plain_text.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -102,16 +100,16 @@ TEST(RoomSummary, AggregatesAboutARoomCount) {
 }
 
 TEST(RoomSummary, StandsFirstOnTheTerminalAndNamesRoomsAtTheEnd) {
-  const std::string text = render_text(rooms());
+  const std::string text = rendered("text", rooms());
   EXPECT_THAT(text, HasSubstr("  verdict       room       met  average lx\n"
                               "  – not judged  Store   1 of 2     – ≥ 450\n"
                               "  ✗ fail        Office  1 of 2   412 ≥ 500\n"
                               "  ✓ pass        Hall    2 of 2   460 ≥ 450\n"));
   EXPECT_THAT(text, HasSubstr("rooms that are not judged: Store\nrooms that fail: Office\n"));
-  EXPECT_THAT(render_text(small_document()), Not(HasSubstr("rooms that")));
+  EXPECT_THAT(rendered("text", small_document()), Not(HasSubstr("rooms that")));
   Document passing = rooms();
   passing.projects[0].spaces = {room("r1", "Hall"), room("r2", "Office")};
-  EXPECT_THAT(render_text(passing), Not(HasSubstr("rooms that")));
+  EXPECT_THAT(rendered("text", passing), Not(HasSubstr("rooms that")));
 }
 
 TEST(RoomSummary, NoGlareIsNotAMissingValue) {
@@ -123,7 +121,7 @@ TEST(RoomSummary, NoGlareIsNotAMissingValue) {
     judge_again(glare);
     space.planes[0].findings.push_back(glare);
   }
-  const std::string text = render_text(document);
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("Hall    3 of 3   460 ≥ 450  none ≤ 19\n"));
   EXPECT_THAT(text, HasSubstr("Office  2 of 3   412 ≥ 500  17.2 ≤ 19\n"));
 }
@@ -135,7 +133,7 @@ TEST(RoomSummary, NearALimitTheIntervalIsSeenAndNothingIsRoundedOverIt) {
   finding(office, 0).requirement.metric = rules::Metric::uniformity_min_avg;
   set_average(finding(office, 0), 0.5996, 0.0);
   set_average(finding(office, 1), 460.0, 9.0);
-  const std::string text = render_text(document);
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("0.5996 ≥ 0.60"));
   EXPECT_THAT(text, HasSubstr("460.0 ± 9.0 ≥ 450"));
 }
@@ -146,14 +144,15 @@ TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
   ProjectPart broken;
   broken.path = "b.xml";
   document.projects.push_back(broken);
-  EXPECT_THAT(render_text(document), HasSubstr("rooms that are not judged: a.xml: Store, b.xml\n"
-                                               "rooms that fail: a.xml: Office\n"));
+  EXPECT_THAT(rendered("text", document),
+              HasSubstr("rooms that are not judged: a.xml: Store, b.xml\n"
+                        "rooms that fail: a.xml: Office\n"));
 }
 
 TEST(RoomSummary, NamesGiveWayToANarrowTerminalAtTheirEnd) {
   Document document = rooms();
   document.projects[0].spaces[1].name = "2.03 Bedroom of the caretaker, facing the yard";
-  const std::string text = render_text(document, {.width = 60});
+  const std::string text = rendered("text", document, {{.width = 60}});
   EXPECT_THAT(text, HasSubstr("✗ fail        2.03 Bedroom of the car…  1 of 2   412 ≥ 500\n"));
 }
 
@@ -166,16 +165,17 @@ TEST(RoomSummary, StandsFirstInHtmlWithLinks) {
   EXPECT_LT(brief, page.find("id=\"summary\""));
   EXPECT_THAT(page, HasSubstr("<a href=\"#p1s2\">Office</a>"));
   EXPECT_THAT(page, HasSubstr("<h3 id=\"p1s2\">"));
-  EXPECT_THAT(render_html_index(document, "pages"),
+  EXPECT_THAT(rendered_index(document, "pages"),
               HasSubstr("<a href=\"pages/p1s2.html\">Office</a>"));
   EXPECT_THAT(render_html(small_document()), Not(HasSubstr("Rooms in brief")));
 }
 
 TEST(RoomSummary, StandsFirstInMarkdown) {
-  EXPECT_THAT(render_markdown(rooms()), HasSubstr("| verdict | room | met | average lx |\n"
-                                                  "| --- | --- | ---: | ---: |\n"
-                                                  "| – not judged | Store | 1 of 2 | – ≥ 450 |\n"
-                                                  "| ✗ fail | Office | 1 of 2 | 412 ≥ 500 |\n"));
+  EXPECT_THAT(rendered("markdown", rooms()),
+              HasSubstr("| verdict | room | met | average lx |\n"
+                        "| --- | --- | ---: | ---: |\n"
+                        "| – not judged | Store | 1 of 2 | – ≥ 450 |\n"
+                        "| ✗ fail | Office | 1 of 2 | 412 ≥ 500 |\n"));
 }
 
 }  // namespace

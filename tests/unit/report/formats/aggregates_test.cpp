@@ -1,16 +1,10 @@
 // Aggregates and classes in every format, and what they count.
-#include "report/formats/ci_annotations.h"
 #include "report/formats/ci_finding.h"
-#include "report/formats/console.h"
-#include "report/formats/csv.h"
-#include "report/formats/junit.h"
-#include "report/formats/markdown.h"
-#include "report/formats/sarif.h"
 #include "report/html/html.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/words.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -22,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace report::aggregates_test {
 namespace {
@@ -139,31 +134,31 @@ Document waived_document() {
 }
 
 TEST(Aggregates, SurviveTheJsonByteByByte) {
-  const std::string json = render_json(waived_document());
+  const std::string json = rendered("json", waived_document());
   std::string problem;
   const std::optional<Document> read = read_json(json, problem);
   ASSERT_TRUE(read.has_value()) << problem;
-  EXPECT_EQ(render_json(*read), json);
+  EXPECT_EQ(rendered("json", *read), json);
   EXPECT_EQ(render_html(*read), render_html(waived_document()));
-  EXPECT_EQ(render_text(*read, {}), render_text(waived_document(), {}));
+  EXPECT_EQ(rendered("text", *read), rendered("text", waived_document()));
 }
 
 TEST(Aggregates, OfJsonMustMakeSense) {
   rules::AggregateFinding finding = any_of_two(rules::Verdict::pass);
   finding.is_waived = true;
   std::string problem;
-  EXPECT_FALSE(read_json(render_json(document_with(finding)), problem));
+  EXPECT_FALSE(read_json(rendered("json", document_with(finding)), problem));
   EXPECT_THAT(problem, HasSubstr("what passes cannot be waived"));
 }
 
 TEST(Aggregates, AreRowsOfTextAndCsv) {
   const Document document = document_with(any_of_two(rules::Verdict::fail));
-  const std::string text = render_text(document, {});
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("aggregate glare"));
   EXPECT_THAT(text, HasSubstr("any of 2 checks"));
   EXPECT_THAT(text, HasSubstr("P3 reached, P2 possible"));
   EXPECT_THAT(text, HasSubstr("counts only in its aggregates"));
-  const std::string csv = render_results_csv(document);
+  const std::string csv = rendered("csv", document);
   EXPECT_THAT(csv, HasSubstr(",r1,,glare,aggregate,"));
   EXPECT_THAT(csv,
               HasSubstr(",fail,any of 2 checks: 1 of 2 met; fail: ugr (eyes),,,,,,,,,,pack\r\n"));
@@ -195,17 +190,17 @@ TEST(Aggregates, AreFindingsForCiSystems) {
   Document document = document_with(any_of_two(rules::Verdict::fail));
   document.projects[0].aggregates.push_back(any_of_two(rules::Verdict::fail));  // of another row
   std::set<std::string> fingerprints;
-  const std::vector<CiFinding> list = ci_findings(document);
+  const std::vector<CiFinding> list = CiFindings({}, nullptr).of(document.projects[0]);
   for (const CiFinding& entry : list) fingerprints.insert(entry.fingerprint);
   EXPECT_EQ(fingerprints.size(), list.size());
-  EXPECT_THAT(render_github(document),
+  EXPECT_THAT(rendered("github", document),
               HasSubstr("::error file=office.xml,line=9,col=5,title=luxgate%3A fail"));
-  EXPECT_THAT(render_gitlab(document), HasSubstr("luxgate/aggregate"));
-  EXPECT_THAT(render_markdown(document), HasSubstr("any of 2 checks | 1 of 2 met"));
-  const std::string junit = render_junit(document);
+  EXPECT_THAT(rendered("gitlab", document), HasSubstr("luxgate/aggregate"));
+  EXPECT_THAT(rendered("markdown", document), HasSubstr("any of 2 checks | 1 of 2 met"));
+  const std::string junit = rendered("junit", document);
   EXPECT_THAT(junit, HasSubstr("name=\"aggregate:r1//glare\""));
   EXPECT_THAT(junit, HasSubstr("failures=\"2\""));
-  const nlohmann::json sarif = nlohmann::json::parse(render_sarif(document, SarifContent::all));
+  const nlohmann::json sarif = nlohmann::json::parse(rendered("sarif-all", document));
   int failing = 0;
   for (const auto& result : sarif["runs"][0]["results"]) {
     if (result["ruleId"] == "aggregate" && result["level"] == "error") ++failing;
@@ -218,11 +213,11 @@ TEST(Aggregates, ThatAreWaivedSayWhoLivesWithThem) {
   finding.is_waived = true;
   finding.reason = calc::Message::words("fail: ugr; waived by J. Doe until 2027-06-30: moves");
   const Document document = document_with(finding);
-  EXPECT_THAT(render_sarif(document, SarifContent::all), HasSubstr("waived by J. Doe"));
-  EXPECT_THAT(render_junit(document), HasSubstr("failures=\"0\""));
-  EXPECT_THAT(render_markdown(document), HasSubstr("fail, waived"));
-  EXPECT_THAT(render_markdown(document), HasSubstr("fail, in aggregate"));
-  EXPECT_THAT(render_github(document), Not(HasSubstr("::error")));
+  EXPECT_THAT(rendered("sarif-all", document), HasSubstr("waived by J. Doe"));
+  EXPECT_THAT(rendered("junit", document), HasSubstr("failures=\"0\""));
+  EXPECT_THAT(rendered("markdown", document), HasSubstr("fail, waived"));
+  EXPECT_THAT(rendered("markdown", document), HasSubstr("fail, in aggregate"));
+  EXPECT_THAT(rendered("github", document), Not(HasSubstr("::error")));
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
 // The formats of CI systems: one document with every verdict against files, and what must hold for
 // any document.
 #include "calc/base/diagnostic_ids.h"
-#include "report/formats/ci_annotations.h"
 #include "report/formats/ci_finding.h"
-#include "report/formats/csv.h"
-#include "report/formats/junit.h"
-#include "report/formats/markdown.h"
 #include "report/formats/sarif.h"
 #include "report/text/words.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -19,6 +16,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace report::ci_formats_test {
 namespace {
@@ -108,12 +106,12 @@ void expect_file(const std::string& name, const std::string& text) {
 
 TEST(CiFormats, EveryVerdictLooksLikeTheFiles) {
   const Document document = every_verdict();
-  expect_file("junit.xml", render_junit(document));
-  expect_file("sarif", render_sarif(document, SarifContent::problems));
-  expect_file("all.sarif", render_sarif(document, SarifContent::all));
-  expect_file("github.txt", render_github(document));
-  expect_file("gitlab.json", render_gitlab(document));
-  expect_file("md", render_markdown(document));
+  expect_file("junit.xml", rendered("junit", document));
+  expect_file("sarif", rendered("sarif", document));
+  expect_file("all.sarif", rendered("sarif-all", document));
+  expect_file("github.txt", rendered("github", document));
+  expect_file("gitlab.json", rendered("gitlab", document));
+  expect_file("md", rendered("markdown", document));
 }
 
 // What a request did not bring is not pinned to it.
@@ -126,7 +124,7 @@ TEST(CiFormats, GithubPinsNewWarningsAlone) {
                  {calc::DiagnosticId::mesh_bent_faces, where, "old"}};
   document.revision.emplace();
   document.revision->known_warnings = {{document.projects[0].path, {0}}};
-  const std::string text = render_github(document);
+  const std::string text = rendered("github", document);
   const std::size_t first = text.find("::old");
   ASSERT_NE(first, std::string::npos);
   EXPECT_EQ(text.find("::old", first + 1), std::string::npos) << "one of the two is new";
@@ -135,9 +133,19 @@ TEST(CiFormats, GithubPinsNewWarningsAlone) {
               HasSubstr("luxgate: warnings that are not new, listed in the other reports: 1\n"));
 }
 
+std::vector<CiFinding> findings_of(const Document& document) {
+  const CiFindings of_all({}, nullptr);
+  std::vector<CiFinding> list;
+  for (const ProjectPart& project : document.projects) {
+    const std::vector<CiFinding> more = of_all.of(project);
+    list.insert(list.end(), more.begin(), more.end());
+  }
+  return list;
+}
+
 TEST(CiFindings, FingerprintsFollowIdsAlone) {
   const Document document = every_verdict();
-  const auto before = ci_findings(document);
+  const auto before = findings_of(document);
   std::set<std::string> different;
   for (const CiFinding& entry : before) different.insert(entry.fingerprint);
   EXPECT_EQ(different.size(), before.size());
@@ -147,9 +155,9 @@ TEST(CiFindings, FingerprintsFollowIdsAlone) {
   plane.findings[0].requirement.where.line = 99;
   plane.findings[0].measured.value = 480.0;
   plane.findings[0].verdict = rules::Verdict::fail;
-  EXPECT_EQ(ci_findings(changed)[0].fingerprint, before[0].fingerprint);
+  EXPECT_EQ(findings_of(changed)[0].fingerprint, before[0].fingerprint);
   plane.findings[0].requirement.id = "other";
-  EXPECT_NE(ci_findings(changed)[0].fingerprint, before[0].fingerprint);
+  EXPECT_NE(findings_of(changed)[0].fingerprint, before[0].fingerprint);
 }
 
 // Its exit code is 2: no format may look green.
@@ -159,18 +167,18 @@ TEST(CiFindings, APlaneWithoutResultIsToldBesideAdvice) {
   plane.is_computed = false;
   plane.findings.resize(1);
   plane.findings[0].verdict = rules::Verdict::not_judged;
-  EXPECT_EQ(ci_findings(document).size(), 1u);
+  EXPECT_EQ(findings_of(document).size(), 1u);
   plane.findings[0].requirement.severity = rules::Severity::advice;
-  const auto list = ci_findings(document);
+  const auto list = findings_of(document);
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[1].rule, "plane");
   EXPECT_TRUE(list[1].counts);
-  EXPECT_THAT(render_junit(document), HasSubstr("errors=\"1\""));
+  EXPECT_THAT(rendered("junit", document), HasSubstr("errors=\"1\""));
 }
 
 TEST(Junit, CountsWhatItLists) {
   pugi::xml_document xml;
-  ASSERT_TRUE(xml.load_string(render_junit(every_verdict()).c_str()));
+  ASSERT_TRUE(xml.load_string(rendered("junit", every_verdict()).c_str()));
   const pugi::xml_node all = xml.child("testsuites");
   EXPECT_EQ(all.attribute("tests").as_int(), 9);
   EXPECT_EQ(all.attribute("failures").as_int(), 2);
@@ -184,7 +192,7 @@ TEST(Junit, CountsWhatItLists) {
 }
 
 TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
-  const json run = json::parse(render_sarif(every_verdict(), SarifContent::all))["runs"][0];
+  const json run = json::parse(rendered("sarif-all", every_verdict()))["runs"][0];
   std::set<std::string> kinds;
   for (const json& result : run["results"]) {
     const std::size_t index = result["ruleIndex"];
@@ -195,8 +203,7 @@ TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
     EXPECT_EQ(result.contains("suppressions"), result["ruleId"] == "Ud");
   }
   EXPECT_EQ(kinds, (std::set<std::string>{"pass", "fail", "review", "open"}));
-  for (const json& result :
-       json::parse(render_sarif(every_verdict(), SarifContent::problems))["runs"][0]["results"]) {
+  for (const json& result : json::parse(rendered("sarif", every_verdict()))["runs"][0]["results"]) {
     EXPECT_NE(result["kind"], "pass");
   }
   EXPECT_EQ(run["artifacts"][1]["location"]["uri"], "my%20lamp.ies");
@@ -206,23 +213,23 @@ TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
 TEST(CiFormats, NamesStayText) {
   const Document document = hostile();
   pugi::xml_document xml;
-  EXPECT_TRUE(xml.load_string(render_junit(document).c_str()));
+  EXPECT_TRUE(xml.load_string(rendered("junit", document).c_str()));
   EXPECT_EQ(xml.select_nodes("//script").size(), 0u);
-  EXPECT_TRUE(json::accept(render_sarif(document, SarifContent::all)));
-  EXPECT_TRUE(json::accept(render_gitlab(document)));
-  const std::string github = render_github(document);
+  EXPECT_TRUE(json::accept(rendered("sarif-all", document)));
+  EXPECT_TRUE(json::accept(rendered("gitlab", document)));
+  const std::string github = rendered("github", document);
   std::istringstream lines(github);
   int commands = 0;
   for (std::string line; std::getline(lines, line);) commands += line.starts_with("::") ? 1 : 0;
   EXPECT_EQ(commands, 9);  // two diagnostics, seven findings that did not pass
   EXPECT_THAT(github, HasSubstr("no %250A"));
-  const std::string markdown = render_markdown(document);
+  const std::string markdown = rendered("markdown", document);
   EXPECT_THAT(markdown, Not(HasSubstr("<script>")));
   EXPECT_THAT(markdown, Not(HasSubstr("@all")));
   EXPECT_THAT(markdown, Not(HasSubstr("[l](u)")));
   EXPECT_THAT(markdown, Not(HasSubstr("://")));
   EXPECT_THAT(markdown, Not(HasSubstr("www.")));
-  for (const std::string& text : {github, markdown, render_junit(document)}) {
+  for (const std::string& text : {github, markdown, rendered("junit", document)}) {
     EXPECT_THAT(text, Not(HasSubstr("\x1b")));
     EXPECT_THAT(text, Not(HasSubstr("\xff")));
   }
@@ -235,7 +242,7 @@ TEST(Markdown, NamesTheProjectWhereThereAreSeveral) {
   two.projects[1].path = "variants/b|c.xml";
   two.projects[1].name.clear();
   two.projects[1].spaces[0].planes[0].findings.pop_back();
-  const std::string text = render_markdown(two);
+  const std::string text = rendered("markdown", two);
   EXPECT_THAT(text, HasSubstr("\n- ✗ fail: office.xml, Small office\n"
                               "- ✓ pass: variants/b&#124;c.xml\n"));
   EXPECT_THAT(text, HasSubstr("\n| project | verdict | where | quantity | required | calculated | "
@@ -243,7 +250,7 @@ TEST(Markdown, NamesTheProjectWhereThereAreSeveral) {
                               "| office.xml | ✗ fail | Office / Work plane | minimum |"));
   EXPECT_THAT(text,
               HasSubstr("\n| variants/b&#124;c.xml | ✓ pass | Office / Work plane | average"));
-  const std::string one = render_markdown(small_document());
+  const std::string one = rendered("markdown", small_document());
   EXPECT_THAT(one, testing::StartsWith("### luxgate: ✗ fail: Small office (office.xml)\n"));
   EXPECT_THAT(one, Not(HasSubstr("\n- ")));
   EXPECT_THAT(one, Not(HasSubstr("| project |")));
@@ -253,7 +260,7 @@ TEST(Markdown, SaysWhatALongTableLeavesOut) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.findings.assign(130, plane.findings[1]);
-  const std::string text = render_markdown(document);
+  const std::string text = rendered("markdown", document);
   EXPECT_THAT(text, HasSubstr("30 more are left out here."));
   EXPECT_LT(text.size(), 65536u);  // GitHub's limit of a comment
 }
@@ -263,7 +270,7 @@ TEST(Gitlab, FingerprintsAreUniqueEvenForEqualMessages) {
   document.projects[0].diagnostics.assign(
       3, {calc::DiagnosticId::nothing_required, at(3), "the same"});
   std::set<std::string> different;
-  const json issues = json::parse(render_gitlab(document));
+  const json issues = json::parse(rendered("gitlab", document));
   for (const json& issue : issues) different.insert(issue["fingerprint"]);
   EXPECT_EQ(issues.size(), 4u);
   EXPECT_EQ(different.size(), 4u);
@@ -273,15 +280,15 @@ TEST(Gitlab, FingerprintsAreUniqueEvenForEqualMessages) {
 TEST(CiFormats, NotesOfRoomsAreTold) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
-  EXPECT_THAT(render_markdown(document), Not(HasSubstr("Notes on")));
-  EXPECT_THAT(render_junit(document), Not(HasSubstr("Office: ")));
+  EXPECT_THAT(rendered("markdown", document), Not(HasSubstr("Notes on")));
+  EXPECT_THAT(rendered("junit", document), Not(HasSubstr("Office: ")));
   space.notes = {calc::Message::words("workplace desk: left out: ceiling | <open>")};
   space.planes[0].changed = calc::Message::words("height 1.1 m instead of 0.75 m");
-  EXPECT_THAT(render_markdown(document),
+  EXPECT_THAT(rendered("markdown", document),
               HasSubstr("- Office: workplace desk: left out: ceiling &#124; &#60;open&#62;\n"
                         "- Office / Work plane: changed: height 1.1 m instead of 0.75 m\n"));
   pugi::xml_document tree;
-  ASSERT_TRUE(tree.load_string(render_junit(document).c_str()));
+  ASSERT_TRUE(tree.load_string(rendered("junit", document).c_str()));
   const std::string told = tree.select_node("//testsuite/system-out").node().text().as_string();
   EXPECT_EQ(told,
             "Office: workplace desk: left out: ceiling | <open>\n"
@@ -297,9 +304,8 @@ TEST(CiFormats, RemarksAndDoubtsOfPlanesAreInAll) {
   const std::string doubt = doubt_words({}, plane);
   ASSERT_NE(doubt, "");
   for (const std::string& text :
-       {render_sarif(document, SarifContent::problems), render_github(document),
-        render_gitlab(document), render_junit(document), render_markdown(document),
-        render_results_csv(document)}) {
+       {rendered("sarif", document), rendered("github", document), rendered("gitlab", document),
+        rendered("junit", document), rendered("markdown", document), rendered("csv", document)}) {
     EXPECT_THAT(text, HasSubstr("how it was rated"));
     EXPECT_THAT(text, HasSubstr(doubt));
   }

@@ -1,7 +1,7 @@
 #include "report/formats/console.h"
-#include "report/formats/markdown.h"
 
 #include "report/text/plain_text.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Console, SmallDocument) {
-  EXPECT_EQ(render_text(small_document()),
+  EXPECT_EQ(rendered("text", small_document()),
             R"(office.xml: Small office
   verdict  room / plane         quantity  required      calculated  margin  at (m)
   ✓ pass   Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
@@ -32,10 +32,12 @@ TEST(Console, ProjectDataStandBelowTheTitle) {
   Document document = small_document();
   document.projects[0].about.client = "Meier\n& Sons";
   document.projects[0].about.revision = "b";
-  EXPECT_THAT(render_text(document), HasSubstr("\n  Client: Meier & Sons · Revision: b\n"));
-  EXPECT_THAT(render_markdown(document), HasSubstr("\n\nClient: Meier &#38; Sons · Revision: b\n"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("\n  Client: Meier & Sons · Revision: b\n"));
+  EXPECT_THAT(rendered("markdown", document),
+              HasSubstr("\n\nClient: Meier &#38; Sons · Revision: b\n"));
   document.projects.push_back(document.projects[0]);
-  EXPECT_THAT(render_markdown(document), HasSubstr("; Client: Meier &#38; Sons · Revision: b\n"));
+  EXPECT_THAT(rendered("markdown", document),
+              HasSubstr("; Client: Meier &#38; Sons · Revision: b\n"));
 }
 
 // Whatever does not decide is there with all of its numbers, also where nothing else is.
@@ -47,7 +49,7 @@ TEST(Console, WhatIsWaivedOrAdviceStandsWithItsNumbers) {
       if (is_waived) finding.requirement.waiver = rules::Waiver{"glass", "A. Meier", "2099-06-30"};
       if (!is_waived) finding.requirement.severity = rules::Severity::advice;
     }
-    const std::string text = render_text(document);
+    const std::string text = rendered("text", document);
     EXPECT_THAT(text, HasSubstr("Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %"));
     EXPECT_THAT(text, HasSubstr("Office / Work plane  minimum   ≥ 450 lx  424.5 ± 4.2 lx  -5.7 %"));
   }
@@ -56,7 +58,7 @@ TEST(Console, WhatIsWaivedOrAdviceStandsWithItsNumbers) {
 TEST(Console, PlaneWithoutRequirementIsListed) {
   Document document = small_document();
   document.projects[0].spaces[0].planes[0].findings.clear();
-  EXPECT_EQ(render_text(document),
+  EXPECT_EQ(rendered("text", document),
             R"(office.xml: Small office
   verdict     room / plane
     no limit  Office / Work plane
@@ -70,13 +72,14 @@ TEST(Console, WhatAProjectChangesAboutAZoneAndLeavesOutIsTold) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
   space.planes[0].made_by = calc::Message::words("workplace desk, task: the whole room");
-  EXPECT_THAT(render_text(document), testing::Not(HasSubstr("workplace desk")));
+  EXPECT_THAT(rendered("text", document), testing::Not(HasSubstr("workplace desk")));
   space.planes[0].changed = calc::Message::words("height 1.1 m instead of 0.75 m");
   space.notes = {calc::Message::words("workplace desk: left out: ceiling (open)")};
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("└ workplace desk, task: the whole room; changed: height 1.1 m instead of "
                         "0.75 m\n"));
-  EXPECT_THAT(render_text(document), HasSubstr("└ workplace desk: left out: ceiling (open)\n"));
+  EXPECT_THAT(rendered("text", document),
+              HasSubstr("└ workplace desk: left out: ceiling (open)\n"));
 }
 
 // Two planes of a workplace that pass, and one that does not.
@@ -101,7 +104,7 @@ Document workplace_document() {
 
 TEST(Console, PassesOfAWorkplaceShareALine) {
   Document document = workplace_document();
-  EXPECT_EQ(render_text(document),
+  EXPECT_EQ(rendered("text", document),
             R"(office.xml: Small office
   verdict  room / plane               quantity        required      calculated  margin
   ✓ pass   Office / Desk              2 requirements                            +1.0 %
@@ -112,7 +115,7 @@ TEST(Console, PassesOfAWorkplaceShareALine) {
 )");
   TextOptions options;
   options.lists_passes = true;
-  EXPECT_THAT(render_text(document, options), HasSubstr("Office / Desk: task"));
+  EXPECT_THAT(rendered("text", document, {options}), HasSubstr("Office / Desk: task"));
 }
 
 // Nothing that somebody has to decide about disappears in a line with others.
@@ -120,8 +123,8 @@ TEST(Console, WhatHasToBeReadIsNotFolded) {
   const auto folds = [](auto&& change) {
     Document document = workplace_document();
     change(document.projects[0].spaces[0].planes[1]);
-    return render_text(document).find("2 requirements:") == std::string::npos &&
-           render_text(document).find("nearest to its limit") != std::string::npos;
+    return rendered("text", document).find("2 requirements:") == std::string::npos &&
+           rendered("text", document).find("nearest to its limit") != std::string::npos;
   };
   EXPECT_TRUE(folds([](PlanePart&) {}));
   EXPECT_FALSE(folds([](PlanePart& plane) {
@@ -142,7 +145,7 @@ TEST(Console, AdviceAmongFoldedPassesIsNamed) {
   Document document = workplace_document();
   document.projects[0].spaces[0].planes[1].findings[0].requirement.severity =
       rules::Severity::advice;
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("└ task, surround (advice: does not count); nearest to its limit: task, "));
 }
 
@@ -151,7 +154,8 @@ TEST(Console, NotesOfFoldedPassesAreSaid) {
   std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
   planes[1].findings[0].requirement.note = calc::Message::words("one public source");
   planes[1].remarks = {calc::Message::words("a remark")};
-  EXPECT_THAT(render_text(document), HasSubstr("└ one public source\n           └ a remark\n"));
+  EXPECT_THAT(rendered("text", document),
+              HasSubstr("└ one public source\n           └ a remark\n"));
 }
 
 TEST(Console, LongNotesThatComeAgainAreNumbered) {
@@ -162,7 +166,7 @@ TEST(Console, LongNotesThatComeAgainAreNumbered) {
     plane.findings[0].requirement.note = calc::Message::words(lengthy);
   TextOptions options;
   options.lists_passes = true;
-  const std::string text = render_text(document, options);
+  const std::string text = rendered("text", document, {options});
   EXPECT_THAT(text, HasSubstr("└ [1] " + lengthy + "\n"));
   EXPECT_EQ(text.find(lengthy), text.rfind(lengthy));
   EXPECT_THAT(text, HasSubstr("surround    average"));
@@ -180,7 +184,7 @@ TEST(Console, RowsOfWhichTheSameIsToBeSaidShareALine) {
     rows.push_back(row);
   }
   rows[1].roles[0].state = rules::RoleState::never_asked;
-  const std::string text = render_text(document);
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("└ a, c, d and 1 more, EN 12464-1:2021 34.2: the whole row is met"));
   EXPECT_THAT(text, HasSubstr("└ b, EN 12464-1:2021 34.2: nothing of the row that counts is asked; "
                               "never asked: task"));
@@ -190,12 +194,12 @@ TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.kernel = calc::ReceiverKernel::cylindrical;
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("  average of cylindrical illuminance Ez  ≥ 500 lx  "));
-  EXPECT_THAT(render_text(document), HasSubstr("  minimum of cylindrical illuminance Ez  "));
+  EXPECT_THAT(rendered("text", document), HasSubstr("  minimum of cylindrical illuminance Ez  "));
   plane.findings.clear();
   plane.kernel = calc::ReceiverKernel::semicylindrical;
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("└ semicylindrical illuminance Esz: average 512.5 ± 4.0 lx, minimum"));
 }
 
@@ -211,19 +215,19 @@ TEST(Console, RatingsHaveNoUnit) {
   finding.requirement.derived = plane.derived;
   finding.measured = plane.maximum;
   plane.findings = {finding};
-  const std::string text = render_text(document);
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));
   EXPECT_THAT(text, HasSubstr("18.50 ± 0.25  "));
   EXPECT_THAT(text, HasSubstr("└ how it was rated\n"));
   plane.findings.clear();
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("└ glare rating UGR: minimum 15.50 ± 0.25, maximum 18.50 ± 0.25\n"));
 }
 
 TEST(Console, WhatWasNotJudgedSaysWhy) {
   Document document = sample_document();
   document.projects[0].spaces[0].planes[1].findings[0].is_close = true;
-  const std::string text = render_text(document);
+  const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));
   EXPECT_THAT(text, HasSubstr("└ the plane was not computed\n"));
   EXPECT_THAT(text, HasSubstr("yard.xml\n  – not judged: it could not be read"));
@@ -236,22 +240,22 @@ TEST(Console, ReasonOfAnUncomputedPlaneWithoutRequirementIsShown) {
   plane.findings.clear();
   plane.is_computed = false;
   plane.reason = calc::Message::words("no point is left");
-  EXPECT_THAT(render_text(document), HasSubstr("– not computed  Office / Work plane\n"));
-  EXPECT_THAT(render_text(document), HasSubstr("└ no point is left\n"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("– not computed  Office / Work plane\n"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("└ no point is left\n"));
 }
 
 TEST(Console, PointsThatCannotBeTrustedAreTold) {
   Document document = small_document();
   document.projects[0].spaces[0].planes[0].unseen_points = 1;
   document.projects[0].spaces[0].planes[0].single_sample_points = 2;
-  EXPECT_THAT(render_text(document),
+  EXPECT_THAT(rendered("text", document),
               HasSubstr("└ 1 of 2 points got no sample of the light that may reach them; 2 of 2 "
                         "points rest on single samples: their intervals cannot be trusted\n"));
 }
 
 TEST(Console, ColoursOnlyOnRequest) {
-  EXPECT_THAT(render_text(sample_document()), Not(HasSubstr("\033")));
-  EXPECT_THAT(render_text(sample_document(), {true, 0}), HasSubstr("\033[1;31m✗ FAIL"));
+  EXPECT_THAT(rendered("text", sample_document()), Not(HasSubstr("\033")));
+  EXPECT_THAT(rendered("text", sample_document(), {{true, 0}}), HasSubstr("\033[1;31m✗ FAIL"));
 }
 
 // Advice and what is waived decide nothing, and do not look as if they did.
@@ -269,7 +273,7 @@ TEST(Console, OnlyWhatCountsStandsOut) {
         }
       }
     }
-    const std::string text = render_text(document, {true, 0});
+    const std::string text = rendered("text", document, {{true, 0}});
     EXPECT_THAT(
         text, AllOf(Not(HasSubstr("✗ FAIL")), HasSubstr("✗ fail"), Not(HasSubstr("\033[1;31m✗"))));
   }
@@ -278,7 +282,7 @@ TEST(Console, OnlyWhatCountsStandsOut) {
 TEST(Console, EscapesInNamesDoNotReachTheTerminal) {
   Document document = small_document();
   document.projects[0].spaces[0].name = "\033[2J";
-  EXPECT_THAT(render_text(document), Not(HasSubstr("\033")));
+  EXPECT_THAT(rendered("text", document), Not(HasSubstr("\033")));
 }
 
 TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
@@ -287,9 +291,9 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
       "measured from the other side of the board, as what stands before it is wider than the board "
       "itself, a-name-of-more-than-fifty-characters-that-nobody-may-cut, and so on";
   document.projects[0].spaces[0].planes[0].remarks = {calc::Message::words(remark)};
-  EXPECT_THAT(render_text(document), HasSubstr("└ " + remark + "\n"));
-  EXPECT_THAT(render_text(document, {.width = 30}), HasSubstr("└ " + remark + "\n"));
-  const std::string text = render_text(document, {.width = 60});
+  EXPECT_THAT(rendered("text", document), HasSubstr("└ " + remark + "\n"));
+  EXPECT_THAT(rendered("text", document, {{.width = 30}}), HasSubstr("└ " + remark + "\n"));
+  const std::string text = rendered("text", document, {{.width = 60}});
   EXPECT_THAT(text,
               HasSubstr("           └ measured from the other side of the board, as\n"
                         "             what stands before it is wider than the board\n"
@@ -299,12 +303,12 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
 }
 
 TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
-  const std::string text = render_text(small_document(), {false, 90});
+  const std::string text = rendered("text", small_document(), {{false, 90}});
   EXPECT_THAT(text, HasSubstr("…e / Work plane"));
   EXPECT_THAT(text, HasSubstr("424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 90U) << line;
-  EXPECT_THAT(render_text(small_document(), {false, 10}),
+  EXPECT_THAT(rendered("text", small_document(), {{false, 10}}),
               HasSubstr("424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)"));
 }
 
@@ -314,7 +318,7 @@ TEST(Console, SceneAndStateAreNamed) {
       document.projects[0].spaces[0].planes[0].findings[0].requirement;
   requirement.state = rules::LightState::initial;
   requirement.scene = "evening";
-  EXPECT_THAT(render_text(document), HasSubstr("average, initial, scene evening"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("average, initial, scene evening"));
 }
 
 }  // namespace

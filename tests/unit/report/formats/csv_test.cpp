@@ -1,5 +1,4 @@
-#include "report/formats/csv.h"
-
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +14,7 @@ using testing::HasSubstr;
 
 TEST(Csv, ResultsOfSmallDocument) {
   EXPECT_EQ(
-      render_results_csv(small_document()),
+      rendered("csv", small_document()),
       "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,"
       "limit,value,low,"
       "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m,pack,row,check,severity,waiver,"
@@ -29,7 +28,7 @@ TEST(Csv, ResultsOfSmallDocument) {
 
 TEST(Csv, PointsOfSmallDocument) {
   EXPECT_EQ(
-      render_points_csv(small_document()),
+      rendered("points-csv", small_document()),
       "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
       "indirect_lx,quantity,rating,rating_low,rating_high\r\n"
       "office.xml,r1,work,0,0,1.25,1,0.8,0,0,1,600.5,594.25,606.75,500.25,100.25,planar,,,\r\n"
@@ -43,7 +42,7 @@ TEST(Csv, RatingsHaveColumnsOfTheirOwn) {
   plane.derived = calc::DerivedQuantity::ugr;
   plane.points[0].measured = {18.5, 18.25, 18.75};
   plane.points[1].measured = no_estimate();
-  const std::string csv = render_points_csv(document);
+  const std::string csv = rendered("points-csv", document);
   EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,500.25,100.25,ugr,18.5,18.25,18.75\r\n"));
   EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,324,100.5,ugr,,,\r\n"));
 }
@@ -53,13 +52,13 @@ TEST(Csv, FieldsAreQuotedWhereNeeded) {
   document.projects[0].path = "a,b.xml";
   document.projects[0].spaces[0].id = "the \"big\" room";
   document.projects[0].spaces[0].planes[0].findings[0].reason = calc::Message::words("two\nlines");
-  const std::string csv = render_results_csv(document);
+  const std::string csv = rendered("csv", document);
   EXPECT_THAT(csv, HasSubstr("\r\n\"a,b.xml\",\"the \"\"big\"\" room\",work,"));
   EXPECT_THAT(csv, HasSubstr(",two lines,"));
 }
 
 TEST(Csv, EveryRowHasTheSameNumberOfFields) {
-  const std::string csv = render_results_csv(sample_document());
+  const std::string csv = rendered("csv", sample_document());
   std::size_t begin = 0;
   for (std::size_t end = csv.find("\r\n"); end != std::string::npos;
        end = csv.find("\r\n", begin)) {
@@ -73,7 +72,7 @@ TEST(Csv, EveryRowHasTheSameNumberOfFields) {
 }
 
 TEST(Csv, UnjudgedThingsAreRowsWithoutNumbers) {
-  const std::string csv = render_results_csv(sample_document());
+  const std::string csv = rendered("csv", sample_document());
   EXPECT_THAT(
       csv,
       HasSubstr(
@@ -88,7 +87,7 @@ TEST(Csv, UnknownLimitIsEmpty) {
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
   finding.verdict = rules::Verdict::not_judged;
   finding.requirement.limit = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(render_results_csv(document), HasSubstr(",at_least,,,,,,not judged,"));
+  EXPECT_THAT(rendered("csv", document), HasSubstr(",at_least,,,,,,not judged,"));
 }
 
 TEST(Csv, PercentileNamesItsShare) {
@@ -97,7 +96,7 @@ TEST(Csv, PercentileNamesItsShare) {
       document.projects[0].spaces[0].planes[0].findings[0].requirement;
   requirement.metric = rules::Metric::percentile;
   requirement.percent = 12.5;
-  EXPECT_THAT(render_results_csv(document), HasSubstr(",percentile,12.5,lx,"));
+  EXPECT_THAT(rendered("csv", document), HasSubstr(",percentile,12.5,lx,"));
 }
 
 }  // namespace

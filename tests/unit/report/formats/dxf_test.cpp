@@ -7,6 +7,7 @@
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "tests/support/hostile_document.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -194,7 +195,7 @@ Drawing read_strictly(const std::string& dxf) {
 std::string rendered_dxf(const Document& document, const Texts& t = {}) {
   FormatStyle style;
   style.texts = t;
-  return find_format("dxf")->render(document, style);
+  return rendered("dxf", document, style);
 }
 
 Drawing drawn(const Document& document) { return read_strictly(rendered_dxf(document)); }

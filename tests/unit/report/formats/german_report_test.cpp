@@ -1,12 +1,11 @@
 // Reports in German: complete, and the same in everything that is not language.
 
-#include "report/formats/console.h"
-#include "report/formats/markdown.h"
 #include "report/html/html.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_script.h"
 #include "report/text/texts.h"
 #include "tests/support/hostile_document.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -197,9 +196,9 @@ TEST(TranslatedReport, NothingOfTheTableIsEnglish) {
     if (row.language == Language::english) continue;
     const Texts t(row.language, row.has_decimal_comma);
     std::vector<std::string> pages{render_html(document, t),
-                                   render_html_index(document, "x-rooms", t)};
-    for (const HtmlPage& page : html_pages(document))
-      pages.push_back(render_html_page(document, page, "../x.html", t));
+                                   rendered_index(document, "x-rooms", t)};
+    for (const HtmlPage& page : pages_of(document))
+      pages.push_back(rendered_page(document, page, "../x.html", t));
     for (const std::string& page : pages) {
       EXPECT_THAT(page, HasSubstr("<html lang=\"" + std::string(row.tag) + "\">"));
       for (const std::string& told : told_by(page)) {
@@ -280,7 +279,7 @@ TEST(GermanReport, HostileNamesStayText) {
 }
 
 TEST(GermanReport, MarkdownIsGerman) {
-  const std::string text = render_markdown(rich_document(), kGerman);
+  const std::string text = rendered("markdown", rich_document(), {{}, kGerman});
   EXPECT_EQ(english_in(std::regex_replace(
                 text, std::regex("no point[^|]*|cannot read[^|]*|the (interval|plane) [^|]*"), "")),
             "");
@@ -292,7 +291,7 @@ TEST(GermanReport, MarkdownIsGerman) {
 }
 
 TEST(GermanReport, TheTerminalsTableIsGerman) {
-  const std::string text = render_text(small_document(), {}, kGerman);
+  const std::string text = rendered("text", small_document(), {{}, kGerman});
   EXPECT_EQ(
       text,
       "office.xml: Small office\n"

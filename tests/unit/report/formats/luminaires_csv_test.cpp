@@ -1,6 +1,5 @@
-#include "report/formats/csv.h"
-
 #include "report/text/luminaire_aim.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -53,7 +52,7 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   mark.axis = {0, 0, -1};
   mark.c0 = {1, 0, 0};
   space.luminaires = {mark, {{1, 2, 3}, "gone"}};
-  const std::string csv = render_luminaires_csv(document);
+  const std::string csv = rendered("luminaires-csv", document);
   const std::string at = project.path + "," + space.id;
   EXPECT_THAT(csv, testing::StartsWith("project,space,number,id,type,maker,article,group,x_m,"));
   EXPECT_THAT(csv,
@@ -62,7 +61,8 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,\r\n"));
   // What to order where the project takes a package.
   project.luminaires[0].package = "warm-900";
-  EXPECT_THAT(render_luminaires_csv(document), testing::HasSubstr("\"Maker, Ltd\",warm-900,,1.5"));
+  EXPECT_THAT(rendered("luminaires-csv", document),
+              testing::HasSubstr("\"Maker, Ltd\",warm-900,,1.5"));
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // part) is beside the verdict in every format.
 
 #include "report/formats/format.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/text/clause_words.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 #include "tests/support/legible.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -61,7 +61,7 @@ TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
     whole.projects[0].spaces[0].coverage[0].roles.pop_back();
     EXPECT_THAT(legible(format, whole), Not(HasSubstr("observer"))) << format.name;
   }
-  EXPECT_THAT(find_format("github")->render(deviating(), {}), HasSubstr("asked in part only"));
+  EXPECT_THAT(rendered("github", deviating()), HasSubstr("asked in part only"));
 }
 
 TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
@@ -101,7 +101,7 @@ TEST(StandardWords, WhoSaysTheLimitIsInEveryFormatButPoints) {
   says("EN 12464-1:2021 34.2 (user-supplied)", "user-pack");
   finding.requirement.origin.is_user_supplied = false;
   EXPECT_EQ(clause_words({}, finding.requirement), "EN 12464-1:2021 34.2");
-  EXPECT_THAT(find_format("text")->render(document, {}), Not(HasSubstr("user-supplied")));
+  EXPECT_THAT(rendered("text", document), Not(HasSubstr("user-supplied")));
   // Rows and aggregates of such a pack, too.
   rules::RowCoverage row{
       "desk", calc::Message::words("EN 12464-1:2021 34.2"), {{"task", rules::RoleState::met, {}}}};
@@ -126,11 +126,11 @@ TEST(StandardWords, WhoSaysTheLimitIsReadAgain) {
   row.is_user_supplied = true;
   space.coverage = {row};
   std::string problem;
-  const std::optional<Document> read = read_json(render_json(document), problem);
+  const std::optional<Document> read = read_json(rendered("json", document), problem);
   ASSERT_TRUE(read) << problem;
-  EXPECT_EQ(render_json(*read), render_json(document));
+  EXPECT_EQ(rendered("json", *read), rendered("json", document));
   space.coverage[0].is_user_supplied = false;
-  EXPECT_FALSE(read_json(render_json(document), problem));
+  EXPECT_FALSE(read_json(rendered("json", document), problem));
   EXPECT_THAT(problem, HasSubstr("user_supplied"));
 }
 
@@ -174,10 +174,10 @@ TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
 }
 
 TEST(StandardWords, TheSummaryCountsBoth) {
-  const std::string text = find_format("text")->render(deviating(), {});
+  const std::string text = rendered("text", deviating());
   EXPECT_THAT(text, HasSubstr("1 with a deviation from the standard"));
   EXPECT_THAT(text, HasSubstr("1 row of a standard is asked in part only"));
-  EXPECT_THAT(find_format("text")->render(small_document(), {}), Not(HasSubstr("standard")));
+  EXPECT_THAT(rendered("text", small_document()), Not(HasSubstr("standard")));
 }
 
 // A plane that deviates, and is not judged for it, is not counted as judged with a deviation.
@@ -189,11 +189,11 @@ TEST(StandardWords, WhatIsNotJudgedIsNotCountedAsDeviating) {
 }
 
 TEST(StandardWords, SurviveTheResultFile) {
-  const std::string bytes = render_json(deviating());
+  const std::string bytes = rendered("json", deviating());
   std::string problem;
   const std::optional<Document> read = read_json(bytes, problem);
   ASSERT_TRUE(read.has_value()) << problem;
-  EXPECT_EQ(render_json(*read), bytes);
+  EXPECT_EQ(rendered("json", *read), bytes);
   for (const Format& format : formats()) {
     EXPECT_EQ(format.render(*read, {}), format.render(deviating(), {})) << format.name;
   }

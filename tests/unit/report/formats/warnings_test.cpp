@@ -3,9 +3,9 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "report/formats/format.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "tests/support/legible.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ Document strict() {
 }
 
 std::string rendered(const Document& document, std::string_view format) {
-  return find_format(format)->render(document, {});
+  return rendered(format, document);
 }
 
 TEST(Warnings, AreInEveryFormatButPoints) {
@@ -77,7 +77,7 @@ TEST(Warnings, AreCountedInTheLastLineOfText) {
 TEST(Warnings, AreNotSaidTwiceOnATerminal) {
   TextOptions terminal;
   terminal.has_messages = false;
-  const std::string text = render_text(warned(), terminal);
+  const std::string text = rendered("text", warned(), {terminal});
   EXPECT_THAT(text, Not(HasSubstr("pasted twice?")));
   EXPECT_THAT(text, HasSubstr("3 warnings"));
 }
@@ -147,19 +147,19 @@ TEST(Warnings, MarkdownLeavesOutWhatIsTooMuch) {
 
 TEST(Warnings, ThatCountDoSoAgainWhenTheResultIsRead) {
   std::string problem;
-  const std::optional<Document> again = read_json(render_json(strict()), problem);
+  const std::optional<Document> again = read_json(rendered("json", strict()), problem);
   ASSERT_TRUE(again) << problem;
   EXPECT_EQ(outcome_of(*again), rules::Outcome::warned);
   EXPECT_EQ(count_warnings(*again).all, 3);
   EXPECT_EQ(count_warnings(*again).strict, 2);
-  const json result = json::parse(render_json(strict()));
+  const json result = json::parse(rendered("json", strict()));
   EXPECT_EQ(result["warnings"], json({{"all", 3}, {"strict", 2}}));
   EXPECT_EQ(result["projects"][0]["strict_warnings"], json({"light-leaves-room"}));
-  EXPECT_FALSE(json::parse(render_json(warned()))["projects"][0].contains("strict_warnings"));
+  EXPECT_FALSE(json::parse(rendered("json", warned()))["projects"][0].contains("strict_warnings"));
 }
 
 TEST(Warnings, AnIdThatThisProgramDoesNotKnowIsRefused) {
-  std::string text = render_json(strict());
+  std::string text = rendered("json", strict());
   const std::string list = "\"strict_warnings\": [\"light-leaves-room\"]";
   const std::size_t at = text.find(list);
   ASSERT_NE(at, std::string::npos);

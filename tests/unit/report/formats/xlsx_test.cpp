@@ -3,6 +3,7 @@
 #include "report/text/shown_decimals.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/legible.h"
+#include "tests/support/rendered.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -95,7 +96,7 @@ std::string column_with(const Book& book, const std::string& head) {
 }
 
 TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
-  const Book book(render_xlsx(small_document()));
+  const Book book(rendered("xlsx", small_document()));
   EXPECT_THAT(book.sheets(), ElementsAre("Summary", "Projects", "Requirements", "Points",
                                          "Luminaires", "Types", "Warnings"));
   EXPECT_EQ(book.words("Requirements", "A1"), "Verdict");
@@ -108,14 +109,14 @@ TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
 TEST(Xlsx, SameDocumentSameBytesAndNoDateUnlessAskedFor) {
   Document document = sample_document();
   document.provenance.timestamp = "";
-  const std::string bytes = render_xlsx(document);
-  EXPECT_EQ(bytes, render_xlsx(document));
+  const std::string bytes = rendered("xlsx", document);
+  EXPECT_EQ(bytes, rendered("xlsx", document));
   EXPECT_THAT(Book(bytes).text("docProps/core.xml"), Not(HasSubstr("dcterms:created")));
   document.provenance.timestamp = "2027-01-31T12:00:00Z";
-  EXPECT_THAT(Book(render_xlsx(document)).text("docProps/core.xml"),
+  EXPECT_THAT(Book(rendered("xlsx", document)).text("docProps/core.xml"),
               HasSubstr("2027-01-31T12:00:00Z</dcterms:created>"));
   document.provenance.timestamp = "yesterday";  // is no date for programs
-  EXPECT_THAT(Book(render_xlsx(document)).text("docProps/core.xml"),
+  EXPECT_THAT(Book(rendered("xlsx", document)).text("docProps/core.xml"),
               Not(HasSubstr("dcterms:created")));
 }
 
@@ -123,10 +124,12 @@ TEST(Xlsx, ATableThatIsTooLongGoesOnAndTheSummarySaysSo) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.points.resize(7, plane.points[0]);
-  const Book whole(render_xlsx(document));
+  const Book whole(rendered("xlsx", document));
   EXPECT_EQ(whole.rows("Points"), 8U);
   EXPECT_THAT(whole.text("xl/worksheets/sheet1.xml"), Not(HasSubstr("Points 2")));
-  const Book parts(render_xlsx(document, 4));
+  const Book parts(render_whole(document, [](const DocumentFrame& frame, const SpillPlace& place) {
+    return xlsx_writer(frame, place, 4);
+  }));
   EXPECT_THAT(parts.sheets(),
               testing::IsSupersetOf({"Points", "Points 2", "Points 3", "Requirements"}));
   EXPECT_EQ(parts.rows("Points"), 4U);
@@ -138,7 +141,7 @@ TEST(Xlsx, ATableThatIsTooLongGoesOnAndTheSummarySaysSo) {
 }
 
 TEST(Xlsx, HostileNamesAreTextInEveryCell) {
-  const Book book(render_xlsx(hostile_document()));
+  const Book book(rendered("xlsx", hostile_document()));
   for (const auto& [name, xml] : book.texts()) {
     for (const char* part : {"<script", "<f>", "hyperlink"})
       EXPECT_EQ(xml.find(part), std::string::npos) << name << ": " << part;
@@ -148,7 +151,7 @@ TEST(Xlsx, HostileNamesAreTextInEveryCell) {
 TEST(Xlsx, WhatBeginsLikeAFormulaIsMarkedAsText) {
   Document document = small_document();
   document.projects[0].name = "=1+1";
-  const Book book(render_xlsx(document));
+  const Book book(rendered("xlsx", document));
   const pugi::xml_node cell = book.cell("Projects", "C2");
   EXPECT_STREQ(cell.child("is").child("t").text().get(), "=1+1");
   pugi::xml_document styles;
@@ -165,7 +168,7 @@ TEST(Xlsx, NoNumberLooksAsIfItMetItsLimit) {
   const auto shown = [&](double value, double spread) {
     finding.measured = {value, value - spread, value + spread};
     finding.verdict = rules::Verdict::fail;
-    const Book book(render_xlsx(document));
+    const Book book(rendered("xlsx", document));
     return book.format_of(
         book.cell("Requirements", column_with(book, "Calculated (in the unit)") + "2"));
   };
@@ -193,7 +196,7 @@ TEST(Xlsx, WhatIsNotJudgedHasNoNumbersAndOnlyAPassIsGreen) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
   finding.verdict = rules::Verdict::not_judged;
-  const Book book(render_xlsx(document));
+  const Book book(rendered("xlsx", document));
   for (const char* head : {"Calculated (in the unit)", "Low (in the unit)", "High (in the unit)",
                            "Margin (% of the limit)"}) {
     EXPECT_FALSE(book.cell("Requirements", column_with(book, head) + "2")) << head;
@@ -220,7 +223,7 @@ TEST(Xlsx, TypesAddUpAndUnknownPowerIsNoSum) {
   other.count = 2;
   document.projects[0].luminaires = {type, other};
   const auto total = [&](const char* place) {
-    return Book(render_xlsx(document)).cell("Types", place);
+    return Book(rendered("xlsx", document)).cell("Types", place);
   };
   EXPECT_EQ(total("I4").child("v").text().as_int(), 5);
   EXPECT_EQ(total("M4").child("v").text().as_double(), 5000.0);
@@ -235,7 +238,7 @@ TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
   std::string name;
   for (int i = 0; i < 20'000; ++i) name += "\U0001F4A1";  // two units of UTF-16 each
   document.projects[0].name = name;
-  const std::string shown = Book(render_xlsx(document)).words("Projects", "C2");
+  const std::string shown = Book(rendered("xlsx", document)).words("Projects", "C2");
   EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: longer than a cell may be]"));
   EXPECT_LE(shown.size() / 2, kMostCellCharacters);
 }

@@ -9,6 +9,7 @@
 #include "report/text/base64.h"
 #include "report/text/svg.h"
 #include "tests/support/hostile_document.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -178,10 +179,10 @@ TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
   document.projects[0].spaces.push_back(small_document().projects[0].spaces[0]);
   std::set<std::string> targets;  // "p1s1.html#p1s1k1"
   std::size_t cards = 0;
-  const std::vector<HtmlPage> pages = html_pages(document);
+  const std::vector<HtmlPage> pages = pages_of(document);
   ASSERT_EQ(pages.size(), 4U);
   for (const HtmlPage& page : pages) {
-    const std::string html = render_html_page(document, page, "../report.html");
+    const std::string html = rendered_page(document, page, "../report.html");
     const pugi::xml_document tree = parsed(html);
     EXPECT_EQ(tree.select_nodes("//a[@href='../report.html']").size(), 1U);
     const pugi::xpath_node_set found = tree.select_nodes("//details[@class='card']/*[@id]");
@@ -192,7 +193,7 @@ TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
     targets.insert(page.name);
   }
   EXPECT_EQ(cards, 2 * kPlanesPerPage + 2);
-  const std::string index = render_html_index(document, "report-rooms");
+  const std::string index = rendered_index(document, "report-rooms");
   const pugi::xml_document tree = parsed(index);
   EXPECT_TRUE(tree.select_nodes("//article").empty());
   std::size_t links = 0;
@@ -211,12 +212,12 @@ TEST(HtmlPages, NotesOfRoomsAreOnTheFirstPageAndOnTheIndex) {
   SpacePart& space = document.projects[0].spaces[0];
   space.planes.resize(kPlanesPerPage + 1, space.planes[0]);
   space.notes = {calc::Message::words("workplace desk: left out: ceiling <open>")};
-  const std::vector<HtmlPage> pages = html_pages(document);
+  const std::vector<HtmlPage> pages = pages_of(document);
   ASSERT_EQ(pages.size(), 2U);
   const char* told = "workplace desk: left out: ceiling &lt;open&gt;";
-  EXPECT_THAT(render_html_page(document, pages[0], "../r.html"), HasSubstr(told));
-  EXPECT_THAT(render_html_page(document, pages[1], "../r.html"), Not(HasSubstr(told)));
-  const std::string index = render_html_index(document, "r.html-rooms");
+  EXPECT_THAT(rendered_page(document, pages[0], "../r.html"), HasSubstr(told));
+  EXPECT_THAT(rendered_page(document, pages[1], "../r.html"), Not(HasSubstr(told)));
+  const std::string index = rendered_index(document, "r.html-rooms");
   parsed(index);
   const std::size_t at = index.find(told);
   ASSERT_NE(at, std::string::npos);
@@ -226,7 +227,7 @@ TEST(HtmlPages, NotesOfRoomsAreOnTheFirstPageAndOnTheIndex) {
 // Folded values are printed, too.
 TEST(HtmlPages, UnfoldWhenPrinted) {
   const Document document = small_document();
-  const std::string html = render_html_page(document, html_pages(document)[0], "../r.html");
+  const std::string html = rendered_page(document, pages_of(document)[0], "../r.html");
   EXPECT_THAT(html, HasSubstr("beforeprint"));
   EXPECT_THAT(html, HasSubstr("script-src 'sha256-"));
 }
@@ -279,9 +280,9 @@ TEST(Html, NoFieldEscapesItsPlace) {
 // What a browser makes of it, the browser test sees.
 TEST(Html, HostileNamesStayText) {
   const Document document = hostile_document();
-  std::vector<std::string> all{render_html(document), render_html_index(document, "x-rooms")};
-  for (const HtmlPage& page : html_pages(document))
-    all.push_back(render_html_page(document, page, "../x.html"));
+  std::vector<std::string> all{render_html(document), rendered_index(document, "x-rooms")};
+  for (const HtmlPage& page : pages_of(document))
+    all.push_back(rendered_page(document, page, "../x.html"));
   for (const std::string& html : all) {
     const pugi::xml_document tree = parsed(html);
     EXPECT_LE(tree.select_nodes("//script").size(), 1U);

@@ -2,9 +2,9 @@
 
 #include "report/check/load_rules.h"
 #include "report/check/run.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "rules/binding/judged_project.h"
+#include "tests/support/rendered.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ Document real_document() {
 }
 
 const json& real_result() {
-  static const json result = json::parse(render_json(real_document()));
+  static const json result = json::parse(rendered("json", real_document()));
   return result;
 }
 

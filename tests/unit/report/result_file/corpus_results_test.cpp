@@ -3,10 +3,10 @@
 
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "rules/pack/evaluate.h"
 #include "rules/verdict/judge_aggregates.h"
+#include "tests/support/rendered.h"
 
 #include <gtest/gtest.h>
 
@@ -200,12 +200,12 @@ TEST(CorpusResults, NoneOfThemContradictsItself) {
     Document document;
     document.provenance.numbers_version = 1;
     document.projects = {project};
-    const std::string bytes = render_json(document);
+    const std::string bytes = rendered("json", document);
     std::string problem;
     const std::optional<Document> read = read_json(bytes, problem);
     EXPECT_TRUE(read) << problem;
     if (read) {
-      EXPECT_EQ(render_json(*read), bytes);
+      EXPECT_EQ(rendered("json", *read), bytes);
     }
   }
 }

@@ -1,5 +1,4 @@
-#include "report/result_file/json.h"
-
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -16,12 +15,12 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Json, SaysWhatItIs) {
-  EXPECT_EQ(render_json(small_document()).substr(0, 58),
+  EXPECT_EQ(rendered("json", small_document()).substr(0, 58),
             "{\n \"format\": \"luxgate-result\",\n \"format_version\": 1,\n \"pro");
 }
 
 TEST(Json, HoldsFindingsWithIntervals) {
-  const json result = json::parse(render_json(small_document()));
+  const json result = json::parse(rendered("json", small_document()));
   const json& finding = result["projects"][0]["spaces"][0]["planes"][0]["findings"][1];
   EXPECT_EQ(finding["quantity"], "minimum");
   EXPECT_EQ(finding["unit"], "lx");
@@ -37,7 +36,8 @@ TEST(Json, HoldsFindingsWithIntervals) {
 TEST(Json, NamesWhatThePointsMeasure) {
   Document document = small_document();
   const auto quantity = [&document] {
-    return json::parse(render_json(document))["projects"][0]["spaces"][0]["planes"][0]["quantity"];
+    return json::parse(
+        rendered("json", document))["projects"][0]["spaces"][0]["planes"][0]["quantity"];
   };
   EXPECT_EQ(quantity(), "planar");
   document.projects[0].spaces[0].planes[0].kernel = calc::ReceiverKernel::hemispherical;
@@ -45,7 +45,7 @@ TEST(Json, NamesWhatThePointsMeasure) {
 }
 
 TEST(Json, HoldsEveryPoint) {
-  const json result = json::parse(render_json(sample_document()));
+  const json result = json::parse(rendered("json", sample_document()));
   const json& plane = result["projects"][0]["spaces"][1]["planes"][0];
   const auto& points = sample_document().projects[0].spaces[1].planes[0].points;
   ASSERT_EQ(plane["points"]["rows"].size(), points.size());
@@ -61,7 +61,7 @@ TEST(Json, HoldsTheGoalTheLooksAndTheDoubts) {
   plane.counters.active_points = {2, 2, 1};
   plane.unseen_points = 1;
   plane.single_sample_points = 2;
-  const json result = json::parse(render_json(document));
+  const json result = json::parse(rendered("json", document));
   EXPECT_EQ(result["provenance"]["goal"], "accuracy");
   const json& found = result["projects"][0]["spaces"][0]["planes"][0];
   EXPECT_EQ(found["looks"], 3);
@@ -71,7 +71,7 @@ TEST(Json, HoldsTheGoalTheLooksAndTheDoubts) {
 }
 
 TEST(Json, WhatWasNotJudgedHasNoNumbers) {
-  const json result = json::parse(render_json(sample_document()));
+  const json result = json::parse(rendered("json", sample_document()));
   const json& finding = result["projects"][0]["spaces"][1]["planes"][2]["findings"][0];
   EXPECT_TRUE(finding["measured"].is_null());
   EXPECT_EQ(finding["verdict"], "not-judged");
@@ -81,11 +81,11 @@ TEST(Json, WhatWasNotJudgedHasNoNumbers) {
 
 TEST(Json, TimeAppearsOnlyOnRequest) {
   Document document = small_document();
-  EXPECT_THAT(render_json(document), Not(HasSubstr("timestamp")));
-  EXPECT_THAT(render_json(document), Not(HasSubstr("total_s")));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("timestamp")));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("total_s")));
   document.provenance.timestamp = "2024-01-02T03:04:05Z";
   document.projects[0].times.total_s = 1.5;
-  const json result = json::parse(render_json(document));
+  const json result = json::parse(rendered("json", document));
   EXPECT_EQ(result["provenance"]["timestamp"], "2024-01-02T03:04:05Z");
   EXPECT_EQ(result["projects"][0]["times"]["total_s"], 1.5);
 }
@@ -94,7 +94,7 @@ TEST(Json, BrokenTextAndNumbersStillParse) {
   Document document = small_document();
   document.projects[0].name = "M\xFCller";
   document.projects[0].spaces[0].planes[0].average.value = std::numeric_limits<double>::quiet_NaN();
-  const json result = json::parse(render_json(document));
+  const json result = json::parse(rendered("json", document));
   EXPECT_EQ(result["projects"][0]["name"], "M\uFFFDller");
   EXPECT_TRUE(result["projects"][0]["spaces"][0]["planes"][0]["statistics"]["average_lx"]["value"]
                   .is_null());
@@ -105,18 +105,18 @@ TEST(Json, GivesNoOrders) {
   Document document = sample_document();
   const std::string name = "##vso[task] ##[x] a[1] \xc2\x9b\xe2\x80\xae\x7f \xc3\xa4";
   document.projects[0].name = name;
-  const std::string text = render_json(document);
+  const std::string text = rendered("json", document);
   EXPECT_THAT(text, HasSubstr("##vso\\u005btask] ##\\u005bx] a[1] \\u009b\\u202e\\u007f \xc3\xa4"));
   EXPECT_EQ(nlohmann::json::parse(text)["projects"][0]["name"], name);
 }
 
 TEST(Json, SameDocumentSameBytes) {
-  EXPECT_EQ(render_json(sample_document()), render_json(sample_document()));
+  EXPECT_EQ(rendered("json", sample_document()), rendered("json", sample_document()));
 }
 
 TEST(Json, NumbersOfOnePointShareALine) {
   EXPECT_THAT(
-      render_json(small_document()),
+      rendered("json", small_document()),
       HasSubstr("[1, 0, 2.75, 1.0, 0.8, 0.0, 0.0, 1.0, 424.5, 420.25, 428.75, 324.0, 100.5]"));
 }
 

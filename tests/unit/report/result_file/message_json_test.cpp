@@ -1,10 +1,10 @@
 #include "report/result_file/message_json.h"
 
 #include "calc/base/sentences.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/result_file/redact.h"
 #include "report/text/sentences.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -82,7 +82,7 @@ Document with_messages() {
 
 TEST(MessageJson, IsInTheReadersLanguageAfterAFile) {
   std::string problem;
-  const std::optional<Document> read = read_json(render_json(with_messages()), problem);
+  const std::optional<Document> read = read_json(rendered("json", with_messages()), problem);
   ASSERT_TRUE(read) << problem;
   const SpacePart& space = read->projects[0].spaces[0];
   const Texts german(Language::german, true);
@@ -100,7 +100,7 @@ TEST(MessageJson, HoldsNoFoldersAfterRedaction) {
             "its surfaces are those of 'hall.obj', a closed shell around 12 m3: its faces look "
             "into the room");
   EXPECT_EQ(document.projects[0].spaces[0].notes[1].english(), "see letter.txt");
-  EXPECT_THAT(render_json(document), testing::Not(testing::HasSubstr("anna")));
+  EXPECT_THAT(rendered("json", document), testing::Not(testing::HasSubstr("anna")));
 }
 
 }  // namespace

@@ -1,15 +1,9 @@
 #include "report/result_file/read_json.h"
 
-#include "report/formats/ci_annotations.h"
-#include "report/formats/console.h"
-#include "report/formats/csv.h"
-#include "report/formats/junit.h"
-#include "report/formats/markdown.h"
-#include "report/formats/sarif.h"
 #include "report/html/html.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
-#include "report/result_file/json.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +22,7 @@ using testing::Not;
 
 Document read_again(const Document& document) {
   std::string problem;
-  std::optional<Document> read = read_json(render_json(document), problem);
+  std::optional<Document> read = read_json(rendered("json", document), problem);
   EXPECT_TRUE(read) << problem;
   return read.value_or(Document{});
 }
@@ -169,16 +163,16 @@ Document rich_document() {
 TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
   for (const Document& document : {small_document(), sample_document(), rich_document()}) {
     const Document again = read_again(document);
-    EXPECT_EQ(render_json(again), render_json(document));
-    EXPECT_EQ(render_text(again), render_text(document));
-    EXPECT_EQ(render_results_csv(again), render_results_csv(document));
-    EXPECT_EQ(render_points_csv(again), render_points_csv(document));
+    EXPECT_EQ(rendered("json", again), rendered("json", document));
+    EXPECT_EQ(rendered("text", again), rendered("text", document));
+    EXPECT_EQ(rendered("csv", again), rendered("csv", document));
+    EXPECT_EQ(rendered("points-csv", again), rendered("points-csv", document));
     EXPECT_EQ(render_html(again), render_html(document));
-    EXPECT_EQ(render_junit(again), render_junit(document));
-    EXPECT_EQ(render_sarif(again, SarifContent::all), render_sarif(document, SarifContent::all));
-    EXPECT_EQ(render_github(again), render_github(document));
-    EXPECT_EQ(render_gitlab(again), render_gitlab(document));
-    EXPECT_EQ(render_markdown(again), render_markdown(document));
+    EXPECT_EQ(rendered("junit", again), rendered("junit", document));
+    EXPECT_EQ(rendered("sarif-all", again), rendered("sarif-all", document));
+    EXPECT_EQ(rendered("github", again), rendered("github", document));
+    EXPECT_EQ(rendered("gitlab", again), rendered("gitlab", document));
+    EXPECT_EQ(rendered("markdown", again), rendered("markdown", document));
     const ProjectPart &a = document.projects[0], &b = again.projects[0];
     const auto picture = [](const ProjectPart& project) {
       const PlanePart& plane = project.spaces[0].planes[0];
@@ -214,11 +208,12 @@ Document rated_document() {
 TEST(ReadJson, RatingsAreReadBack) {
   const Document document = rated_document();
   const Document again = read_again(document);
-  EXPECT_EQ(render_json(again), render_json(document));
-  EXPECT_EQ(render_text(again, {}), render_text(document, {}));
+  EXPECT_EQ(rendered("json", again), rendered("json", document));
+  EXPECT_EQ(rendered("text", again), rendered("text", document));
   EXPECT_EQ(render_html(again), render_html(document));
-  EXPECT_EQ(render_points_csv(again), render_points_csv(document));
-  const json plane = json::parse(render_json(document))["projects"][0]["spaces"][0]["planes"][0];
+  EXPECT_EQ(rendered("points-csv", again), rendered("points-csv", document));
+  const json plane =
+      json::parse(rendered("json", document))["projects"][0]["spaces"][0]["planes"][0];
   EXPECT_EQ(plane["quantity"], "ugr");
   EXPECT_EQ(plane["findings"][0]["unit"], "");
   EXPECT_EQ(plane["findings"][1]["to"], 19.0);
@@ -257,15 +252,15 @@ TEST(ReadJson, RatingsWithOpenEndsAreReadBack) {
     EXPECT_EQ(found.measured.value, item.measured.value) << item.shown;
     EXPECT_EQ(found.measured.low, item.measured.low) << item.shown;
     EXPECT_EQ(found.measured.high, item.measured.high) << item.shown;
-    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(rendered("json", again), rendered("json", document));
     EXPECT_EQ(render_html(again), render_html(document));
-    EXPECT_EQ(render_results_csv(again), render_results_csv(document));
-    EXPECT_THAT(render_text(again, {}), HasSubstr(item.shown));
-    EXPECT_THAT(render_text(again, {}), HasSubstr("how it is known"));
+    EXPECT_EQ(rendered("csv", again), rendered("csv", document));
+    EXPECT_THAT(rendered("text", again), HasSubstr(item.shown));
+    EXPECT_THAT(rendered("text", again), HasSubstr("how it is known"));
     EXPECT_THAT(render_html(again), HasSubstr(item.shown));
     EXPECT_THAT(render_html(again), HasSubstr("ow it is known"));
     // Nobody makes a pass of what is open, or a fail.
-    json changed = json::parse(render_json(document));
+    json changed = json::parse(rendered("json", document));
     const json::json_pointer verdict("/projects/0/spaces/0/planes/0/findings/0/verdict");
     for (const char* other : {"pass", "fail", "undecided"}) {
       if (changed[verdict] == other) continue;
@@ -287,7 +282,7 @@ TEST(ReadJson, NothingHasNoNumbers) {
   judge_again(plane.findings[0]);
   plane.looks.clear();
   settle_estimates(plane);
-  const json good = json::parse(render_json(document));
+  const json good = json::parse(rendered("json", document));
   const std::string finding = "/projects/0/spaces/0/planes/0/findings/0";
   std::string problem;
   EXPECT_TRUE(read_json(good.dump(), problem)) << problem;
@@ -330,9 +325,9 @@ TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
     const Document again = read_again(document);
     const std::string html = render_html(document);
     EXPECT_EQ(render_html(again), html);
-    EXPECT_EQ(render_json(again), render_json(document));
-    EXPECT_EQ(render_text(again), render_text(document));
-    EXPECT_EQ(render_junit(again), render_junit(document));
+    EXPECT_EQ(rendered("json", again), rendered("json", document));
+    EXPECT_EQ(rendered("text", again), rendered("text", document));
+    EXPECT_EQ(rendered("junit", again), rendered("junit", document));
     const std::string drawn = html.substr(0, html.find("<script>"));
     for (const char* wrong : {"NaN", "nan ", "nan\"", "inf ", "inf\"", "M–", "H–", "L–", "\"–\""})
       EXPECT_THAT(drawn, Not(HasSubstr(wrong))) << wrong;
@@ -344,7 +339,7 @@ TEST(ReadJson, OnlyWhatIsNotJudgedMayLackItsLimit) {
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
   finding.requirement.limit = std::numeric_limits<double>::quiet_NaN();
   std::string problem;
-  EXPECT_FALSE(read_json(render_json(document), problem));
+  EXPECT_FALSE(read_json(rendered("json", document), problem));
   EXPECT_EQ(problem, "/projects/0/spaces/0/planes/0/findings/0/limit: a number is needed");
   finding.verdict = rules::Verdict::not_judged;
   const Document again = read_again(document);
@@ -358,7 +353,7 @@ std::string problem_with(const json& changed) {
 }
 
 TEST(ReadJson, SaysWhereSomethingIsWrong) {
-  const json good = json::parse(render_json(small_document()));
+  const json good = json::parse(rendered("json", small_document()));
   const auto with = [&](const char* pointer, const json& value) {
     json changed = good;
     changed[json::json_pointer(pointer)] = value;
@@ -412,7 +407,7 @@ TEST(ReadJson, AKeyThatStandsTwiceIsNoResult) {
 
 TEST(ReadJson, ALogoIsCheckedAgain) {
   const auto problem_with = [](const char* key, const char* value) {
-    json changed = json::parse(render_json(rich_document()));
+    json changed = json::parse(rendered("json", rich_document()));
     json& about = changed["projects"][0]["about"];
     (about.contains(key) ? about : about["logo"])[key] = value;
     std::string problem;
@@ -432,7 +427,7 @@ TEST(ReadJson, ALogoIsCheckedAgain) {
 
 TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
   const auto problem_with = [](const std::string& part, const json& value) {
-    json changed = json::parse(render_json(rich_document()));
+    json changed = json::parse(rendered("json", rich_document()));
     json::json_pointer at("/projects/0/" + part);
     changed[at] = value;
     std::string problem;
@@ -451,7 +446,7 @@ TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
 }
 
 TEST(ReadJson, EveryLookIsOfEveryFinding) {
-  json changed = json::parse(render_json(rich_document()));
+  json changed = json::parse(rendered("json", rich_document()));
   json& look = changed["projects"][0]["spaces"][0]["planes"][0]["look_results"][1];
   look["findings"].erase(0);
   EXPECT_EQ(problem_with(changed),
@@ -463,7 +458,7 @@ TEST(ReadJson, EveryLookIsOfEveryFinding) {
 TEST(ReadJson, AggregatesCountByThemselvesOrNotAtAll) {
   Document document = small_document();
   document.projects[0].aggregates.resize(1);
-  json changed = json::parse(render_json(document));
+  json changed = json::parse(rendered("json", document));
   changed["projects"][0]["aggregates"][0]["severity"] = "in-aggregate";
   EXPECT_EQ(problem_with(changed),
             "/projects/0/aggregates/0/severity: one of 'shall', 'advice' is needed");
@@ -471,13 +466,13 @@ TEST(ReadJson, AggregatesCountByThemselvesOrNotAtAll) {
 
 TEST(ReadJson, ARouteIsWrittenAndReadAgain) {
   const Document document = route_document();
-  EXPECT_EQ(render_json(read_again(document)), render_json(document));
+  EXPECT_EQ(rendered("json", read_again(document)), rendered("json", document));
   EXPECT_EQ(render_html(read_again(document)), render_html(document));
 }
 
 // Pictures are made from its cells.
 TEST(ReadJson, RefusesARouteWithoutItsCells) {
-  const json good = json::parse(render_json(route_document()));
+  const json good = json::parse(rendered("json", route_document()));
   const std::string at = "/projects/0/spaces/0/planes/0/grid/route";
   const auto with = [&](const std::string& key, const json& value) {
     json changed = good;
@@ -494,7 +489,7 @@ TEST(ReadJson, RefusesARouteWithoutItsCells) {
 }
 
 TEST(ReadJson, SurvivesAnyReplacedValueOfARoute) {
-  const json good = json::parse(render_json(route_document()));
+  const json good = json::parse(rendered("json", route_document()));
   std::string problem;
   const json flat = good["projects"][0]["spaces"][0]["planes"][0]["grid"].flatten();
   for (const auto& item : flat.items()) {
@@ -522,7 +517,7 @@ TEST(ReadJson, RefusesWhatIsNoJson) {
 }
 
 TEST(ReadJson, PassesOverKeysOfLaterVersions) {
-  json later = json::parse(render_json(small_document()));
+  json later = json::parse(rendered("json", small_document()));
   later["projects"][0]["spaces"][0]["planes"][0]["colour"] = "blue";
   std::string problem;
   EXPECT_TRUE(read_json(later.dump(), problem)) << problem;
@@ -530,7 +525,7 @@ TEST(ReadJson, PassesOverKeysOfLaterVersions) {
 
 // Every value of a result replaced by each of some others: read or refused, never a crash.
 TEST(ReadJson, SurvivesAnyReplacedValue) {
-  const json good = json::parse(render_json(small_document()));
+  const json good = json::parse(rendered("json", small_document()));
   std::string problem;
   std::size_t refused = 0, tried = 0;
   const json flat = good.flatten();

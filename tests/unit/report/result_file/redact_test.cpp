@@ -1,8 +1,8 @@
 #include "report/result_file/redact.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "report/result_file/json.h"
 #include "report/text/words.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -103,9 +103,9 @@ TEST(Redact, ProjectsOfOneNameStayApart) {
   EXPECT_EQ(document.projects[1].inputs[1].path, "project2/lamps/b.ies");
   EXPECT_EQ(document.projects[1].inputs[1].sha256, "34");
   EXPECT_EQ(document.provenance.command_line, "luxgate check project1/a.xml project2/a.xml");
-  const std::string once = render_json(document);
+  const std::string once = rendered("json", document);
   redact(document);
-  EXPECT_EQ(render_json(document), once);
+  EXPECT_EQ(rendered("json", document), once);
 }
 
 TEST(Redact, RevisionHasTheSameNames) {
@@ -132,7 +132,7 @@ TEST(Redact, RevisionHasTheSameNames) {
   EXPECT_EQ(document.revision->baseline, "main.json");
   EXPECT_EQ(document.revision->planes[0].place.project, document.projects[0].path);
   EXPECT_EQ(document.revision->results[1].place.project, "gone.xml");
-  EXPECT_THAT(render_json(document), Not(HasSubstr("/home")));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("/home")));
 
   revision.baseline = "origin/main";
   revision.commits = {std::string(40, 'a')};
@@ -180,9 +180,9 @@ TEST(Redact, NoFieldKeepsAFolder) {
   aggregate.members = {{"a", rules::Verdict::fail, false, {}, calc::Message::words(text)}};
   project.aggregates = {aggregate};
   document.provenance.command_line = "luxgate check /home/anna/p/a.xml --rules " + file;
-  ASSERT_THAT(render_json(document), HasSubstr("anna"));
+  ASSERT_THAT(rendered("json", document), HasSubstr("anna"));
   redact(document);
-  EXPECT_THAT(render_json(document), Not(HasSubstr("anna")));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("anna")));
   EXPECT_THAT(project.spaces[0].pictures.problem, Not(HasSubstr("anna")));
 }
 
@@ -205,10 +205,10 @@ TEST(Redact, PathsInAnyText) {
 TEST(Redact, IsToldOnlyWhereItWasDone) {
   Document document = small_document();
   EXPECT_EQ(redaction_words(document.provenance), "");
-  EXPECT_THAT(render_json(document), Not(HasSubstr("redacted")));
+  EXPECT_THAT(rendered("json", document), Not(HasSubstr("redacted")));
   redact(document);
   EXPECT_THAT(redaction_words(document.provenance), HasSubstr("left out"));
-  EXPECT_THAT(render_json(document), HasSubstr("\"redacted\": true"));
+  EXPECT_THAT(rendered("json", document), HasSubstr("\"redacted\": true"));
 }
 
 TEST(Redact, ProjectsOneByOneAreThoseOfTheWhole) {
@@ -225,7 +225,7 @@ TEST(Redact, ProjectsOneByOneAreThoseOfTheWhole) {
     redaction.redact(one_by_one.projects[p], p);
   }
   redact(whole);
-  EXPECT_EQ(render_json(one_by_one), render_json(whole));
+  EXPECT_EQ(rendered("json", one_by_one), rendered("json", whole));
   EXPECT_EQ(frame.paths, frame_of(whole).paths);
 }
 

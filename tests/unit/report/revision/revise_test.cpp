@@ -1,11 +1,12 @@
 #include "report/revision/revise.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
 #include "report/revision/gate.h"
 #include "report/revision/results.h"
 #include "report/revision/revision_tables.h"
+#include "tests/support/message_text.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -1203,12 +1204,12 @@ TEST(Revise, CommitsAreReadBackFromTheResultFile) {
   Document document = base();
   document.revision = revise(base(), document, "main", kRegression);
   document.revision->commits = {std::string(40, 'a')};
-  const std::string bytes = render_json(document);
+  const std::string bytes = rendered("json", document);
   std::string problem;
   const std::optional<Document> read = read_json(bytes, problem);
   ASSERT_TRUE(read) << problem;
   EXPECT_EQ(read->revision->commits, document.revision->commits);
-  EXPECT_EQ(render_json(*read), bytes);
+  EXPECT_EQ(rendered("json", *read), bytes);
 }
 
 TEST(Revise, IsReadBackFromTheResultFile) {
@@ -1221,12 +1222,12 @@ TEST(Revise, IsReadBackFromTheResultFile) {
         d.projects[0].luminaires.at(0).sha256 = "other";
       },
       kRegression);
-  const std::string text = render_json(document);
+  const std::string text = rendered("json", document);
   std::string problem;
   const std::optional<Document> read = read_json(text, problem);
   ASSERT_TRUE(read) << problem;
   ASSERT_TRUE(read->revision);
-  EXPECT_EQ(render_json(*read), text);
+  EXPECT_EQ(rendered("json", *read), text);
   EXPECT_EQ(gate_outcome(*read), gate_outcome(document));
 }
 

@@ -1,5 +1,6 @@
 #include "report/shell/outputs.h"
 
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -165,7 +166,7 @@ TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
   const report::Document document = report::sample_document();
   EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
   EXPECT_THAT(file_text("report.html"), HasSubstr("<html lang=\"de\">"));
-  EXPECT_EQ(file_text("results.csv"), report::find_format("csv")->render(document, {}));
+  EXPECT_EQ(file_text("results.csv"), report::rendered("csv", document));
   options_.html_split = true;
   EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
   EXPECT_THAT(file_text("report.html"), HasSubstr("Anforderungen"));

@@ -2,7 +2,7 @@
 
 #include "report/formats/format.h"
 #include "report/html/html.h"
-#include "report/html/html_pages.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(FormatWriters, NeedNoProjectThatIsGoneAndLittleMemory) {
     const auto index = [](const DocumentFrame& frame, const SpillPlace& place) {
       return html_writer(frame, place, {}, "x-rooms");
     };
-    EXPECT_EQ(streamed(document, index), render_html_index(document, "x-rooms"));
+    EXPECT_EQ(streamed(document, index), rendered_index(document, "x-rooms"));
   }
 }
 
