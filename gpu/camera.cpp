@@ -63,7 +63,6 @@ Camera corner_camera(const RoomBox& box) {
   const double distance = kDistance * diagonal_m(box);
   Camera camera;
   camera.eye_m = middle + distance * out;
-  camera.towards = -out;
   const double near = 0.5 * distance, reach = near * calc::tan(0.5 * kSight);
   camera.clip_from_local = glm::frustum(-reach, reach, -reach, reach, near, 1.5 * distance) *
                            glm::lookAt(camera.eye_m, middle, glm::dvec3(0, 0, 1));

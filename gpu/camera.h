@@ -12,9 +12,8 @@ struct RoomBox {
 
 struct Camera {
   glm::dmat4 clip_from_local{1.0};
-  glm::dvec3 eye_m{0.0};         // far outside the box; nothing is behind it
-  glm::dvec3 towards{0, 0, -1};  // where it looks
-  double aspect = 1.0;           // width over height
+  glm::dvec3 eye_m{0.0};  // far outside the box; nothing is behind it
+  double aspect = 1.0;    // width over height
 
   // Place in the picture: x to the right, y up, both -1 to 1; z is depth, -1 nearest.
   glm::dvec3 project(const glm::dvec3& p_m) const {

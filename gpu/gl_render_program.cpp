@@ -77,18 +77,6 @@ void GlRenderProgram::set(const char* uniform, float value) const {
   glUniform1f(glGetUniformLocation(name_, uniform), value);
 }
 
-void GlRenderProgram::set(const char* uniform, const glm::vec2& value) const {
-  glUniform2f(glGetUniformLocation(name_, uniform), value.x, value.y);
-}
-
-void GlRenderProgram::set(const char* uniform, const glm::vec3& value) const {
-  glUniform3f(glGetUniformLocation(name_, uniform), value.x, value.y, value.z);
-}
-
-void GlRenderProgram::set(const char* uniform, const glm::vec4& value) const {
-  glUniform4f(glGetUniformLocation(name_, uniform), value.x, value.y, value.z, value.w);
-}
-
 void GlRenderProgram::set(const char* uniform, const glm::mat4& value) const {
   glUniformMatrix4fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, &value[0][0]);
 }

@@ -25,9 +25,6 @@ class GlRenderProgram {
   // Of the program in use; names that the shaders do not read are passed over.
   void set(const char* uniform, std::uint32_t value) const;
   void set(const char* uniform, float value) const;
-  void set(const char* uniform, const glm::vec2& value) const;
-  void set(const char* uniform, const glm::vec3& value) const;
-  void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
   // Whether the cache had it.

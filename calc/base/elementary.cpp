@@ -21,7 +21,6 @@ std::array<double, 2> atan2(const std::array<double, 2>& y, const std::array<dou
   return angle;
 }
 float cos(float x) { return Sleef_cinz_cosf1_u35purec(x); }
-float asin(float x) { return Sleef_cinz_asinf1_u35purec(x); }
 float acos(float x) { return Sleef_cinz_acosf1_u35purec(x); }
 
 double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }

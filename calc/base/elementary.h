@@ -23,7 +23,6 @@ double atan2(double y, double x);
 // Two at once: the same bits, in the time of one.
 std::array<double, 2> atan2(const std::array<double, 2>& y, const std::array<double, 2>& x);
 float cos(float x);
-float asin(float x);
 float acos(float x);
 
 // Within 1 unit of the last place. pow of whole numbers and log10 of powers of ten are exact where

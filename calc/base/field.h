@@ -148,7 +148,6 @@ struct PlaneField {
   bool is_cut_off = false;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
-  double seconds = 0.0;
 
   // Number of the last look, 0: the first, or none was taken.
   int last_look() const {

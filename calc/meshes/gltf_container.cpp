@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kMagic = "glTF";
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr int kDepthLimit = 64;  // the library reads extras recursively
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
@@ -121,10 +121,10 @@ std::string_view glb_json(std::string_view bytes, GltfContainer& container, std:
       return {};
     }
     const std::size_t length = number_at(bytes, at);
-    const std::uint32_t type = number_at(bytes, at + 4);
-    if (chunk == 0 && type != kJsonChunk) problem = "its first chunk is not JSON";
+    if (chunk == 0 && number_at(bytes, at + 4) != kJsonChunk) {
+      problem = "its first chunk is not JSON";
+    }
     if (chunk == 0) json = bytes.substr(at + kChunkHeaderBytes, length);
-    if (chunk == 1 && type == kBinaryChunk) container.binary_bytes = length;
     at += kChunkHeaderBytes + length;
   }
   return json;

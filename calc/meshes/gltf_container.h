@@ -16,8 +16,7 @@ namespace calc {
 bool is_gltf(std::string_view bytes);
 
 struct GltfContainer {
-  bool is_binary = false;        // GLB
-  std::size_t binary_bytes = 0;  // in the GLB's BIN chunk
+  bool is_binary = false;  // GLB
   std::size_t buffers = 0;
   std::vector<std::string> buffer_uri;  // of those that have one; data: URIs are shortened
   std::vector<std::string> extensions_used, extensions_required;

@@ -84,24 +84,6 @@ std::array<double, 3> WebSampler::sample(double u0, double u1) const {
   return web_.from_table({across * c.cosine, across * c.sine, -calc::cos(gamma)});
 }
 
-double WebSampler::pdf(const std::array<double, 3>& direction) const {
-  return web_.intensity_cd(direction) / web_.flux_lm();
-}
-
-std::array<double, 2> WebSampler::invert(const std::array<double, 3>& direction) const {
-  const WebAngles angles = angles_of(web_.to_table(direction));
-  if (web_.is_axial())
-    return {angles.c_rad / (2.0 * kPi), invert_gamma({0, 0, 0.0}, angles.gamma_rad)};
-  const std::vector<double>& c = web_.c_rad();
-  const std::size_t i = interval_of(c, angles.c_rad);
-  const double width = c[i + 1] - c[i];
-  const double fraction = std::clamp((angles.c_rad - c[i]) / width, 0.0, 1.0);
-  const double start = plane_total(i);
-  const double middle = std::lerp(start, plane_total(i + 1), fraction);
-  const double below = c_prefix_[i] + 0.5 * width * fraction * (start + middle);
-  return {below / c_prefix_.back(), invert_gamma({i, i + 1, fraction}, angles.gamma_rad)};
-}
-
 double WebSampler::prefix(const Plane& plane, std::size_t gamma) const {
   const std::size_t columns = web_.gamma_rad().size();
   return std::lerp(gamma_prefix_[plane.below * columns + gamma],
@@ -119,16 +101,6 @@ double WebSampler::sample_gamma_rad(const Plane& plane, double u) const {
       interval_with_mass(count, target, [&](std::size_t k) { return prefix(plane, k); });
   const SineSegment segment = segment_at(web_, plane.below, plane.above, plane.fraction, i);
   return segment.gamma_rad + invert_integral(segment, target - prefix(plane, i));
-}
-
-double WebSampler::invert_gamma(const Plane& plane, double gamma_rad) const {
-  const std::vector<double>& nodes = web_.gamma_rad();
-  const double total = prefix(plane, nodes.size() - 1);
-  if (!(total > 0.0) || gamma_rad <= nodes.front()) return 0.0;
-  if (gamma_rad >= nodes.back()) return 1.0;
-  const std::size_t i = interval_of(nodes, gamma_rad);
-  const SineSegment segment = segment_at(web_, plane.below, plane.above, plane.fraction, i);
-  return (prefix(plane, i) + integral_to(segment, gamma_rad - nodes[i])) / total;
 }
 
 }  // namespace calc

@@ -20,17 +20,10 @@ class WebSampler {
   // safeguarded Newton). The density of a sample is positive, except that u0 or u1 = 0 may give the
   // dark edge at which the light begins.
   std::array<double, 3> sample(double u0, double u1) const;
-  // Probability density per steradian of that direction: intensity / flux.
-  double pdf(const std::array<double, 3>& direction) const;
-  // The (u0, u1) that sample() turns into this direction; for round-trip tests. Directions outside
-  // the table give u1 = 0 or 1; a pole of the table counts as C = 0; u1 = 0 where nothing is
-  // emitted at that C.
-  std::array<double, 2> invert(const std::array<double, 3>& direction) const;
-  // What the prefix sums add up to: web.flux_lm() up to rounding.
-  double normalisation_lm() const { return c_prefix_.back(); }
 
   // The table and its sums, for who samples elsewhere: [plane][gamma], integrals of I sin(gamma)
-  // from the first angle; [plane], integrals over C of the plane totals (axial: {0, flux}).
+  // from the first angle; [plane], integrals over C of the plane totals (axial: {0, flux}),
+  // which end at web.flux_lm() up to rounding.
   const PhotometricWeb& web() const { return web_; }
   const std::vector<double>& gamma_prefix() const { return gamma_prefix_; }
   const std::vector<double>& c_prefix() const { return c_prefix_; }
@@ -44,7 +37,6 @@ class WebSampler {
   double prefix(const Plane& plane, std::size_t gamma) const;
   double plane_total(std::size_t plane) const;
   double sample_gamma_rad(const Plane& plane, double u) const;
-  double invert_gamma(const Plane& plane, double gamma_rad) const;
 
   const PhotometricWeb& web_;
   // [plane][gamma]: integral of I sin(gamma) from the first angle

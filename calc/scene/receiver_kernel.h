@@ -13,14 +13,6 @@ namespace calc {
 // axis. scalar: over a sphere (a quarter of the fluence rate; the axis does not matter).
 enum class ReceiverKernel { planar, cylindrical, semicylindrical, hemispherical, scalar };
 
-// Results give illuminances these names, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 5> kReceiverKernelNames{
-    "planar", "cylindrical", "semicylindrical", "hemispherical", "scalar"};
-
-constexpr std::string_view kernel_name(ReceiverKernel kernel) {
-  return kReceiverKernelNames[static_cast<std::size_t>(kernel)];
-}
-
 // What a point measures where that is more than the illuminance of one kernel.
 enum class DerivedQuantity {
   none,

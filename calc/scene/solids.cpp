@@ -241,8 +241,4 @@ SolidSide SolidLocator::locate(const glm::dvec3& point) const {
   return locate_point(body_, box_, point);
 }
 
-bool contains_point(const Body& body, const glm::dvec3& point) {
-  return locate_point(body, bounding_box(body.vertex_m), point) == SolidSide::inside;
-}
-
 }  // namespace calc

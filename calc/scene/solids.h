@@ -63,7 +63,4 @@ class SolidLocator {
   std::vector<std::size_t> begin_;  // columns_ * columns_ + 1
 };
 
-// True for SolidSide::inside only. Computes the bounding box each time: for a few points.
-bool contains_point(const Body& body, const glm::dvec3& point);
-
 }  // namespace calc

@@ -194,16 +194,13 @@ std::optional<std::string> changed_text(std::string text, const XmlElement& root
 
 // The element tree, and the text that its places are about.
 std::optional<XmlElement> parsed(const std::string& bytes, const std::string& file,
-                                 std::string& text, calc::Diagnostics& diagnostics) {
+                                 std::string& text) {
+  calc::Diagnostics diagnostics;
   std::optional<std::string> decoded = calc::decoded_xml(bytes, file, diagnostics);
   if (!decoded) return std::nullopt;
   text = *std::move(decoded);
   std::optional<XmlElement> root = calc::parse_xml(bytes, file, diagnostics);
-  if (root && root->name != calc::kProjectRoot.name) {
-    diagnostics.report(calc::DiagnosticId::wrong_root_element, root->where, root->name,
-                       calc::kProjectRoot.name);
-    return std::nullopt;
-  }
+  if (root && root->name != calc::kProjectRoot.name) return std::nullopt;
   return root;
 }
 
@@ -226,24 +223,14 @@ std::string value_problem(const std::string& value) {
   return "";
 }
 
-std::optional<std::string> with_values(const std::string& bytes, const std::string& file,
-                                       const std::vector<SetValue>& values, std::string_view option,
-                                       calc::Diagnostics& diagnostics) {
-  std::string text;
-  const std::optional<XmlElement> root = parsed(bytes, file, text, diagnostics);
-  if (!root) return std::nullopt;
-  return changed_text(std::move(text), *root, file, values, option, diagnostics);
-}
-
 void check_values(const std::vector<std::string>& projects, const std::vector<SetValue>& values,
                   std::string_view option, const calc::FileReader& files,
                   calc::Diagnostics& diagnostics) {
   for (const std::string& project : projects) {
     const calc::FileContent content = files.read(project);
     if (!content.ok()) continue;
-    calc::Diagnostics unreadable;  // told by who reads it
     std::string text;
-    if (const auto root = parsed(content.bytes, project, text, unreadable)) {
+    if (const auto root = parsed(content.bytes, project, text)) {
       changed_text(std::move(text), *root, project, values, option, diagnostics);
     }
   }
@@ -252,10 +239,10 @@ void check_values(const std::vector<std::string>& projects, const std::vector<Se
 calc::FileContent SetReader::read_within(const std::string& folder, const std::string& path) const {
   calc::FileContent content = files_.read_within(folder, path);
   if (!content.ok() || values_.empty() || !projects_.contains(path)) return content;
-  calc::Diagnostics unreadable, diagnostics;
   std::string text;
-  const auto root = parsed(content.bytes, path, text, unreadable);
+  const auto root = parsed(content.bytes, path, text);
   if (!root) return content;
+  calc::Diagnostics diagnostics;
   auto changed = changed_text(std::move(text), *root, path, values_, "set", diagnostics);
   if (!changed) return {"", diagnostics.all().front().message};
   content.bytes = *std::move(changed);

@@ -11,7 +11,6 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -33,22 +32,16 @@ bool is_about_project(const SetValue& value);
 // What is wrong with a value whatever it is for; "" = nothing.
 std::string value_problem(const std::string& value);
 
-// The text of a project file with these values, in UTF-8. Everything else stays, and so do the
-// numbers of lines. Empty after an error: a path that names nothing or several things, or what
-// cannot be set; or what parse_xml() refuses. option: as whose argument messages name a path,
-// "set". Values that are the file's own are written, too.
-std::optional<std::string> with_values(const std::string& bytes, const std::string& file,
-                                       const std::vector<SetValue>& values, std::string_view option,
-                                       calc::Diagnostics& diagnostics);
-
-// Reports why these projects cannot have these values. Projects that are not readable are no error
-// of this.
+// Reports why these projects cannot have these values: a path that names nothing or several things,
+// or what cannot be set. Projects that are not readable are no error of this. option: as whose
+// argument messages name a path, "set".
 void check_values(const std::vector<std::string>& projects, const std::vector<SetValue>& values,
                   std::string_view option, const calc::FileReader& files,
                   calc::Diagnostics& diagnostics);
 
-// Gives these projects with these values, and every other file as it is. A project that cannot have
-// them cannot be read. `files` and `values` outlive it.
+// Gives these projects with these values, in UTF-8, and every other file as it is. Everything else
+// of a project stays, and so do the numbers of lines; values that are its own are written, too. A
+// project that cannot have them cannot be read. `files` and `values` outlive it.
 class SetReader : public calc::FileReader {
  public:
   SetReader(const calc::FileReader& files, const std::vector<std::string>& projects,

@@ -32,7 +32,6 @@ struct Format {
                                           const FormatStyle&);
   bool is_html = false;     // has pictures of rooms, and may be an index with pages
   bool is_printed = false;  // is HTML as one page, which needs a printer
-  bool is_table = false;    // of single points or luminaires: no verdict, and no warning
 
   // Of a document that is there as a whole.
   std::string render(const Document& document, const FormatStyle& style) const;

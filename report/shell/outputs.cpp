@@ -622,33 +622,15 @@ bool ResultFiles::print(const report::DocumentEnd& end) {
   return false;
 }
 
-namespace {
-
-// To OutputFiles or ResultFiles; inputs: with the first project.
-void add_all(auto& files, const report::Document& document, const std::set<std::string>& inputs) {
-  bool is_first = true;
-  for (const report::ProjectPart& project : document.projects) {
-    files.add(project, is_first ? inputs : std::set<std::string>());
-    is_first = false;
-  }
-}
-
-}  // namespace
-
 bool write_results(const OutputOptions& options, const Environment& environment,
                    const report::Document& document, const std::set<std::string>& inputs) {
   ResultFiles results(options, environment, report::frame_of(document));
-  add_all(results, document, inputs);
+  bool is_first = true;
+  for (const report::ProjectPart& project : document.projects) {
+    results.add(project, is_first ? inputs : std::set<std::string>());
+    is_first = false;
+  }
   return results.finish(report::end_of(document), inputs);
-}
-
-std::vector<std::string> write_outputs(const OutputOptions& options,
-                                       const report::Document& document,
-                                       const std::set<std::string>& inputs) {
-  const report::DocumentFrame frame = report::frame_of(document);
-  PlannedFiles files(options, frame);
-  add_all(files, document, inputs);
-  return files.finish(report::end_of(document), inputs);
 }
 
 std::string safe_name(const std::string& wanted) {

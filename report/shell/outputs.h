@@ -65,10 +65,6 @@ class ResultFiles {
 // The same of a document that is there as a whole.
 bool write_results(const OutputOptions& options, const Environment& environment,
                    const report::Document& document, const std::set<std::string>& inputs);
-// Without standard output. Returns one message per file that could not be written.
-std::vector<std::string> write_outputs(const OutputOptions& options,
-                                       const report::Document& document,
-                                       const std::set<std::string>& inputs);
 
 // Other characters than letters, digits, '-', '_' and '.' (UTF-8) each replaced by one '_'.
 std::string safe_name(const std::string& wanted);

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::string_view kIfcLetters =
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
-constexpr std::size_t kIfcLength = 22;
 
 }  // namespace
 
@@ -21,11 +20,6 @@ std::string key_of_id(std::string_view id, std::string_view prefix) {
   std::string key(id.substr(prefix.size()));
   std::replace(key.begin(), key.end(), kDollarInId, '$');
   return key;
-}
-
-bool is_ifc_guid(std::string_view text) {
-  return text.size() == kIfcLength && text.front() >= '0' && text.front() <= '3' &&
-         text.find_first_not_of(kIfcLetters) == std::string_view::npos;
 }
 
 Guid guid_of_names(const std::vector<std::string>& names) {

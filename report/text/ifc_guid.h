@@ -18,8 +18,6 @@ inline constexpr char kDollarInId = ':';
 
 // The key behind the prefix, with its '$'; "" if the id does not begin so.
 std::string key_of_id(std::string_view id, std::string_view prefix);
-// Whether it can be a GlobalId: 22 of its letters, the first of them 0 to 3.
-bool is_ifc_guid(std::string_view text);
 
 using Guid = std::array<std::uint8_t, 16>;
 // The same for the same names in the same order, on every machine; others for all others.

@@ -30,12 +30,6 @@ inline const char* plane_words(const Texts& t, const PlanePart& plane) {
   return plane_words(t, plane.kernel, plane.derived);
 }
 inline const char* plane_words(const PlanePart& plane) { return plane_words({}, plane); }
-inline const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
-  return plane_words({}, kernel, derived);
-}
-inline const char* kernel_words(calc::ReceiverKernel kernel) {
-  return plane_words({}, kernel, calc::DerivedQuantity::none);
-}
 // After "average": "of glare rating UGR".
 const char* of_plane_words(const Texts& t, const PlanePart& plane);
 // Plain illuminance, which needs no words.

@@ -482,10 +482,9 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   for (const calc::Space& space : project.spaces) {
     SpaceValues of_space(project, space);
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(
-          plane,
-          {plane.kernel, project.scenes, packs, &plane, &space, plane.derived, plane.usual_role},
-          of_space, elements, diagnostics, bound);
+      bind_plane(plane,
+                 {plane.kernel, project.scenes, packs, &space, plane.derived, plane.usual_role},
+                 of_space, elements, diagnostics, bound);
     }
   }
   warn_about_maintenance(project, bound, diagnostics);
@@ -499,7 +498,7 @@ void check_requirements(const calc::Project& project, const std::vector<RulePack
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
       const RequirementContext context{
-          plane.kernel,     project.scenes,         packs, nullptr, nullptr, plane.derived,
+          plane.kernel,     project.scenes,         packs, nullptr, plane.derived,
           plane.usual_role, plane.is_quantity_known};
       const RequirementIds ids(plane.requirements, diagnostics);
       for (const calc::RequirementText& text : plane.requirements) {
@@ -517,8 +516,7 @@ std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
   std::vector<Requirement> bound;
   ElementsOnce elements;
   calc::Diagnostics said;  // where the other planes of the workplace were bound
-  bind_plane(plane,
-             {plane.kernel, project.scenes, packs, &plane, &space, plane.derived, plane.usual_role},
+  bind_plane(plane, {plane.kernel, project.scenes, packs, &space, plane.derived, plane.usual_role},
              of_space, elements, said, bound);
   return bound;
 }

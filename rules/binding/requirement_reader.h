@@ -17,8 +17,7 @@ struct RequirementContext {
   calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
-  const calc::CalcPlane* plane = nullptr;  // where it is, which way it faces; null: not known
-  const calc::Space* space = nullptr;      // around it; null: not known
+  const calc::Space* space = nullptr;                           // around it; null: not known
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
   std::string_view usual_role = "";                             // of the plane, see there
   bool is_quantity_known = true;  // false: after an error in the plane, so that its kernel and

@@ -238,11 +238,4 @@ ParsedExpression parse_expression(std::string_view text) {
   return result;
 }
 
-const char* function_name(ExpressionKind kind) {
-  for (const Function& function : kFunctions) {
-    if (function.kind == kind) return function.name;
-  }
-  return "";
-}
-
 }  // namespace rules

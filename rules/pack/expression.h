@@ -52,7 +52,4 @@ struct ParsedExpression {
 // Names are not looked up and units not checked: see rule_pack_check.h.
 ParsedExpression parse_expression(std::string_view text);
 
-// "limit", "result", ...: how a name is written in a formula; for messages.
-const char* function_name(ExpressionKind kind);
-
 }  // namespace rules

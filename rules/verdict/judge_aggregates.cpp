@@ -474,13 +474,13 @@ CheckStatus class_status(const RulePack& pack, const RuleClass& item, const Rule
     Evidence evidence{pack, &row, scope_of(pack, entry.origin()).level, entry.origin().facts,
                       measured_on(entry.place->plane, group)};
     seen.insert(entry.origin().check);
-    members.push_back({evaluate_check(*pack.find_check(entry.origin().check), evidence).status});
+    members.push_back({evaluate_check(*pack.find_check(entry.origin().check), evidence)});
   }
   for (const std::string& id : item.checks) {
     if (seen.contains(id)) continue;
     const Evidence evidence{pack, &row, scope_of(pack, group.front().origin()).level,
                             group.front().origin().facts};
-    members.push_back({evaluate_check(*pack.find_check(id), evidence).status});
+    members.push_back({evaluate_check(*pack.find_check(id), evidence)});
   }
   return combine_statuses(all, members);
 }

@@ -157,10 +157,14 @@ TEST(ReceiverKernels, AllAgreeInUniformLight) {
         1024);
     for (std::size_t i = 0; i < 2; ++i) {
       const calc::Estimate e = calc::t_interval(indirect_lx(solution.fields[0], i), 0.999);
-      EXPECT_LT(e.low, 1.005 * expected) << calc::kernel_name(kernel) << i;
-      EXPECT_GT(e.high, 0.995 * expected) << calc::kernel_name(kernel) << i;
-      EXPECT_NEAR(e.value / expected, 1.0, 0.02) << calc::kernel_name(kernel) << i;
-      EXPECT_LT(e.half_width() / e.value, 0.03) << calc::kernel_name(kernel) << i;
+      EXPECT_LT(e.low, 1.005 * expected)
+          << calc::quantity_name(kernel, calc::DerivedQuantity::none) << i;
+      EXPECT_GT(e.high, 0.995 * expected)
+          << calc::quantity_name(kernel, calc::DerivedQuantity::none) << i;
+      EXPECT_NEAR(e.value / expected, 1.0, 0.02)
+          << calc::quantity_name(kernel, calc::DerivedQuantity::none) << i;
+      EXPECT_LT(e.half_width() / e.value, 0.03)
+          << calc::quantity_name(kernel, calc::DerivedQuantity::none) << i;
     }
   }
 }

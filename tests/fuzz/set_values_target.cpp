@@ -5,8 +5,12 @@
 #include "report/check/set_values.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
+#include "tests/support/memory_file_reader.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -34,21 +38,26 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::TwoFiles input = fuzz::split_files(fuzz::as_text(data, size));
   const std::string project(input.first);
   const std::vector<check::SetValue> values = values_in(input.second);
+  const std::vector<std::string> projects{"p.xml"};
+  const calc::MemoryFileReader files({{"p.xml", project}});
   calc::Diagnostics diagnostics;
-  const auto changed = check::with_values(project, "p.xml", values, "set", diagnostics);
-  fuzz::check_messages(changed.has_value(), diagnostics);
-  if (!changed) return 0;
+  check::check_values(projects, values, "set", files, diagnostics);
+  const calc::FileContent changed = check::SetReader(files, projects, values).read("p.xml");
+  fuzz::check_messages(changed.ok(), diagnostics);
+  if (!changed.ok() || changed.bytes == project) return 0;
   // Elements are as many as before, on as many lines; and the values are those that were asked for.
   calc::Diagnostics of_project;
   const auto before = calc::parse_xml(project, "p.xml", of_project);
-  const auto after = calc::parse_xml(*changed, "p.xml", of_project);
+  const auto after = calc::parse_xml(changed.bytes, "p.xml", of_project);
   fuzz::require_no_error(of_project, "a changed project is well-formed");
   fuzz::require(count_elements(*before) == count_elements(*after), "no element comes or goes");
   const auto text = calc::decoded_xml(project, "p.xml", of_project);
   fuzz::require(std::count(text->begin(), text->end(), '\n') ==
-                    std::count(changed->begin(), changed->end(), '\n'),
+                    std::count(changed.bytes.begin(), changed.bytes.end(), '\n'),
                 "lines keep their numbers");
-  const auto again = check::with_values(*changed, "p.xml", values, "set", of_project);
-  fuzz::require(again == changed, "the same values once more change nothing");
+  const calc::MemoryFileReader once({{"p.xml", changed.bytes}});
+  const calc::FileContent again = check::SetReader(once, projects, values).read("p.xml");
+  fuzz::require(again.ok() && again.bytes == changed.bytes,
+                "the same values once more change nothing");
   return 0;
 }

@@ -21,6 +21,11 @@ inline std::string unpacked_sheets(const std::string& xlsx) {
   return text;
 }
 
+// Of single points or luminaires: no verdict, and no warning.
+inline bool is_table(const Format& format) {
+  return format.name == "points-csv" || format.name == "luminaires-csv";
+}
+
 // Of a document, in English.
 inline std::string legible(const Format& format, const Document& document) {
   const std::string bytes = format.render(document, {});

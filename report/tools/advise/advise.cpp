@@ -14,6 +14,7 @@
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/shell/project_reader.h"
+#include "report/shell/recording_reader.h"
 #include "report/text/words.h"
 #include "report/tools/advise/find_packages.h"
 #include "report/tools/advise/find_places.h"
@@ -28,7 +29,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -65,29 +65,6 @@ struct AdviseOptions {
   int steps = 100;
   CostUnit least = CostUnit::watt;
   std::vector<DataOutput> outputs;
-};
-
-// Remembers what was read, as path_identity() has it.
-class RememberingReader : public calc::FileReader {
- public:
-  explicit RememberingReader(const calc::FileReader& files) : files_(files) {}
-
-  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
-    {
-      const std::scoped_lock lock(mutex_);
-      read_.insert(path_identity(path));
-    }
-    return files_.read_within(folder, path);
-  }
-  bool has_read(const std::string& path) const {
-    const std::scoped_lock lock(mutex_);
-    return read_.contains(path_identity(path));
-  }
-
- private:
-  const calc::FileReader& files_;
-  mutable std::mutex mutex_;  // several files are read at the same time
-  mutable std::set<std::string> read_;
 };
 
 // What counts, does not pass and hangs on no levels, such as the power by area of a room.
@@ -156,11 +133,13 @@ std::string write_problem(const AdviseOptions& options) {
 }
 
 // "" or which output is a file that was read: the project's own ones, rule packs ...
-std::string overwritten_input(const AdviseOptions& options, const RememberingReader& files) {
+std::string overwritten_input(const AdviseOptions& options, const RecordingReader& files) {
+  std::set<std::string> read;
+  for (const std::string& file : files.paths()) read.insert(path_identity(file));
   std::vector<std::string> outputs{options.write_file};
   for (const DataOutput& output : options.outputs) outputs.push_back(output.file);
   for (const std::string& file : outputs) {
-    if (!file.empty() && files.has_read(file)) {
+    if (!file.empty() && read.contains(path_identity(file))) {
       return fmt::format("'{}' is not written: it was read", file);
     }
   }
@@ -233,7 +212,7 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   AdviseOptions options = asked;
   CheckOptions& check = options.check;
   const ProjectReader disk(check.input);
-  const RememberingReader files(disk);
+  const RecordingReader files(disk);
   std::set<std::string> inputs{options.project};
   if (!options.write_file.empty()) inputs.insert(options.write_file);
   calc::Diagnostics outputs;

@@ -15,7 +15,7 @@ namespace cli {
 
 // Of a scene, in the room that is spoken of.
 struct RoomRequirement {
-  std::string space, plane;  // as reports title them
+  std::string plane;  // as reports title it
   rules::Finding before;
   std::size_t points = 0;     // of the plane that light was followed from; 0: their mean
   std::size_t of_points = 0;  // that count

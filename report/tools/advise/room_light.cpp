@@ -158,7 +158,6 @@ std::vector<AskedOfRoom> asked_of_room(const RoomQuestions& questions, std::size
       AskedOfRoom asked;
       asked.plane = p;
       asked.finding = f;
-      asked.told.space = report::title_of(room.name, room.id);
       asked.told.plane = report::title_of(plane.name, plane.id);
       asked.told.before = finding;
       asked.lack_lx = requirement.limit - finding.measured.low;

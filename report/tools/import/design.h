@@ -39,7 +39,6 @@ struct DesignRoom {
 struct DesignLuminaire {
   DesignSource source;
   std::string type;  // name of the block or of the type: what a map gives photometry to
-  std::string mark;  // what people call this one, from an attribute or name; may be empty
   std::string storey;
   glm::dvec3 position_m{0.0};  // of the point of insertion
   bool has_height = false;     // false: z is not known
@@ -64,7 +63,6 @@ struct DesignLine {
   DesignSource source;
   std::string name;
   std::vector<glm::dvec3> point_m;
-  bool is_closed = false;
   std::size_t rule = 0;  // as of rooms: [[plane]], [[route]]
 };
 
@@ -78,7 +76,7 @@ struct DesignNote {
 };
 
 struct Design {
-  std::string file, writer;       // writer: who wrote the file, as it says; may be empty
+  std::string file;
   std::string unit, unit_reason;  // "mm", "stated by the map; the header says inch"
   double metres_per_unit = 1.0;   // of numbers that stay text, such as attributes
   glm::dvec3 origin_m{0.0};       // taken away from all coordinates

@@ -91,7 +91,6 @@ class Builder {
   std::optional<Design> build(const std::string& file, const std::string& unit_option,
                               std::string& problem) {
     design_.file = file;
-    design_.writer = drawing_.writer;
     room_.resize(map_.room.size());
     plane_.resize(map_.plane.size());
     route_.resize(map_.route.size());
@@ -857,7 +856,6 @@ class Builder {
       const std::size_t before = lines.size();
       const auto add = [&](DesignLine line, const std::string& key) {
         line.rule = i;
-        line.is_closed = is_plane;
         const glm::dvec3 first = line.point_m.front();
         line.source.key = own_key(
             !key.empty() ? key : fmt::format("at_{:.0f}_{:.0f}", first.x * 100.0, first.y * 100.0));

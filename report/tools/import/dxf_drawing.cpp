@@ -747,7 +747,7 @@ class DrawingReader {
 
   // What is known only when all is read.
   void close() {
-    drawing_.writer = calc::printable(calc::trim(texts_.decoded(pairs_.first_comment())));
+    texts_.decoded(pairs_.first_comment());  // nobody reads it, but its letters may be in doubt
     drawing_.text_doubt = texts_.doubt();
     for (const HasDictionary& one : with_dictionary_) {
       if (filters_.count(one.dictionary) == 0) continue;

@@ -80,7 +80,6 @@ using DxfSkipped = std::map<std::array<std::string, 3>, std::size_t>;
 
 struct DxfDrawing {
   std::string version;                    // "AC1015"; "" = not said
-  std::string writer;                     // as a comment of the header says; may be empty
   std::optional<int> unit;                // $INSUNITS
   std::map<std::string, DxfLayer> layer;  // by dxf_key()
   std::map<std::string, DxfBlock> block;  // by dxf_key()

@@ -88,7 +88,6 @@ class DesignReader {
       : text_(text), file_(text, std::move(units)), placements_(file_) {}
 
   Design read() {
-    design_.writer = calc::printable(text_.writer());
     design_.unit = file_.units().name;
     design_.unit_reason = file_.units().reason;
     design_.metres_per_unit = file_.units().metres;
@@ -441,7 +440,6 @@ class DesignReader {
       break;
     }
     result.source = source(fixture, a);
-    result.mark = text_of(a, 2);
     result.storey = storey_of(fixture);
     attributes(fixture, a, result);
     doubts(fixture, std::move(doubt));

@@ -344,10 +344,6 @@ class StepText::Opener {
         if (const auto text = schema.text()) text_.schema_.push_back(upper(*text));
       }
     }
-    if (name == "FILE_NAME" && argument.size() > 5) {  // preprocessor, originating system
-      text_.writer_ = argument[5].text().value_or("");
-      if (text_.writer_.empty()) text_.writer_ = argument[4].text().value_or("");
-    }
   }
 
   bool data() {

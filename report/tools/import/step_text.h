@@ -88,8 +88,7 @@ class StepText {
   static std::optional<StepText> open(std::string_view bytes, StepProblem& problem);
 
   const std::vector<std::string>& schema() const { return schema_; }  // "IFC4", in capitals
-  const std::string& writer() const { return writer_; }  // the program, as FILE_NAME says it
-  bool is_utf8() const { return is_utf8_; }              // the whole text
+  bool is_utf8() const { return is_utf8_; }                           // the whole text
   // Where ENDSEC of the last DATA section begins, as an offset in the bytes; 0: there is none.
   std::size_t data_end() const { return data_end_; }
 
@@ -124,7 +123,6 @@ class StepText {
   std::vector<std::uint32_t> by_name_, name_at_;  // instances by name; where each name begins
   std::vector<std::uint32_t> lines_before_;       // line ends before each block of the text
   std::vector<std::string> schema_;
-  std::string writer_;
   std::size_t data_end_ = 0;
   bool is_utf8_ = true;
 };

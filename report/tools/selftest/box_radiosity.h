@@ -31,7 +31,6 @@ class BoxRadiosity {
 
   // At any point in the box or on its faces, by unit normal.
   double indirect_lx(const glm::dvec3& x, const glm::dvec3& n) const;
-  double direct_lx(const glm::dvec3& x, const glm::dvec3& n) const { return direct_(x, n); }
 
  private:
   struct Patch {

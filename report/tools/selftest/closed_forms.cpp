@@ -99,10 +99,4 @@ double corner_solid_angle(double a, double b, double h) {
   return calc::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));
 }
 
-double strip_middle_lx(double half_m, double per_m_cd, double h) {
-  // integral of per_m h^2 / (h^2 + s^2)^2 ds
-  return per_m_cd * h * h *
-         (half_m / (h * h * (h * h + half_m * half_m)) + calc::atan(half_m / h) / (h * h * h));
-}
-
 }  // namespace cli::selftest

@@ -38,8 +38,4 @@ double rectangles_with_edge(double l, double w, double h);
 // Of a rectangle a x b seen from a point at height h over one of its corners (sr).
 double corner_solid_angle(double a, double b, double h);
 
-// A thin strip of length 2 half_m along its middle's horizontal line that shines as cos gamma
-// downwards, `per_m` cd/m straight down, on a horizontal element at height h below its middle.
-double strip_middle_lx(double half_m, double per_m_cd, double h);
-
 }  // namespace cli::selftest

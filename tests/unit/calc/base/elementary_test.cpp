@@ -80,7 +80,6 @@ TEST(Elementary, SpecialValuesAreThoseOfTheCLibrary) {
   EXPECT_EQ(calc::hypot(3.0, -4.0), 5.0);
   EXPECT_EQ(calc::cos(0.0f), 1.0f);
   EXPECT_EQ(calc::acos(1.0f), 0.0f);
-  EXPECT_NEAR(static_cast<double>(calc::asin(0.5f)), pi / 6, 1e-7);
 }
 
 }  // namespace

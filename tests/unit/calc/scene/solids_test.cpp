@@ -118,26 +118,26 @@ TEST(SolidSides, ABoxInABoxIsAShell) {
   Body shell = box({0, 0, 0}, {3, 3, 3});
   append(shell, box({1, 1, 1}, {2, 2, 2}));
   ASSERT_TRUE(is_watertight(shell));
-  EXPECT_TRUE(contains_point(shell, {0.5, 1.5, 1.5}));
-  EXPECT_FALSE(contains_point(shell, {1.5, 1.5, 1.5})) << "the hollow";
-  EXPECT_FALSE(contains_point(shell, {3.5, 1.5, 1.5}));
+  EXPECT_EQ(side(shell, {0.5, 1.5, 1.5}), SolidSide::inside);
+  EXPECT_EQ(side(shell, {1.5, 1.5, 1.5}), SolidSide::outside) << "the hollow";
+  EXPECT_EQ(side(shell, {3.5, 1.5, 1.5}), SolidSide::outside);
 }
 
 TEST(SolidSides, ConcaveSolidsAreFollowed) {
   Body u_shape = box({0, 0, 0}, {3, 1, 1});
   append(u_shape, box({0, 0, 1}, {1, 1, 3}));
   append(u_shape, box({2, 0, 1}, {3, 1, 3}));
-  EXPECT_FALSE(contains_point(u_shape, {1.5, 0.5, 2.0}));
-  EXPECT_TRUE(contains_point(u_shape, {0.5, 0.5, 2.0}));
-  EXPECT_TRUE(contains_point(u_shape, {1.5, 0.5, 0.5}));
+  EXPECT_EQ(side(u_shape, {1.5, 0.5, 2.0}), SolidSide::outside);
+  EXPECT_EQ(side(u_shape, {0.5, 0.5, 2.0}), SolidSide::inside);
+  EXPECT_EQ(side(u_shape, {1.5, 0.5, 0.5}), SolidSide::inside);
 }
 
 TEST(SolidSides, FlatTrianglesDoNotCount) {
   Body body = box({0, 0, 0}, {1, 1, 1});
   body.triangle.emplace_back(0, 0, 7);
   EXPECT_TRUE(is_watertight(body));
-  EXPECT_TRUE(contains_point(body, {0.2, 0.3, 0.4}));
-  EXPECT_FALSE(contains_point(body, {1.2, 0.3, 0.4}));
+  EXPECT_EQ(side(body, {0.2, 0.3, 0.4}), SolidSide::inside);
+  EXPECT_EQ(side(body, {1.2, 0.3, 0.4}), SolidSide::outside);
 }
 
 TEST(Box, KnowsWhatItHolds) {

@@ -3,6 +3,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/project/project_elements.h"
 #include "rules/binding/project_schema.h"
+#include "tests/support/memory_file_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,8 +39,13 @@ struct Changed {
 };
 
 Changed changed(const std::string& bytes, const std::vector<check::SetValue>& values) {
+  const calc::MemoryFileReader files({{"p.xml", bytes}});
+  const std::vector<std::string> projects{"p.xml"};
   calc::Diagnostics diagnostics;
-  Changed result{check::with_values(bytes, "p.xml", values, "set", diagnostics), ""};
+  check::check_values(projects, values, "set", files, diagnostics);
+  Changed result;
+  const calc::FileContent content = check::SetReader(files, projects, values).read("p.xml");
+  if (content.ok()) result.text = content.bytes;
   for (const calc::Diagnostic& d : diagnostics.all()) {
     result.messages += calc::format_diagnostic(d) + "\n";
   }
@@ -145,11 +151,13 @@ TEST(SetValues, ReadsOddFiles) {
             "<luxgate name='a=\"b\" &apos;' units='cm'/>");
 }
 
-TEST(SetValues, RefusesWhatIsNoProject) {
-  EXPECT_EQ(changed("<a/>", {{"a.b", "1"}}).messages,
-            "p.xml:1:1: error[wrong-root-element]: the root element is <a>; expected <luxgate>\n");
-  EXPECT_EQ(changed("<luxgate><![CDATA[x]]></luxgate>", {{"luxgate.units", "m"}}).text,
-            std::nullopt);
+// Who reads it says what is wrong.
+TEST(SetValues, LeaveWhatIsNoProject) {
+  for (const char* text : {"<a b='0'/>", "<luxgate><![CDATA[x]]></luxgate>"}) {
+    const Changed result = changed(text, {{"a.b", "1"}});
+    EXPECT_EQ(result.text, text);
+    EXPECT_EQ(result.messages, "");
+  }
 }
 
 TEST(SetValues, SaysWhatIsWrongWithAPath) {

@@ -42,7 +42,7 @@ Document deviating() {
 
 TEST(StandardWords, ADeviationIsInEveryFormatButPoints) {
   for (const Format& format : formats()) {
-    if (format.is_table) continue;
+    if (is_table(format)) continue;
     const std::string text = legible(format, deviating());
     EXPECT_THAT(text, HasSubstr("4 points where 54 are asked for")) << format.name;
     EXPECT_THAT(text, HasSubstr("A. Meier")) << format.name;
@@ -75,7 +75,7 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
                      calc::Message::words("EN 12464-1:2021 34.2"),
                      {{"wall", rules::RoleState::met, {}, {}, {{"wall.1", by, false}}}}}};
   for (const Format& format : formats()) {
-    if (format.is_table) continue;
+    if (is_table(format)) continue;
     const std::string text = legible(format, document);
     for (const char* words : {"wall.1", "window wall", "B. Roe", "2027-03-31"}) {
       EXPECT_THAT(text, HasSubstr(words)) << format.name;
@@ -90,7 +90,7 @@ TEST(StandardWords, WhoSaysTheLimitIsInEveryFormatButPoints) {
   finding.requirement.clause = calc::Message::words("EN 12464-1:2021 34.2");
   const auto says = [&](const char* words, const char* name) {
     for (const Format& format : formats()) {
-      if (format.is_table) continue;
+      if (is_table(format)) continue;
       EXPECT_THAT(legible(format, document), testing::AnyOf(HasSubstr(words), HasSubstr(name)))
           << format.name;
     }
@@ -166,7 +166,7 @@ TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
   finding.requirement.waiver = rules::Waiver{"spring", "C. Poe", "2027-04-30"};
   rules::apply_waiver(finding, "2027-01-01");
   for (const Format& format : formats()) {
-    if (format.is_table) continue;
+    if (is_table(format)) continue;
     const std::string text = legible(format, document);
     EXPECT_THAT(text, HasSubstr("C. Poe")) << format.name;
     EXPECT_THAT(text, HasSubstr("2027-04-30")) << format.name;

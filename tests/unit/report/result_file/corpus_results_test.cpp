@@ -6,6 +6,7 @@
 #include "report/result_file/read_json.h"
 #include "rules/pack/evaluate.h"
 #include "rules/verdict/judge_aggregates.h"
+#include "tests/support/evaluated.h"
 #include "tests/support/rendered.h"
 
 #include <gtest/gtest.h>
@@ -65,8 +66,8 @@ rules::Metric metric_of(const rules::RuleCheck& check) {
 rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& check,
                           const std::string& row, rules::RowLevel level,
                           const calc::Estimate& measured) {
-  const rules::CheckResult result =
-      evaluate_check(check, {pack, pack.find_row(row), level, {}, {{check.id, measured}}});
+  const rules::Evidence evidence{pack, pack.find_row(row), level, {}, {{check.id, measured}}};
+  const rules::Limit limit = limit_of(check, evidence);
   rules::Finding finding;
   rules::Requirement& requirement = finding.requirement;
   requirement.metric = metric_of(check);
@@ -74,13 +75,13 @@ rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& c
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;
-  requirement.limit = result.limit.value.value;
+  requirement.limit = limit.value.value;
   requirement.policy = pack.policy;
   requirement.severity = check.severity;
   requirement.origin = {pack.full_id(), check.id, row, level, {}};
-  finding.verdict = verdict_of(result.status);
+  finding.verdict = verdict_of(evaluate_check(check, evidence));
   if (finding.verdict == Verdict::not_judged) {
-    finding.reason = result.reason;
+    finding.reason = limit.reason;
     return finding;
   }
   finding.measured = measured;
@@ -88,8 +89,10 @@ rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& c
   const bool is_measured =
       (check.quantity->kernel && requirement.derived != calc::DerivedQuantity::modelling) ||
       rules::is_of_space(requirement.metric);
-  finding.is_close = is_measured ? result.is_close : rules::decide(requirement, measured).is_close;
-  finding.by_tolerance = result.by_tolerance;
+  const rules::Decision decision = decision_of(check, evidence);
+  finding.is_close =
+      is_measured ? decision.is_close : rules::decide(requirement, measured).is_close;
+  finding.by_tolerance = decision.by_tolerance;
   finding.margin = rules::margin_of(requirement, measured, finding.verdict);
   return finding;
 }

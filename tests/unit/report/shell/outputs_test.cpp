@@ -22,7 +22,10 @@ using ::testing::HasSubstr;
 
 class Outputs : public ::testing::Test {
  protected:
-  void SetUp() override { inputs_ = {path("project.xml")}; }
+  void SetUp() override {
+    inputs_ = {path("project.xml")};
+    options_.quiet = true;
+  }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void add(const char* format, const std::string& name) {
@@ -83,7 +86,7 @@ TEST_F(Outputs, PagesOfRoomsAreInFoldersOfTheirOwn) {
   report::Document document;
   document.projects.resize(1);
   document.projects[0].spaces.resize(1);
-  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_TRUE(cli::write_results(options_, {}, document, {}));
   for (const char* page :
        {"büro.html-rooms/p1s1.html", "bäro.html-rooms/p1s1.html", "bäro.htm-rooms/p1s1.html"}) {
     EXPECT_TRUE(fs::exists(path(page))) << page;
@@ -122,7 +125,7 @@ TEST_F(Outputs, PagesOfAnEarlierRunAreRemoved) {
   report::Document document;
   document.projects.resize(1);
   document.projects[0].spaces.resize(1);
-  EXPECT_TRUE(cli::write_outputs(options_, document, {path("r.html-rooms/p2s1.html")}).empty());
+  EXPECT_TRUE(cli::write_results(options_, {}, document, {path("r.html-rooms/p2s1.html")}));
   std::set<std::string> left;
   for (const auto& entry : fs::directory_iterator(path("r.html-rooms")))
     left.insert(entry.path().filename().string());
@@ -164,11 +167,11 @@ TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
   add("html", "report.html");
   add("csv", "results.csv");
   const report::Document document = report::sample_document();
-  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_TRUE(cli::write_results(options_, {}, document, {}));
   EXPECT_THAT(file_text("report.html"), HasSubstr("<html lang=\"de\">"));
   EXPECT_EQ(file_text("results.csv"), report::rendered("csv", document));
   options_.html_split = true;
-  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_TRUE(cli::write_results(options_, {}, document, {}));
   EXPECT_THAT(file_text("report.html"), HasSubstr("Anforderungen"));
   EXPECT_THAT(file_text("report.html-rooms/p1s1.html"), HasSubstr("<html lang=\"de\">"));
 }

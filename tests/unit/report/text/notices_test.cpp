@@ -52,7 +52,7 @@ TEST(Notices, AreInEveryFormatThatHasMoreThanProblems) {
   const Document document = with_notices();
   const std::set<std::string_view> without{"dxf", "github", "gitlab"};
   for (const Format& format : formats()) {
-    if (format.is_table || without.contains(format.name)) continue;
+    if (is_table(format) || without.contains(format.name)) continue;
     const std::string text = legible(format, document);
     for (const char* words : {"made-up note", "made-up change", "made-up remark", "wall.2"})
       EXPECT_THAT(text, HasSubstr(words)) << format.name;

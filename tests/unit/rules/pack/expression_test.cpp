@@ -23,8 +23,29 @@ std::string shape(const Expression& e) {
     case ExpressionKind::divide:
       text = "div";
       break;
-    default:
-      text = function_name(e.kind);
+    case ExpressionKind::row_value:
+      text = "row";
+      break;
+    case ExpressionKind::table:
+      text = "table";
+      break;
+    case ExpressionKind::limit_of:
+      text = "limit";
+      break;
+    case ExpressionKind::result_of:
+      text = "result";
+      break;
+    case ExpressionKind::fact:
+      text = "fact";
+      break;
+    case ExpressionKind::step:
+      text = "step";
+      break;
+    case ExpressionKind::minimum:
+      text = "min";
+      break;
+    case ExpressionKind::maximum:
+      text = "max";
   }
   if (!e.name.empty()) text += " " + e.name;
   if (e.kind == ExpressionKind::step) text += " " + std::to_string(e.steps);

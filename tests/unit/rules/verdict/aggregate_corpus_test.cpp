@@ -3,7 +3,7 @@
 // come out. Numbers are in base units.
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
-#include "rules/pack/evaluate.h"
+#include "tests/support/evaluated.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ Evidence evidence_of(const calc::XmlElement& item, const RulePack& pack) {
 std::string outcome(const calc::XmlElement& item, const RulePack& pack, const std::string& id) {
   const Evidence evidence = evidence_of(item, pack);
   for (const RuleAggregate& aggregate : pack.aggregates) {
-    if (aggregate.id == id) return status_name(evaluate_aggregate(aggregate, evidence));
+    if (aggregate.id == id) return name_of_status(evaluate_aggregate(aggregate, evidence));
   }
   for (const RuleClass& candidate : pack.classes) {
     if (candidate.id != id) continue;

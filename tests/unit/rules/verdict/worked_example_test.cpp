@@ -2,6 +2,7 @@
 // given point values, and the verdicts they must get.
 #include "rules/measure/measure.h"
 #include "rules/pack/evaluate.h"
+#include "tests/support/evaluated.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ bool operator==(const Outcome& a, const Outcome& b) {
   return a.status == b.status && a.is_close == b.is_close;
 }
 void PrintTo(const Outcome& outcome, std::ostream* out) {
-  *out << status_name(outcome.status) << (outcome.is_close ? " (close)" : "");
+  *out << name_of_status(outcome.status) << (outcome.is_close ? " (close)" : "");
 }
 
 const Outcome kPass{CheckStatus::pass, false}, kFail{CheckStatus::fail, false},
@@ -78,20 +79,25 @@ void measure_into(Evidence& evidence, const RuleCheck& check, const Plane& plane
   if (measurement.metric) evidence.measured[check.id] = measurement.metric->estimate;
 }
 
+Outcome outcome_of(const RuleCheck& check, const Evidence& evidence) {
+  const CheckStatus status = evaluate_check(check, evidence);
+  const bool is_decided = status == CheckStatus::pass || status == CheckStatus::fail ||
+                          status == CheckStatus::undecided;
+  return {status, is_decided && decision_of(check, evidence).is_close};
+}
+
 Outcome judged(const std::string& id, const std::string& ref, const Plane& plane,
                RowLevel level = RowLevel::required) {
   Evidence evidence = evidence_for(ref, level);
   const RuleCheck& check = *demo().find_check(id);
   measure_into(evidence, check, plane);
-  const CheckResult result = evaluate_check(check, evidence);
-  return {result.status, result.is_close};
+  return outcome_of(check, evidence);
 }
 
 Outcome judged_number(const std::string& id, const std::string& ref, double value) {
   Evidence evidence = evidence_for(ref);
   evidence.measured[id] = {value, value, value};
-  const CheckResult result = evaluate_check(*demo().find_check(id), evidence);
-  return {result.status, result.is_close};
+  return outcome_of(*demo().find_check(id), evidence);
 }
 
 TEST(WorkedExample, TaskArea) {

@@ -765,7 +765,7 @@ TEST(RadianceExport, SumsOverDirectionsAreTheQuantities) {
       worst =
           std::max(worst, std::abs(sum - calc::response_times_distance(one.kernel, one.axis, w)));
     }
-    EXPECT_LE(worst, one.allowed) << calc::kernel_name(one.kernel);
+    EXPECT_LE(worst, one.allowed) << calc::quantity_name(one.kernel, calc::DerivedQuantity::none);
   }
 }
 

@@ -67,7 +67,6 @@ TEST(IfcDesign, SaysWhatARoomIsCalled) {
   EXPECT_EQ(room.storey, "Level 2");
   EXPECT_EQ(room.height_m, 3.0);
   EXPECT_EQ(design.unit, "mm");
-  EXPECT_EQ(design.writer, "Hand 1.0");
   EXPECT_EQ(design.file, "a.ifc");
   EXPECT_EQ(design.origin_m, glm::dvec3(0.0));
 }
@@ -178,7 +177,6 @@ TEST(IfcDesign, LightFixturesOfIfc4) {
   const cli::DesignLuminaire& one = design.luminaire[0];
   EXPECT_EQ(one.source.key, "l1");
   EXPECT_EQ(one.type, "Panel 600");
-  EXPECT_EQ(one.mark, "L1");
   EXPECT_EQ(one.storey, "Level 2");
   EXPECT_EQ(one.position_m, glm::dvec3(1.0, 2.0, 2.8));
   EXPECT_TRUE(one.has_height);

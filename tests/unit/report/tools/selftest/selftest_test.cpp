@@ -29,7 +29,6 @@ TEST(ClosedForms, GiveThePrintedNumbers) {
   EXPECT_NEAR(5000.0 * calc::kPi * disc_factor_perpendicular(0.5, 1, 1), 913.517112972, 1e-8);
   EXPECT_NEAR(8000.0 * calc::kPi * sphere_factor(0.2, 1.0, 0.5 * calc::kPi), 43.1899309414, 1e-8);
   EXPECT_EQ(sphere_factor(0.2, 1.0, 2.0), 0.0);
-  EXPECT_NEAR(strip_middle_lx(0.6, 500.0, 2.0), 141.671538069, 1e-8);
 }
 
 Measured number(double exact, std::vector<double> replicates) {
