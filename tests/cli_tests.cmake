@@ -12,9 +12,9 @@ luxgate_test(cli_tests
     unit/report/check/room_changes_test.cpp
     unit/report/check/scene_levels_test.cpp
     unit/report/check/set_values_test.cpp
-    unit/report/shell/environment_test.cpp
-    unit/report/shell/exit_code_test.cpp
-    unit/report/shell/help_text_test.cpp
+    unit/report/shell/process/environment_test.cpp
+    unit/report/shell/process/exit_code_test.cpp
+    unit/report/shell/command/help_text_test.cpp
     unit/report/tools/advise/advice_json_test.cpp
     unit/report/advice/advised_levels_test.cpp
     unit/report/advice/level_solver_test.cpp
@@ -34,14 +34,14 @@ luxgate_test(cli_tests
     unit/report/tools/init/init_test.cpp
     unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp
-    unit/report/shell/command_line_test.cpp
-    unit/report/shell/outputs_test.cpp
-    unit/report/shell/pdf_places_test.cpp
-    unit/report/shell/project_folders_test.cpp
-    unit/report/shell/project_options_test.cpp
-    unit/report/shell/sandbox_test.cpp
-    unit/report/shell/sheet_files_test.cpp
-    unit/report/shell/warning_tally_test.cpp
+    unit/report/shell/command/command_line_test.cpp
+    unit/report/shell/output/outputs_test.cpp
+    unit/report/shell/output/pdf_places_test.cpp
+    unit/report/shell/options/project_folders_test.cpp
+    unit/report/shell/options/project_options_test.cpp
+    unit/report/shell/options/sandbox_test.cpp
+    unit/report/shell/output/sheet_files_test.cpp
+    unit/report/shell/output/warning_tally_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
     unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)

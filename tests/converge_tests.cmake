@@ -1,8 +1,8 @@
 # Light vertices in files, path tracing from the points, and `luxgate converge`.
 luxgate_test(converge_tests
   SOURCES
-    unit/calc/radiosity/path_tracing_test.cpp
-    unit/calc/radiosity/vertex_cache_test.cpp
+    unit/calc/radiosity/paths/path_tracing_test.cpp
+    unit/calc/radiosity/looks/vertex_cache_test.cpp
     unit/report/tools/converge/converge_options_test.cpp
     unit/report/tools/converge/converge_reference_test.cpp
     unit/report/tools/converge/converge_formats_test.cpp

@@ -9,19 +9,19 @@ luxgate_test(gpu_tests
     differential/gpu_paths_test.cpp
     differential/gpu_stages_test.cpp
     differential/gpu_weights_test.cpp
-    unit/gpu/bvh_test.cpp
-    unit/gpu/calibration_test.cpp
-    unit/gpu/device_test.cpp
-    unit/gpu/dispatch_pacer_test.cpp
-    unit/gpu/driver_messages_test.cpp
-    unit/gpu/egl_context_test.cpp
-    unit/gpu/exact_arithmetic_test.cpp
-    unit/gpu/gl_buffer_test.cpp
-    unit/gpu/lent_bytes_test.cpp
-    unit/gpu/missing_device_test.cpp
-    unit/gpu/path_rounds_test.cpp
-    unit/gpu/program_cache_test.cpp
-    unit/gpu/traversal_test.cpp
+    unit/gpu/scene/bvh_test.cpp
+    unit/gpu/device/calibration_test.cpp
+    unit/gpu/device/device_test.cpp
+    unit/gpu/device/dispatch_pacer_test.cpp
+    unit/gpu/device/driver_messages_test.cpp
+    unit/gpu/device/egl_context_test.cpp
+    unit/gpu/gather/exact_arithmetic_test.cpp
+    unit/gpu/opengl/gl_buffer_test.cpp
+    unit/gpu/opengl/lent_bytes_test.cpp
+    unit/gpu/device/missing_device_test.cpp
+    unit/gpu/rays/path_rounds_test.cpp
+    unit/gpu/opengl/program_cache_test.cpp
+    unit/gpu/scene/traversal_test.cpp
   LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})
 target_include_directories(gpu_tests SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 

@@ -2,9 +2,9 @@
 luxgate_test(picture_tests
   SOURCES
     differential/shadow_map_test.cpp
-    unit/calc/radiosity/cutaway_test.cpp
-    unit/calc/radiosity/surface_light_test.cpp
-    unit/gpu/picture_test.cpp
+    unit/calc/radiosity/looks/cutaway_test.cpp
+    unit/calc/radiosity/looks/surface_light_test.cpp
+    unit/gpu/raster/picture_test.cpp
     unit/report/tools/pictures/room_pictures_test.cpp
     unit/report/images/room_picture_test.cpp
   LIBRARIES luxgate_cli gpu report calc_radiosity)

@@ -20,17 +20,17 @@ luxgate_test(radiosity_tests
     differential/same_bits_test.cpp
     differential/skips_test.cpp
     statistical/coverage_test.cpp
-    unit/calc/radiosity/between_points_test.cpp
-    unit/calc/radiosity/emission_test.cpp
-    unit/calc/radiosity/low_discrepancy_test.cpp
-    unit/calc/radiosity/importance_test.cpp
-    unit/calc/radiosity/light_paths_test.cpp
-    unit/calc/radiosity/luminaire_choice_test.cpp
-    unit/calc/radiosity/near_field_test.cpp
-    unit/calc/radiosity/opening_light_test.cpp
-    unit/calc/radiosity/point_problem_test.cpp
-    unit/calc/radiosity/rays_test.cpp
-    unit/calc/radiosity/settings_test.cpp
-    unit/calc/radiosity/solve_test.cpp
-    unit/calc/radiosity/vertex_tree_test.cpp
+    unit/calc/radiosity/direct/between_points_test.cpp
+    unit/calc/radiosity/direct/emission_test.cpp
+    unit/calc/radiosity/sampling/low_discrepancy_test.cpp
+    unit/calc/radiosity/paths/importance_test.cpp
+    unit/calc/radiosity/paths/light_paths_test.cpp
+    unit/calc/radiosity/paths/luminaire_choice_test.cpp
+    unit/calc/radiosity/paths/near_field_test.cpp
+    unit/calc/radiosity/direct/opening_light_test.cpp
+    unit/calc/radiosity/direct/point_problem_test.cpp
+    unit/calc/radiosity/sampling/rays_test.cpp
+    unit/calc/radiosity/gather/settings_test.cpp
+    unit/calc/radiosity/looks/solve_test.cpp
+    unit/calc/radiosity/paths/vertex_tree_test.cpp
   LIBRARIES calc_radiosity luxgate_exact)

@@ -13,27 +13,27 @@ luxgate_test(report_tests
     unit/report/document/row_uses_test.cpp
     unit/report/images/exr_test.cpp
     unit/report/formats/german_report_test.cpp
-    unit/report/html/heatmap_svg_test.cpp
+    unit/report/html/drawings/heatmap_svg_test.cpp
     unit/report/images/heatmap_test.cpp
-    unit/report/html/html_difference_test.cpp
-    unit/report/html/html_levels_test.cpp
-    unit/report/html/data_sheets_test.cpp
-    unit/report/html/html_chapters_test.cpp
-    unit/report/html/html_layout_test.cpp
-    unit/report/html/html_plan_test.cpp
-    unit/report/html/html_room_data_test.cpp
-    unit/report/html/html_test.cpp
-    unit/report/html/isolux_test.cpp
+    unit/report/html/drawings/html_difference_test.cpp
+    unit/report/html/room/html_levels_test.cpp
+    unit/report/html/chapters/data_sheets_test.cpp
+    unit/report/html/chapters/html_chapters_test.cpp
+    unit/report/html/drawings/html_layout_test.cpp
+    unit/report/html/drawings/html_plan_test.cpp
+    unit/report/html/room/html_room_data_test.cpp
+    unit/report/html/page/html_test.cpp
+    unit/report/html/drawings/isolux_test.cpp
     unit/report/result_file/json_test.cpp
     unit/report/text/ifc_guid_test.cpp
     unit/report/text/number_format_test.cpp
-    unit/report/html/pass_factor_test.cpp
-    unit/report/html/print_pages_test.cpp
+    unit/report/html/room/pass_factor_test.cpp
+    unit/report/html/page/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/text/notices_test.cpp
     unit/report/text/sentences_test.cpp
-    unit/report/html/plan_layout_test.cpp
-    unit/report/html/shared_scale_test.cpp
+    unit/report/html/drawings/plan_layout_test.cpp
+    unit/report/html/drawings/shared_scale_test.cpp
     unit/report/images/png_test.cpp
     unit/report/images/polar_diagram_test.cpp
     unit/report/result_file/read_json_test.cpp

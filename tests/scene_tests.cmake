@@ -32,18 +32,18 @@ luxgate_test(scene_tests
     unit/calc/base/real_path_test.cpp
     unit/calc/base/text_test.cpp
     unit/calc/project/about_xml_test.cpp
-    unit/calc/project/maintenance_plan_xml_test.cpp
-    unit/calc/project/building_xml_test.cpp
-    unit/calc/project/energy_xml_test.cpp
-    unit/calc/project/logo_test.cpp
-    unit/calc/project/frame_test.cpp
-    unit/calc/project/gbxml_space_test.cpp
-    unit/calc/project/mesh_room_test.cpp
+    unit/calc/project/objects/maintenance_plan_xml_test.cpp
+    unit/calc/project/spaces/building_xml_test.cpp
+    unit/calc/project/spaces/energy_xml_test.cpp
+    unit/calc/project/reading/logo_test.cpp
+    unit/calc/project/objects/frame_test.cpp
+    unit/calc/project/spaces/gbxml_space_test.cpp
+    unit/calc/project/spaces/mesh_room_test.cpp
     unit/calc/meshes/gbxml_test.cpp
-    unit/calc/project/luminaire_list_csv_test.cpp
-    unit/calc/project/luminaires_xml_test.cpp
-    unit/calc/project/objects_xml_test.cpp
-    unit/calc/project/planes_xml_test.cpp
+    unit/calc/project/reading/luminaire_list_csv_test.cpp
+    unit/calc/project/objects/luminaires_xml_test.cpp
+    unit/calc/project/objects/objects_xml_test.cpp
+    unit/calc/project/spaces/planes_xml_test.cpp
     unit/calc/scene/box_shelf_test.cpp
     unit/calc/scene/housing_mesh_test.cpp
     unit/calc/scene/housing_several_test.cpp
@@ -51,21 +51,21 @@ luxgate_test(scene_tests
     unit/calc/scene/joined_openings_test.cpp
     unit/calc/scene/opening_fit_test.cpp
     unit/calc/scene/plane_place_test.cpp
-    unit/calc/project/point_list_csv_test.cpp
-    unit/calc/project/project_files_test.cpp
-    unit/calc/project/project_photometry_test.cpp
-    unit/calc/project/coincident_surfaces_test.cpp
-    unit/calc/project/open_shells_test.cpp
-    unit/calc/project/project_warnings_test.cpp
+    unit/calc/project/reading/point_list_csv_test.cpp
+    unit/calc/project/reading/project_files_test.cpp
+    unit/calc/project/objects/project_photometry_test.cpp
+    unit/calc/project/warnings/coincident_surfaces_test.cpp
+    unit/calc/project/warnings/open_shells_test.cpp
+    unit/calc/project/warnings/project_warnings_test.cpp
     unit/calc/project/project_xml_file_messages_test.cpp
     unit/calc/project/project_xml_library_messages_test.cpp
     unit/calc/project/project_xml_object_messages_test.cpp
     unit/calc/project/project_xml_plane_messages_test.cpp
     unit/calc/project/project_xml_test.cpp
-    unit/calc/project/road_xml_test.cpp
-    unit/calc/project/route_xml_test.cpp
-    unit/calc/project/spaces_xml_test.cpp
-    unit/calc/project/workplace_xml_test.cpp
+    unit/calc/project/spaces/road_xml_test.cpp
+    unit/calc/project/spaces/route_xml_test.cpp
+    unit/calc/project/spaces/spaces_xml_test.cpp
+    unit/calc/project/spaces/workplace_xml_test.cpp
     unit/calc/scene/zone_shapes_test.cpp
     unit/calc/base/diagnostics_test.cpp
     unit/calc/base/utf8_test.cpp

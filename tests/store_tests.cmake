@@ -2,8 +2,8 @@
 luxgate_test(store_tests
   SOURCES
     differential/store_test.cpp
-    unit/calc/radiosity/look_key_test.cpp
-    unit/calc/radiosity/stored_look_test.cpp
+    unit/calc/radiosity/looks/look_key_test.cpp
+    unit/calc/radiosity/looks/stored_look_test.cpp
     unit/calc/store/entry_folder_test.cpp
     unit/calc/store/memory_store_test.cpp
     unit/report/tools/store/store_test.cpp

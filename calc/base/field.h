@@ -97,10 +97,10 @@ inline constexpr std::size_t kGlareProblems = 3;
 
 // What luminaires send to the eyes of a plane of DerivedQuantity::ugr, new and at full output; a
 // dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
-// calc/radiosity/glare.h. low: without sources that have no position index on the table or no area,
-// with small ones by the milder rule for them, and with the least that is seen of openings partly
-// hidden; high: with all of these. What a source that is too large may count beyond `high` is not
-// in it: see `doubts`.
+// calc/radiosity/direct/glare.h. low: without sources that have no position index on the table or
+// no area, with small ones by the milder rule for them, and with the least that is seen of openings
+// partly hidden; high: with all of these. What a source that is too large may count beyond `high`
+// is not in it: see `doubts`.
 struct GlareField {
   std::vector<double> value, low, high;
   std::vector<GlareDoubt> doubts;  // of every problem one per point and channel at most

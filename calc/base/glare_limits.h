@@ -1,5 +1,6 @@
 #pragma once
-// What CIE 117 and CIE 147 state UGR for: judged by rules, calculated by calc/radiosity/glare.h.
+// What CIE 117 and CIE 147 state UGR for: judged by rules, calculated by
+// calc/radiosity/direct/glare.h.
 
 namespace calc {
 

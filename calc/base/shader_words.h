@@ -1,6 +1,6 @@
 // What formulas that are compiled as C++ and as GLSL are written in: their .glsl files lie beside
 // the headers that include them, between this and shader_words_end.h. In GLSL, DBL(0.5) becomes
-// 0.5lf (gpu/shader_text).
+// 0.5lf (gpu/gather/shader_text).
 // No include guard: every text defines and forgets these words.
 #define TERM inline
 #define UINT std::uint32_t

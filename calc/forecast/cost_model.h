@@ -1,7 +1,7 @@
 #pragma once
 // How much work a calculation will be: counts from the schedule, seconds from measured costs.
 
-#include "calc/radiosity/settings.h"
+#include "calc/radiosity/gather/settings.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "calc/forecast/device_cost.h"
 
-#include "calc/radiosity/short_rays.h"
+#include "calc/radiosity/sampling/short_rays.h"
 
 #include <cmath>
 #include <limits>

@@ -2,10 +2,10 @@
 
 #include "calc/proofs/point_set.h"
 #include "calc/proofs/solve_plan.h"
-#include "calc/radiosity/direct.h"
-#include "calc/radiosity/glare.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/opening_light.h"
+#include "calc/radiosity/direct/direct.h"
+#include "calc/radiosity/direct/glare.h"
+#include "calc/radiosity/direct/opening_light.h"
+#include "calc/radiosity/paths/near_field.h"
 
 #include <algorithm>
 #include <bit>

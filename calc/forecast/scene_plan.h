@@ -3,8 +3,8 @@
 
 #include "calc/forecast/cost_model.h"
 #include "calc/proofs/skips.h"
-#include "calc/radiosity/settings.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/gather/settings.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <cstddef>

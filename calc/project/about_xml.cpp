@@ -4,7 +4,7 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 // <about>: whom the design is for and who made it.
 
 #include "calc/base/xml_document.h"
-#include "calc/project/project_context.h"
+#include "calc/project/reading/project_context.h"
 
 namespace calc {
 

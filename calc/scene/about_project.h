@@ -17,7 +17,7 @@ struct EnumNames<LogoFormat> {
                                                   {LogoFormat::svg, "svg"}};
 };
 
-// A picture that may stand in a page: checked, see project/logo.h.
+// A picture that may stand in a page: checked, see project/reading/logo.h.
 struct Logo {
   std::string file;  // as the project names it
   LogoFormat format = LogoFormat::png;

@@ -16,8 +16,8 @@ enum class ReceiverKernel { planar, cylindrical, semicylindrical, hemispherical,
 // What a point measures where that is more than the illuminance of one kernel.
 enum class DerivedQuantity {
   none,
-  // Unified glare rating of an eye that looks along the axis, see calc/radiosity/glare.h. The
-  // illuminance is that of reflected light on a plane across the line of sight.
+  // Unified glare rating of an eye that looks along the axis, see calc/radiosity/direct/glare.h.
+  // The illuminance is that of reflected light on a plane across the line of sight.
   ugr,
   // Cylindrical illuminance about the axis / illuminance of the plane across it, of one point.
   modelling,

@@ -2,7 +2,7 @@
 // What is known of the light of planes beyond what a document has.
 
 #include "calc/base/field.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/sensor_grid.h"
 
 #include <cstddef>

@@ -1,10 +1,10 @@
 #include "report/check/backend.h"
 
-#include "gpu/calibration.h"
-#include "gpu/gl_direct_tracer.h"
-#include "gpu/gl_path_tracer.h"
-#include "gpu/gl_short_rays.h"
-#include "gpu/shadow_map_gatherer.h"
+#include "gpu/device/calibration.h"
+#include "gpu/raster/shadow_map_gatherer.h"
+#include "gpu/rays/gl_direct_tracer.h"
+#include "gpu/rays/gl_path_tracer.h"
+#include "gpu/rays/gl_short_rays.h"
 #include "report/check/drawing_device.h"
 
 #include <fmt/format.h>

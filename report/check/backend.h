@@ -2,8 +2,8 @@
 // Which backend computes what, and why.
 
 #include "calc/forecast/device_cost.h"
-#include "calc/radiosity/stages.h"
-#include "gpu/gl_gatherer.h"
+#include "calc/radiosity/looks/stages.h"
+#include "gpu/gather/gl_gatherer.h"
 #include "report/check/hardware.h"
 
 #include <cstdint>

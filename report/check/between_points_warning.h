@@ -2,7 +2,7 @@
 // A warning where a plane's points do not stand for the plane.
 
 #include "calc/base/field.h"
-#include "calc/radiosity/between_points.h"
+#include "calc/radiosity/direct/between_points.h"
 #include "calc/scene/project.h"
 #include "report/check/plane_jobs.h"
 

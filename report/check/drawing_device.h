@@ -2,7 +2,7 @@
 // Which OpenGL device draws pictures of rooms and shadow maps, and why.
 
 #include "calc/forecast/drawing_cost.h"
-#include "gpu/device_thread.h"
+#include "gpu/device/device_thread.h"
 #include "report/check/hardware.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "report/check/hardware.h"
 
-#include "gpu/calibration.h"
+#include "gpu/device/calibration.h"
 
 #include <fmt/format.h>
 

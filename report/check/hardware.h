@@ -2,8 +2,8 @@
 // What graphics hardware this machine has and how fast it is, for whoever chooses by that.
 
 #include "calc/forecast/device_cost.h"
-#include "gpu/device.h"
-#include "gpu/egl_context.h"
+#include "gpu/device/device.h"
+#include "gpu/device/egl_context.h"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "report/check/in_order.h"
 
-#include "calc/radiosity/threads.h"
+#include "calc/radiosity/sampling/threads.h"
 
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>

@@ -1,6 +1,6 @@
 #include "report/check/load_judged_project.h"
 
-#include "calc/radiosity/settings.h"
+#include "calc/radiosity/gather/settings.h"
 #include "report/check/load_rules.h"
 
 #include <utility>

@@ -3,7 +3,7 @@
 // spaces are checked at the same time (Context::spaces_at_once) several threads call at once, of
 // different spaces; judged() alone is called for one space after the other, in their order.
 
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
 #include "report/document/document.h"

@@ -2,7 +2,7 @@
 
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_encoding.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "report/check/text_change.h"
 
 #include <utility>

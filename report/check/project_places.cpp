@@ -1,6 +1,6 @@
 #include "report/check/project_places.h"
 
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "rules/binding/project_schema.h"
 
 #include <algorithm>

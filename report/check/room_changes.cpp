@@ -2,8 +2,8 @@
 
 #include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
-#include "calc/project/project_context.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_context.h"
+#include "calc/project/reading/project_elements.h"
 #include "report/check/text_change.h"
 
 #include <fmt/format.h>

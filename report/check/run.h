@@ -5,7 +5,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "report/check/backend.h"
 #include "report/check/hardware.h"
 #include "report/check/in_order.h"

@@ -1,7 +1,7 @@
 #include "report/check/scene_levels.h"
 
 #include "calc/base/xml_encoding.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "report/check/project_places.h"
 #include "report/check/text_change.h"
 #include "rules/catalogue/metric.h"

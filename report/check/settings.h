@@ -2,7 +2,7 @@
 // What a check is asked for, beside the project itself.
 
 #include "calc/base/budget.h"
-#include "calc/radiosity/settings.h"
+#include "calc/radiosity/gather/settings.h"
 #include "report/check/selection.h"
 #include "rules/catalogue/goal.h"
 

@@ -2,7 +2,7 @@
 // A batch in pieces that machines can calculate apart from each other, and how pieces are shared
 // out. What is calculated meets again in a store of looks.
 
-#include "calc/radiosity/settings.h"
+#include "calc/radiosity/gather/settings.h"
 #include "report/check/plan.h"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/numbers_version.h"
 #include "calc/proofs/solve_plan.h"
-#include "calc/radiosity/scene_fingerprint.h"
+#include "calc/radiosity/looks/scene_fingerprint.h"
 #include "report/document/program_version.h"
 
 #include <fmt/format.h>

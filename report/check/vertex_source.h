@@ -3,7 +3,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
-#include "calc/radiosity/vertex_cache.h"
+#include "calc/radiosity/looks/vertex_cache.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The commands of luxgate, in the order of its help.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <vector>
 

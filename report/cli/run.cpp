@@ -4,8 +4,8 @@
 #include "calc/rays/instruction_set.h"
 #include "report/check/backend.h"
 #include "report/cli/commands.h"
-#include "report/shell/command_line.h"
-#include "report/shell/print.h"
+#include "report/shell/command/command_line.h"
+#include "report/shell/process/print.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 // metres, as the legend says.
 
 #include "report/document/document.h"
-#include "report/html/shared_scale.h"
+#include "report/html/drawings/shared_scale.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 

@@ -8,7 +8,7 @@
 #include "report/formats/pdf.h"
 #include "report/formats/sarif.h"
 #include "report/formats/xlsx.h"
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "report/result_file/json.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "report/document/document.h"
 #include "report/formats/console.h"
 #include "report/formats/pdf.h"
-#include "report/html/page_style.h"
+#include "report/html/page/page_style.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 

@@ -1,7 +1,7 @@
 #include "report/formats/pdf.h"
 
 #include "calc/base/text.h"
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 
 #include <fmt/format.h>
 

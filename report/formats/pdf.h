@@ -2,7 +2,7 @@
 // The page of html.h as a PDF: another program prints it.
 
 #include "report/document/document.h"
-#include "report/html/page_style.h"
+#include "report/html/page/page_style.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 

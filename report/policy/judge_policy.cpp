@@ -3,7 +3,7 @@
 #include "calc/base/day.h"
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
-#include "calc/project/project_files.h"
+#include "calc/project/reading/project_files.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/waiver.h"
 

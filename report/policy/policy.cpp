@@ -7,7 +7,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_reader.h"
 #include "calc/base/xml_schema.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

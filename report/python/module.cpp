@@ -15,7 +15,7 @@
 #include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
 #include "report/result_file/result_schema.h"
-#include "report/shell/exit_code.h"
+#include "report/shell/process/exit_code.h"
 #include "report/text/words.h"
 #include "rules/binding/project_schema.h"
 #include "rules/verdict/outcome.h"

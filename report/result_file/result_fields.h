@@ -8,8 +8,8 @@
 
 #include "calc/base/day.h"
 #include "calc/base/names.h"
-#include "calc/project/logo.h"
-#include "calc/project/maintenance_plan_xml.h"
+#include "calc/project/objects/maintenance_plan_xml.h"
+#include "calc/project/reading/logo.h"
 #include "report/document/document.h"
 #include "report/document/row_uses.h"
 #include "report/result_file/describe.h"

@@ -1,7 +1,7 @@
 #include "rules/binding/bind_buildings.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "calc/project/former_ids.h"
+#include "calc/project/reading/former_ids.h"
 #include "rules/binding/requirement_ids.h"
 #include "rules/binding/requirement_reader.h"
 

@@ -2,7 +2,7 @@
 
 #include "calc/base/xml_reference.h"
 #include "calc/base/xml_schema.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/waiver_xml.h"

@@ -1,6 +1,6 @@
 #include "rules/binding/requirement_attributes.h"
 
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "rules/catalogue/requirement.h"
 #include "rules/pack/pack_elements.h"
 

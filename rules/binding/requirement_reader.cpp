@@ -4,7 +4,7 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
-#include "calc/project/waiver_attributes.h"
+#include "calc/project/spaces/waiver_attributes.h"
 #include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"

@@ -2,8 +2,8 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
-#include "calc/project/project_elements.h"
-#include "calc/project/waiver_attributes.h"
+#include "calc/project/reading/project_elements.h"
+#include "calc/project/spaces/waiver_attributes.h"
 #include "rules/pack/pack_parts.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "rules/fitness/covered_surface.h"
 
-#include "calc/project/plane_area.h"
+#include "calc/project/spaces/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/polygon_cut.h"
 #include "calc/scene/route_shape.h"
@@ -152,7 +152,7 @@ class InRoom {
 };
 
 // Its first vertices are the corners of its outline, in their order; what covers it may have added
-// more (calc/project/coincident_surfaces.h).
+// more (calc/project/warnings/coincident_surfaces.h).
 RoomSurface surface_of(const calc::Body& body, std::size_t corners) {
   const glm::dvec3 origin_m = body.vertex_m.at(0);
   const glm::dvec3 u = glm::normalize(body.vertex_m.at(1) - origin_m);

@@ -5,7 +5,7 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
-#include "calc/project/plane_area.h"
+#include "calc/project/spaces/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"

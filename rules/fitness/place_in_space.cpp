@@ -1,6 +1,6 @@
 #include "rules/fitness/place_in_space.h"
 
-#include "calc/project/plane_area.h"
+#include "calc/project/spaces/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/walking_surface.h"
 

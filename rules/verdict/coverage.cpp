@@ -1,7 +1,7 @@
 #include "rules/verdict/coverage.h"
 
 #include "calc/base/sentences.h"
-#include "calc/project/plane_area.h"
+#include "calc/project/spaces/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/pack/limit.h"

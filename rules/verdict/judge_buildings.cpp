@@ -2,7 +2,7 @@
 
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
-#include "calc/project/room_inside.h"
+#include "calc/project/warnings/room_inside.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
 #include "rules/verdict/judge.h"

@@ -1,7 +1,7 @@
 // UGR: Guth's index, one source in a uniform field, a hand-computed installation, and what is known
 // of sources that the formula is not stated for.
 
-#include "calc/radiosity/glare.h"
+#include "calc/radiosity/direct/glare.h"
 
 #include "calc/base/units.h"
 #include "calc/glare/position_index.h"

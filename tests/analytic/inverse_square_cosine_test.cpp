@@ -1,5 +1,5 @@
 // E = I cos(theta) / d^2 from a tabulated isotropic point source; tolerance 1e-6 relative.
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Lambertian openings over a point, against closed forms; tolerance 0.1 %.
 #include "calc/base/statistics.h"
-#include "calc/radiosity/direct.h"
+#include "calc/radiosity/direct/direct.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Luminous bodies and lines near a point, against closed forms and against sums over their surface.
 #include "calc/base/statistics.h"
-#include "calc/radiosity/direct.h"
-#include "calc/radiosity/emission.h"
+#include "calc/radiosity/direct/direct.h"
+#include "calc/radiosity/direct/emission.h"
 #include "calc/scene/opening.h"
 #include "tests/support/scenes.h"
 

@@ -1,6 +1,6 @@
 // Short rays go where the variance of earlier looks was: the mean must not notice.
 #include "calc/base/statistics.h"
-#include "calc/radiosity/plane_work.h"
+#include "calc/radiosity/gather/plane_work.h"
 #include "tests/analytic/extreme_reference.h"
 #include "tests/support/scenes.h"
 

@@ -4,7 +4,7 @@
 // PATHS: light paths per replicate, a power of two; one thread, 4 replicates, one look.
 #include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"
-#include "gpu/gl_gatherer.h"
+#include "gpu/gather/gl_gatherer.h"
 #include "tests/support/same_sum.h"
 
 #include <fmt/format.h>

@@ -4,11 +4,11 @@
 // there may be many. What llvmpipe fills and copies inside OpenGL's calls a GPU would do itself;
 // what a GPU's driver costs there is not known.
 //   bench_gpu_stages [paths] [rays per point]
-#include "calc/radiosity/light_paths.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/phase_timer.h"
-#include "gpu/gl_path_tracer.h"
-#include "gpu/gl_short_rays.h"
+#include "calc/radiosity/paths/light_paths.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/sampling/phase_timer.h"
+#include "gpu/rays/gl_path_tracer.h"
+#include "gpu/rays/gl_short_rays.h"
 #include "tests/bench/gl_clock.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/near_points.h"

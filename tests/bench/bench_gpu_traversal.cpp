@@ -1,19 +1,19 @@
-// What a ray costs in the device's tree (gpu/bvh.h) beside the tree before it, which was binary and
-// searched in one order along skip links: nodes, triangles, bytes and memory sectors of 32 bytes
-// per ray, counted by the shaders themselves; processor time on a software device; rays whose
-// answers differ from the CPU's.
+// What a ray costs in the device's tree (gpu/scene/bvh.h) beside the tree before it, which was
+// binary and searched in one order along skip links: nodes, triangles, bytes and memory sectors of
+// 32 bytes per ray, counted by the shaders themselves; processor time on a software device; rays
+// whose answers differ from the CPU's.
 //   bench_gpu_traversal [rays [repeats [scene...]]]
-#include "calc/radiosity/light_paths.h"
-#include "calc/radiosity/path_terms.h"
-#include "calc/radiosity/random.h"
-#include "calc/radiosity/rays.h"
-#include "gpu/box_tree.h"
-#include "gpu/bvh.h"
-#include "gpu/device_thread.h"
-#include "gpu/gl_buffer.h"
-#include "gpu/gl_program.h"
-#include "gpu/path_shader_text.h"
-#include "gpu/shader_text.h"
+#include "calc/radiosity/paths/light_paths.h"
+#include "calc/radiosity/sampling/random.h"
+#include "calc/radiosity/sampling/rays.h"
+#include "calc/radiosity/terms/path_terms.h"
+#include "gpu/device/device_thread.h"
+#include "gpu/gather/shader_text.h"
+#include "gpu/opengl/gl_buffer.h"
+#include "gpu/opengl/gl_program.h"
+#include "gpu/rays/path_shader_text.h"
+#include "gpu/scene/box_tree.h"
+#include "gpu/scene/bvh.h"
 #include "tests/bench/scenes.h"
 
 #include <epoxy/gl.h>

@@ -1,6 +1,6 @@
 // How often 95 % intervals hold the truth, over many seeds, at awkward points.
 #include "calc/base/statistics.h"
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/sampling/phase_timer.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"

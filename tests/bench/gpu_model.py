@@ -170,10 +170,10 @@ VERTEX_UP, VERTEX_DOWN = 168, 48
 # llvmpipe: floats of a vector of 256 bits, vectors a clock and clocks for a word of a buffer (both
 # assumed), clocks a second (measured)
 SOFTWARE = dict(lanes=8, per_clock=2.0, word_clocks=5.0, clock=2.46e9)
-# gpu/gl_direct_tracer: pairs of a piece; dispatches begin with 4096 pairs and double, in three stages
+# gpu/rays/gl_direct_tracer: pairs of a piece; dispatches begin with 4096 pairs and double, in three stages
 PAIRS_PER_PIECE, POINTS_PER_BATCH, FIRST_DISPATCHES = 1 << 20, 1 << 14, 3 * 8
-PIECES_TOGETHER = 8  # gpu/draw_queue
-MOST_PLACES, MOST_WEIGHTS = 1 << 22, 1 << 23  # gpu/draw_piece: of what goes together
+PIECES_TOGETHER = 8  # gpu/gather/draw_queue
+MOST_PLACES, MOST_WEIGHTS = 1 << 22, 1 << 23  # gpu/gather/draw_piece: of what goes together
 LAUNCHES_PER_CAST = 50  # rays, counts, list; of three steps seven each, the first in two parts; ends, sums; fills and copies
 LAUNCHES_PER_PIECE = 11  # five dispatches, three or four fills, two copies back
 
@@ -189,18 +189,18 @@ def draws_per_point(paths, points):
 
 
 def cut_nodes(draws):
-    """calc/radiosity/plane_connect.cpp"""
+    """calc/radiosity/gather/plane_connect.cpp"""
     return min(max(16 * draws, 128), max(1024, draws))
 
 
 def receivers_per_piece(draws, work, threads):
-    """gpu/draw_piece: as many as its lists hold and as a thread has, in 64 to 1024 tiles of 32; of one replicate."""
+    """gpu/gather/draw_piece: as many as its lists hold and as a thread has, in 64 to 1024 tiles of 32; of one replicate."""
     wanted = min(MOST_PLACES // (draws + 1), MOST_WEIGHTS // cut_nodes(draws), work.receivers // threads)
     return min(max(wanted, 64 * 32), 1024 * 32, work.points)
 
 
 def pieces_together(draws, work, threads):
-    """gpu/draw_queue: where more wait, up to eight that take no more room than one large one."""
+    """gpu/gather/draw_queue: where more wait, up to eight that take no more room than one large one."""
     receivers = receivers_per_piece(draws, work, threads)
     fitting = min(MOST_PLACES // (draws + 1), MOST_WEIGHTS // cut_nodes(draws)) // receivers
     return max(1, min(PIECES_TOGETHER, fitting, threads // 2))

@@ -1,17 +1,17 @@
 // What the model of devices (gpu_model.py) is fed with, counted on the CPU; JSON to stdout:
 //   gpu_model_counts [SCENE [PATHS COLUMNS ROWS]...]
-// Node visits and triangle tests of a ray in the device's tree (shaders/visibility.glsl and
+// Node visits and triangle tests of a ray in the device's tree (shaders/common/visibility.glsl and
 // closest_hit.glsl said again), for connections, light paths and short rays; the counters, the
 // error and the seconds of one look at the office with PATHS light paths per replicate and so many
 // points; and what a connection takes llvmpipe, where that is the OpenGL there is.
-#include "calc/radiosity/grid_receivers.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/path_terms.h"
-#include "calc/radiosity/phase_timer.h"
-#include "calc/radiosity/solve.h"
-#include "calc/radiosity/threads.h"
-#include "gpu/bvh.h"
-#include "gpu/gl_gatherer.h"
+#include "calc/radiosity/looks/solve.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/sampling/grid_receivers.h"
+#include "calc/radiosity/sampling/phase_timer.h"
+#include "calc/radiosity/sampling/threads.h"
+#include "calc/radiosity/terms/path_terms.h"
+#include "gpu/gather/gl_gatherer.h"
+#include "gpu/scene/bvh.h"
 #include "tests/bench/scenes.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "tests/bench/measure.h"
 
 #include "calc/base/statistics.h"
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/sampling/phase_timer.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Runs of the calculation core, what is known about their truth, and how far off they are.
 
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "tests/bench/room_model.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Points near luminous openings, against closed forms: error and sub-sources by distance.
 #include "calc/base/statistics.h"
-#include "calc/radiosity/direct.h"
-#include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/direct/direct.h"
+#include "calc/radiosity/sampling/low_discrepancy.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/table.h"
 #include "tests/support/scenes.h"

@@ -1,9 +1,9 @@
 #include "tests/bench/path_tracing.h"
 
 #include "calc/base/units.h"
-#include "calc/radiosity/low_discrepancy.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/random.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/sampling/low_discrepancy.h"
+#include "calc/radiosity/sampling/random.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,8 +2,8 @@
 // Estimators of the benchmarks' own, to hold the calculation core against. They share only the
 // tracer and the emission of luminaires with it.
 
-#include "calc/radiosity/emission.h"
-#include "calc/radiosity/rays.h"
+#include "calc/radiosity/direct/emission.h"
+#include "calc/radiosity/sampling/rays.h"
 #include "tests/bench/room_model.h"
 
 #include <glm/glm.hpp>

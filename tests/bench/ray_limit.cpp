@@ -1,8 +1,8 @@
 #include "tests/bench/ray_limit.h"
 
-#include "calc/radiosity/low_discrepancy.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/sampling/low_discrepancy.h"
+#include "calc/radiosity/sampling/phase_timer.h"
 #include "tests/bench/path_tracing.h"
 
 #include <tbb/parallel_for.h>

@@ -1,5 +1,5 @@
 // What a verdict costs beside numbers that are accurate everywhere, and how often it is wrong.
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/sampling/phase_timer.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/stop_rule.h"
 #include "tests/bench/experiments.h"

@@ -1,7 +1,7 @@
 // The packet gatherer against the formula in double, one ray at a time.
-#include "calc/radiosity/gatherer.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/random.h"
+#include "calc/radiosity/gather/gatherer.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/sampling/random.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Direct light by OpenGL against the CPU's, point by point and replicate by replicate.
-#include "calc/radiosity/direct_tracer.h"
-#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/direct/direct_tracer.h"
+#include "calc/radiosity/gather/gatherer.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"

@@ -1,8 +1,8 @@
 // Connections that the device draws itself, in random scenes: the CPU's draws, the CPU's sums.
-#include "calc/radiosity/random.h"
-#include "calc/radiosity/vertex_tree.h"
-#include "gpu/device_points.h"
-#include "gpu/draw_queue.h"
+#include "calc/radiosity/paths/vertex_tree.h"
+#include "calc/radiosity/sampling/random.h"
+#include "gpu/gather/draw_queue.h"
+#include "gpu/scene/device_points.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"
 #include "tests/support/scenes.h"

@@ -1,7 +1,7 @@
 // The OpenGL gatherer against the CPU's: the same sum, up to rounding and rays that graze an edge.
 #include "calc/project/project_xml.h"
-#include "calc/radiosity/gatherer.h"
-#include "calc/radiosity/random.h"
+#include "calc/radiosity/gather/gatherer.h"
+#include "calc/radiosity/sampling/random.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"
 #include "tests/support/scenes.h"

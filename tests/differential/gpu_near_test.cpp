@@ -1,8 +1,8 @@
 // Short rays by OpenGL against the CPU's, ray by ray.
-#include "calc/radiosity/gatherer.h"
-#include "calc/radiosity/low_discrepancy.h"
-#include "calc/radiosity/path_terms.h"
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/gather/gatherer.h"
+#include "calc/radiosity/sampling/low_discrepancy.h"
+#include "calc/radiosity/sampling/phase_timer.h"
+#include "calc/radiosity/terms/path_terms.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/near_points.h"
 #include "tests/support/opengl.h"

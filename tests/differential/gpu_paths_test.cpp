@@ -1,10 +1,10 @@
 // Light paths by OpenGL against the CPU's: the same vertices, up to rounding and rays that graze an
 // edge.
-#include "calc/radiosity/gatherer.h"
-#include "calc/radiosity/light_paths.h"
-#include "calc/radiosity/phase_timer.h"
-#include "gpu/gl_path_tracer.h"
-#include "gpu/path_pass.h"
+#include "calc/radiosity/gather/gatherer.h"
+#include "calc/radiosity/paths/light_paths.h"
+#include "calc/radiosity/sampling/phase_timer.h"
+#include "gpu/rays/gl_path_tracer.h"
+#include "gpu/rays/path_pass.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/opengl.h"
 #include "tests/support/path_pools.h"

@@ -1,7 +1,7 @@
 // The whole calculation with some of its stages on the device.
 #include "calc/base/statistics.h"
 #include "calc/project/project_xml.h"
-#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/sampling/phase_timer.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/opengl.h"
 #include "tests/support/same_sum.h"

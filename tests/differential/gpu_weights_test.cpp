@@ -1,13 +1,13 @@
 // Weights of groups from the device, bit by bit: a float that differs in its last place would move
 // a draw to another vertex, too rarely for a test of sums to see.
-#include "calc/radiosity/random.h"
-#include "gpu/device_points.h"
-#include "gpu/device_pool.h"
-#include "gpu/draw_piece.h"
-#include "gpu/gl_buffer.h"
-#include "gpu/gl_program.h"
-#include "gpu/shader_text.h"
-#include "gpu/tile_words.h"
+#include "calc/radiosity/sampling/random.h"
+#include "gpu/gather/draw_piece.h"
+#include "gpu/gather/shader_text.h"
+#include "gpu/gather/tile_words.h"
+#include "gpu/opengl/gl_buffer.h"
+#include "gpu/opengl/gl_program.h"
+#include "gpu/scene/device_points.h"
+#include "gpu/scene/device_pool.h"
 #include "tests/support/opengl.h"
 #include "tests/support/scenes.h"
 
@@ -55,7 +55,7 @@ calc::LightVertices some_vertices(std::size_t count = 20'000, Normals normals = 
   return vertices;
 }
 
-// What the device makes of a piece's tiles: gpu/shaders/tile_words.glsl.
+// What the device makes of a piece's tiles: gpu/shaders/gather/tile_words.glsl.
 std::vector<std::uint32_t> tiles_by_device(const gpu::DrawPiece& piece,
                                            const gpu::DevicePool& pool) {
   std::vector<std::uint32_t> words(piece.tile_count * piece.words_per_tile());

@@ -1,7 +1,7 @@
 // What the plan says is left out is what the calculation leaves out, for every quantity that a
 // plane may measure: the counters of the calculation against the plan.
 #include "calc/forecast/scene_plan.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/calc/proofs/proof_scenes.h"
 

@@ -4,7 +4,7 @@
 // 3509 points, 94.8 % within 95 %, mean square 1.09.
 #include "calc/base/statistics.h"
 #include "calc/project/project_xml.h"
-#include "calc/radiosity/path_tracing.h"
+#include "calc/radiosity/paths/path_tracing.h"
 #include "tests/support/memory_file_reader.h"
 #include "tests/support/scenes.h"
 

@@ -1,6 +1,6 @@
 // Files of light vertices, as `luxgate vpl` writes them.
 #include "calc/base/diagnostic_ids.h"
-#include "calc/radiosity/vertex_cache.h"
+#include "calc/radiosity/looks/vertex_cache.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -1,5 +1,5 @@
 // Lists of luminaires.
-#include "calc/project/luminaire_list_csv.h"
+#include "calc/project/reading/luminaire_list_csv.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

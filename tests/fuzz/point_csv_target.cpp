@@ -1,5 +1,5 @@
 // Lists of points.
-#include "calc/project/point_list_csv.h"
+#include "calc/project/reading/point_list_csv.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -5,7 +5,7 @@
 #include "rules/verdict/stop_rule.h"
 
 #include "calc/base/statistics.h"
-#include "calc/radiosity/plane_state.h"
+#include "calc/radiosity/gather/plane_state.h"
 #include "rules/measure/error_spending.h"
 #include "rules/verdict/judge.h"
 #include "tests/support/normal_numbers.h"

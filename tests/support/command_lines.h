@@ -2,7 +2,7 @@
 // Command lines as the program reads them.
 
 #include "report/cli/commands.h"
-#include "report/shell/command_line.h"
+#include "report/shell/command/command_line.h"
 
 #include <string>
 #include <vector>

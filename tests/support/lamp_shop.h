@@ -3,7 +3,7 @@
 
 #include "calc/base/units.h"
 #include "calc/photometry/web.h"
-#include "calc/radiosity/random.h"
+#include "calc/radiosity/sampling/random.h"
 #include "tests/support/scenes.h"
 
 #include <array>

@@ -1,11 +1,11 @@
 #pragma once
 // Near fields that are computed by two ways.
 
-#include "calc/radiosity/cut.h"
-#include "calc/radiosity/light_paths.h"
-#include "calc/radiosity/near_field.h"
-#include "calc/radiosity/vertex_bounds.h"
-#include "calc/radiosity/vertex_tree.h"
+#include "calc/radiosity/paths/cut.h"
+#include "calc/radiosity/paths/light_paths.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/paths/vertex_bounds.h"
+#include "calc/radiosity/paths/vertex_tree.h"
 
 #include <glm/glm.hpp>
 

@@ -1,10 +1,10 @@
 #pragma once
 // OpenGL for tests: Mesa's software renderer where there is nothing else.
 
-#include "gpu/gl_direct_tracer.h"
-#include "gpu/gl_gatherer.h"
-#include "gpu/gl_path_tracer.h"
-#include "gpu/gl_short_rays.h"
+#include "gpu/gather/gl_gatherer.h"
+#include "gpu/rays/gl_direct_tracer.h"
+#include "gpu/rays/gl_path_tracer.h"
+#include "gpu/rays/gl_short_rays.h"
 
 #include <gtest/gtest.h>
 

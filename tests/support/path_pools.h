@@ -1,7 +1,7 @@
 #pragma once
 // Two pools of light vertices that should be one: by the CPU and by OpenGL.
 
-#include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/paths/light_vertex.h"
 
 #include <glm/glm.hpp>
 

@@ -2,8 +2,8 @@
 // A whole document in a format, in memory.
 
 #include "report/formats/format.h"
-#include "report/html/html.h"
-#include "report/html/html_pages.h"
+#include "report/html/page/html.h"
+#include "report/html/page/html_pages.h"
 
 #include <cstddef>
 #include <string>

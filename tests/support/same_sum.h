@@ -1,7 +1,7 @@
 #pragma once
 // One calculation by two gatherers, value by value.
 
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 
 #include <time.h>
 

@@ -3,7 +3,7 @@
 
 #include "calc/base/units.h"
 #include "calc/photometry/web.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 

@@ -2,8 +2,8 @@
 //   make_reports FOLDER PROBE.js
 
 #include "report/formats/write.h"
-#include "report/html/html.h"
-#include "report/html/html_pages.h"
+#include "report/html/page/html.h"
+#include "report/html/page/html_pages.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"

@@ -1,4 +1,4 @@
-#include "report/html/html_markup.h"
+#include "report/html/page/html_markup.h"
 #include "report/text/csv_field.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"

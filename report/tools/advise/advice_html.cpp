@@ -1,5 +1,5 @@
-#include "report/html/html_markup.h"
-#include "report/html/html_tool_page.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/page/html_tool_page.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate advise`: what would make a project pass, with the least energy.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -1,6 +1,6 @@
 #include "report/tools/advise/ceiling_map.h"
 
-#include "report/html/html_legend.h"
+#include "report/html/drawings/html_legend.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"

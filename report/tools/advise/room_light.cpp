@@ -1,7 +1,7 @@
 #include "report/tools/advise/room_light.h"
 
 #include "calc/base/statistics.h"
-#include "calc/radiosity/grid_receivers.h"
+#include "calc/radiosity/sampling/grid_receivers.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
 #include "calc/scene/separate_luminaires.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The points of a room that lack light, and what luminaires and surfaces give to them.
 
-#include "calc/radiosity/importance.h"
+#include "calc/radiosity/paths/importance.h"
 #include "calc/scene/project.h"
 #include "report/advice/find_advice.h"
 #include "report/document/document.h"

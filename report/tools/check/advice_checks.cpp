@@ -1,7 +1,7 @@
 #include "report/tools/check/advice_checks.h"
 
 #include "report/advice/advised_levels.h"
-#include "report/shell/interrupt.h"
+#include "report/shell/process/interrupt.h"
 #include "rules/catalogue/goal.h"
 
 #include <optional>

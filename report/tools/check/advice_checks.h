@@ -6,7 +6,7 @@
 #include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/document/level_advice.h"
-#include "report/shell/progress.h"
+#include "report/shell/output/progress.h"
 #include "report/tools/check/watched_project.h"
 
 #include <string>

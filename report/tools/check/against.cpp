@@ -5,9 +5,9 @@
 #include "report/check/in_order.h"
 #include "report/check/load_rules.h"
 #include "report/git/moved_files.h"
-#include "report/shell/config_file.h"
-#include "report/shell/print.h"
-#include "report/shell/project_folders.h"
+#include "report/shell/command/config_file.h"
+#include "report/shell/options/project_folders.h"
+#include "report/shell/process/print.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/git/git_tree_reader.h"
-#include "report/shell/project_options.h"
+#include "report/shell/options/project_options.h"
 
 #include <cstddef>
 #include <functional>

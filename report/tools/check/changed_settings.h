@@ -2,7 +2,7 @@
 // What a revision of designs changes in the settings by which it would be judged once it is merged.
 
 #include "report/document/revision.h"
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate check`: a batch of projects, calculated and judged.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/check/check_options.h"
 
 namespace cli {

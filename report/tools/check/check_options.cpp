@@ -1,11 +1,11 @@
 #include "report/tools/check/check_options.h"
 
 #include "calc/store/entry_folder.h"
-#include "report/shell/gate_options.h"
-#include "report/shell/option_values.h"
-#include "report/shell/policy_option.h"
-#include "report/shell/print.h"
-#include "report/shell/selection_option.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/options/gate_options.h"
+#include "report/shell/options/policy_option.h"
+#include "report/shell/options/selection_option.h"
+#include "report/shell/process/print.h"
 #include "report/text/shell_words.h"
 
 #include <fmt/format.h>

@@ -4,11 +4,11 @@
 #include "report/check/set_values.h"
 #include "report/check/settings.h"
 #include "report/document/revision.h"
-#include "report/shell/output_options.h"
-#include "report/shell/sandbox.h"
-#include "report/shell/set_option.h"
-#include "report/shell/warning_tally.h"
-#include "report/shell/work_options.h"
+#include "report/shell/options/sandbox.h"
+#include "report/shell/options/set_option.h"
+#include "report/shell/options/work_options.h"
+#include "report/shell/output/output_options.h"
+#include "report/shell/output/warning_tally.h"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 #include "report/tools/check/check_setup.h"
 
 #include "report/git/repository_places.h"
-#include "report/shell/open_backend.h"
-#include "report/shell/outputs.h"
-#include "report/shell/print.h"
+#include "report/shell/options/open_backend.h"
+#include "report/shell/output/outputs.h"
+#include "report/shell/process/print.h"
 #include "report/tools/pictures/room_pictures.h"
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "calc/base/file_reader.h"
 #include "report/check/plan.h"
 #include "report/check/run.h"
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/check/check_options.h"
 #include "rules/pack/rule_pack.h"
 

@@ -1,6 +1,6 @@
 #include "report/tools/check/checked_results.h"
 
-#include "report/html/data_sheets.h"
+#include "report/html/chapters/data_sheets.h"
 #include "report/revision/gate.h"
 #include "report/tools/check/checked_document.h"
 

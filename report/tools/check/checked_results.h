@@ -5,7 +5,7 @@
 #include "report/check/run.h"
 #include "report/document/document.h"
 #include "report/result_file/redact.h"
-#include "report/shell/outputs.h"
+#include "report/shell/output/outputs.h"
 #include "report/tools/check/check_options.h"
 #include "rules/verdict/outcome.h"
 

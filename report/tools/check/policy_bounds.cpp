@@ -1,7 +1,7 @@
 #include "report/tools/check/policy_bounds.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "report/shell/print.h"
+#include "report/shell/process/print.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate check --shard`: the light of some units of a batch, into a store.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/check/check_options.h"
 
 namespace cli {

@@ -2,8 +2,8 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/sentences.h"
-#include "calc/radiosity/solve.h"
-#include "report/shell/print.h"
+#include "calc/radiosity/looks/solve.h"
+#include "report/shell/process/print.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 // Progress, Ctrl-C and counts of looks of one project of a batch.
 
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "report/check/observer.h"
-#include "report/shell/interrupt.h"
-#include "report/shell/progress.h"
+#include "report/shell/output/progress.h"
+#include "report/shell/process/interrupt.h"
 
 #include <cstddef>
 #include <mutex>

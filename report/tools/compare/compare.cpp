@@ -5,7 +5,7 @@
 #include "report/result_file/read_json.h"
 #include "report/revision/matching.h"
 #include "report/revision/revise.h"
-#include "report/shell/recording_reader.h"
+#include "report/shell/options/recording_reader.h"
 #include "report/tools/compare/compare_pairs.h"
 #include "report/tools/compare/comparison.h"
 #include "report/tools/compare/value_table.h"

@@ -2,8 +2,8 @@
 // `luxgate compare`: a result against another one, another program's or measured values.
 
 #include "calc/base/file_reader.h"
-#include "report/shell/command.h"
-#include "report/shell/print.h"
+#include "report/shell/command/command.h"
+#include "report/shell/process/print.h"
 #include "report/tools/compare/compare_options.h"
 
 namespace cli {

@@ -1,6 +1,6 @@
 #include "report/tools/compare/compare_options.h"
 
-#include "report/shell/option_values.h"
+#include "report/shell/command/option_values.h"
 
 namespace cli {
 Command compare_syntax(CompareOptions& options) {

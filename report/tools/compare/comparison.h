@@ -2,7 +2,7 @@
 // Two sets of illuminances at the same points, and how far they are apart.
 
 #include "report/document/document.h"
-#include "report/html/print_pages.h"
+#include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
 
 #include <glm/glm.hpp>

@@ -1,10 +1,10 @@
 #include "report/tools/config/config.h"
 
 #include "calc/base/utf8.h"
-#include "report/shell/config_file.h"
-#include "report/shell/option_values.h"
-#include "report/shell/print.h"
-#include "report/shell/project_folders.h"
+#include "report/shell/command/config_file.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/options/project_folders.h"
+#include "report/shell/process/print.h"
 #include "report/tools/check/check_options.h"
 
 #include <fmt/format.h>

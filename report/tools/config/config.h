@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate config`: which settings hold, and where they come from.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -2,10 +2,10 @@
 // `luxgate converge`: error against run time and rays.
 
 #include "calc/base/file_reader.h"
-#include "gpu/egl_context.h"
-#include "report/shell/command.h"
-#include "report/shell/environment.h"
-#include "report/shell/print.h"
+#include "gpu/device/egl_context.h"
+#include "report/shell/command/command.h"
+#include "report/shell/process/environment.h"
+#include "report/shell/process/print.h"
 #include "report/tools/converge/converge_options.h"
 
 namespace cli {

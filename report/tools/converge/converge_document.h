@@ -1,7 +1,7 @@
 #pragma once
 // What `luxgate converge` measured, for its formats.
 
-#include "report/html/print_pages.h"
+#include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
 
 #include <array>

@@ -1,15 +1,15 @@
 #include "report/tools/converge/converge_estimators.h"
 
-#include "calc/radiosity/path_tracing.h"
-#include "calc/radiosity/phase_timer.h"
-#include "calc/radiosity/threads.h"
-#include "gpu/gl_direct_tracer.h"
-#include "gpu/gl_gatherer.h"
-#include "gpu/gl_path_tracer.h"
-#include "gpu/gl_short_rays.h"
-#include "gpu/shadow_map_gatherer.h"
-#include "report/shell/interrupt.h"
-#include "report/shell/option_values.h"
+#include "calc/radiosity/paths/path_tracing.h"
+#include "calc/radiosity/sampling/phase_timer.h"
+#include "calc/radiosity/sampling/threads.h"
+#include "gpu/gather/gl_gatherer.h"
+#include "gpu/raster/shadow_map_gatherer.h"
+#include "gpu/rays/gl_direct_tracer.h"
+#include "gpu/rays/gl_path_tracer.h"
+#include "gpu/rays/gl_short_rays.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/process/interrupt.h"
 
 #include <fmt/format.h>
 

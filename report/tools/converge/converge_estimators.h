@@ -1,9 +1,9 @@
 #pragma once
 // The methods that `luxgate converge` compares. A new one is a line in the table of the .cpp.
 
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
-#include "gpu/device_thread.h"
+#include "gpu/device/device_thread.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "report/tools/converge/converge_options.h"
 
-#include "calc/radiosity/settings.h"
-#include "report/shell/option_values.h"
+#include "calc/radiosity/gather/settings.h"
+#include "report/shell/command/option_values.h"
 #include "report/tools/converge/converge_estimators.h"
 
 #include <fmt/format.h>

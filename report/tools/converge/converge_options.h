@@ -1,9 +1,9 @@
 #pragma once
 // The options of `luxgate converge`.
 
-#include "report/shell/command.h"
-#include "report/shell/data_output.h"
-#include "report/shell/page_options.h"
+#include "report/shell/command/command.h"
+#include "report/shell/output/data_output.h"
+#include "report/shell/output/page_options.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #include "report/tools/converge/converge_plot.h"
 
 #include "calc/base/elementary.h"
-#include "report/html/html_markup.h"
+#include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
 #include "report/text/svg.h"

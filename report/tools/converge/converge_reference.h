@@ -2,7 +2,7 @@
 // What `luxgate converge` takes for true.
 
 #include "calc/base/diagnostics.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "report/tools/converge/converge_statistics.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "report/tools/devices/devices.h"
 
-#include "gpu/egl_context.h"
-#include "report/shell/option_values.h"
-#include "report/shell/print.h"
+#include "gpu/device/egl_context.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/process/print.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
 

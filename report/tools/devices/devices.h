@@ -1,8 +1,8 @@
 #pragma once
 // `luxgate devices`: what --backend gpu could run on.
 
-#include "gpu/device.h"
-#include "report/shell/command.h"
+#include "gpu/device/device.h"
+#include "report/shell/command/command.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,10 +3,10 @@
 #include "calc/base/numbers_version.h"
 #include "calc/rays/instruction_set.h"
 #include "calc/rays/triangle_tree.h"
-#include "gpu/egl_context.h"
+#include "gpu/device/egl_context.h"
 #include "report/document/program_version.h"
-#include "report/shell/option_values.h"
-#include "report/shell/print.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/process/print.h"
 #include "report/text/json_layout.h"
 #include "report/tools/devices/devices.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // What this program is made of.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 // `luxgate export`: a project as a scene for another program.
 
 #include "calc/base/file_reader.h"
-#include "report/shell/command.h"
-#include "report/shell/print.h"
+#include "report/shell/command/command.h"
+#include "report/shell/process/print.h"
 #include "report/tools/export/export_options.h"
 
 namespace cli {

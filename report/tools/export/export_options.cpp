@@ -1,6 +1,6 @@
 #include "report/tools/export/export_options.h"
 
-#include "report/shell/option_values.h"
+#include "report/shell/command/option_values.h"
 
 #include <fmt/format.h>
 

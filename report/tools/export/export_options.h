@@ -1,7 +1,7 @@
 #pragma once
 // The options of `luxgate export`.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <cstdint>
 #include <string>

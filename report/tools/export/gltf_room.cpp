@@ -1,7 +1,7 @@
 #include "report/tools/export/gltf_room.h"
 
 #include "calc/base/elementary.h"
-#include "gpu/room_drawing.h"
+#include "gpu/raster/room_drawing.h"
 #include "report/document/program_version.h"
 #include "report/images/png.h"
 #include "report/images/room_picture.h"

@@ -1,7 +1,7 @@
 #pragma once
 // A room with the illuminance on its surfaces as colours of a model that any viewer opens.
 
-#include "calc/radiosity/surface_light.h"
+#include "calc/radiosity/looks/surface_light.h"
 #include "calc/scene/prepared_scene.h"
 #include "report/images/heatmap.h"
 

@@ -2,7 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "calc/radiosity/grid_receivers.h"
+#include "calc/radiosity/sampling/grid_receivers.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "report/tools/geometry/escape.h"
 
 #include "calc/base/turns.h"
-#include "calc/radiosity/random.h"
-#include "calc/radiosity/rays.h"
+#include "calc/radiosity/sampling/random.h"
+#include "calc/radiosity/sampling/rays.h"
 #include "calc/scene/prepared_scene.h"
 #include "report/tools/geometry/rimless.h"
 

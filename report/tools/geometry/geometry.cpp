@@ -5,12 +5,12 @@
 #include "calc/meshes/gbxml.h"
 #include "calc/meshes/mesh_builder.h"
 #include "calc/meshes/mesh_file.h"
-#include "calc/project/project_context.h"
-#include "calc/project/project_elements.h"
-#include "calc/project/project_files.h"
 #include "calc/project/project_xml.h"
-#include "report/shell/option_values.h"
-#include "report/shell/print.h"
+#include "calc/project/reading/project_context.h"
+#include "calc/project/reading/project_elements.h"
+#include "calc/project/reading/project_files.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/process/print.h"
 #include "rules/verdict/outcome.h"
 
 #include <tbb/parallel_for.h>

@@ -4,7 +4,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/meshes/mesh_check.h"
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/geometry/escape.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 // Scripts by which shells complete what is typed behind `luxgate`. Commands, actions, options and
 // the words that options take come from the table of commands.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 #include <string_view>

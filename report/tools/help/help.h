@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate help`, `completions` and `man`: what the table of commands says, for people and shells.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "calc/base/text.h"
 #include "report/document/program_version.h"
-#include "report/shell/help_text.h"
+#include "report/shell/command/help_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Manual pages, as troff with the macros of man(7).
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 #include <vector>

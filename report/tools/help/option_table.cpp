@@ -1,6 +1,6 @@
 #include "report/tools/help/option_table.h"
 
-#include "report/shell/help_text.h"
+#include "report/shell/command/help_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

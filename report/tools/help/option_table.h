@@ -1,7 +1,7 @@
 #pragma once
 // Every option of every command, as one table.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 #include <vector>

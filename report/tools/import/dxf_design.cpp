@@ -4,7 +4,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/polygon_mend.h"
 #include "report/tools/import/design_heights.h"

@@ -1,6 +1,6 @@
 #include "report/tools/import/dxf_outlines.h"
 
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/polygon_mend.h"
 

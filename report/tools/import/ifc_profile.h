@@ -1,7 +1,7 @@
 #pragma once
 // Plane outlines of IFC: profiles of extrusions, and the curves that they are made of.
 
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "report/tools/import/design.h"
 #include "report/tools/import/ifc_file.h"
 

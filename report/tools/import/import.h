@@ -1,7 +1,7 @@
 #pragma once
 // A project from a plan: luxgate import.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 

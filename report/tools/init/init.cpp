@@ -2,7 +2,7 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "report/formats/write.h"
-#include "report/shell/print.h"
+#include "report/shell/process/print.h"
 #include "report/tools/init/starter_files.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 // A first project to start from.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 

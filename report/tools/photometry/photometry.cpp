@@ -7,11 +7,11 @@
 #include "calc/photometry/write/write_lm63.h"
 #include "report/formats/write.h"
 #include "report/images/polar_diagram.h"
-#include "report/shell/exit_code.h"
-#include "report/shell/outputs.h"
-#include "report/shell/pdf_printer.h"
-#include "report/shell/print.h"
-#include "report/shell/recording_reader.h"
+#include "report/shell/options/recording_reader.h"
+#include "report/shell/output/outputs.h"
+#include "report/shell/output/pdf_printer.h"
+#include "report/shell/process/exit_code.h"
+#include "report/shell/process/print.h"
 #include "report/tools/photometry/photometry_sheet.h"
 
 #include <fmt/format.h>

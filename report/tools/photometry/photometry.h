@@ -11,7 +11,7 @@
 #include "calc/photometry/web_hermite.h"
 #include "calc/photometry/web_measures.h"
 #include "report/formats/pdf.h"
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/photometry/photometry_options.h"
 
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "calc/base/text.h"
 #include "calc/photometry/read/photometry_file.h"
-#include "report/shell/option_values.h"
-#include "report/shell/output_options.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/output/output_options.h"
 
 #include <fmt/format.h>
 

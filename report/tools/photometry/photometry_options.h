@@ -1,8 +1,8 @@
 #pragma once
 // The options of `luxgate photometry`.
 
-#include "report/shell/command.h"
-#include "report/shell/page_options.h"
+#include "report/shell/command/command.h"
+#include "report/shell/output/page_options.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "report/tools/photometry/photometry_sheet.h"
 
-#include "report/html/html_style.h"
-#include "report/html/sheet_body.h"
+#include "report/html/chapters/sheet_body.h"
+#include "report/html/page/html_style.h"
 #include "report/text/markup.h"
 
 #include <fmt/format.h>

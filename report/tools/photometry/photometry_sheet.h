@@ -2,7 +2,7 @@
 // The data sheet of a luminaire's photometry, one page: figures, polar diagram, light cone,
 // luminances and the table of glare ratings.
 
-#include "report/html/print_pages.h"
+#include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
 #include "report/tools/photometry/photometry.h"
 

@@ -1,7 +1,7 @@
 #include "report/tools/pictures/room_pictures.h"
 
 #include "calc/base/elementary.h"
-#include "calc/radiosity/surface_light.h"
+#include "calc/radiosity/looks/surface_light.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
 #include "report/text/words.h"

@@ -3,14 +3,14 @@
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
-#include "gpu/device_thread.h"
-#include "gpu/picture.h"
-#include "gpu/room_drawing.h"
+#include "gpu/device/device_thread.h"
+#include "gpu/raster/picture.h"
+#include "gpu/raster/room_drawing.h"
 #include "report/check/drawing_device.h"
 #include "report/check/plan.h"
 #include "report/document/document.h"
 #include "report/images/room_picture.h"
-#include "report/shell/output_options.h"
+#include "report/shell/output/output_options.h"
 
 #include <glm/glm.hpp>
 

@@ -4,12 +4,12 @@
 #include "calc/base/budget.h"
 #include "report/check/drawing_device.h"
 #include "report/check/plan.h"
-#include "report/shell/command.h"
-#include "report/shell/project_options.h"
-#include "report/shell/sandbox.h"
-#include "report/shell/set_option.h"
-#include "report/shell/warning_tally.h"
-#include "report/shell/work_options.h"
+#include "report/shell/command/command.h"
+#include "report/shell/options/project_options.h"
+#include "report/shell/options/sandbox.h"
+#include "report/shell/options/set_option.h"
+#include "report/shell/options/work_options.h"
+#include "report/shell/output/warning_tally.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "calc/base/file_reader.h"
 #include "report/policy/policy.h"
-#include "report/shell/policy_option.h"
-#include "report/shell/print.h"
+#include "report/shell/options/policy_option.h"
+#include "report/shell/process/print.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate policy`: files of --policy.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -2,16 +2,16 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
-#include "report/html/data_sheets.h"
+#include "report/html/chapters/data_sheets.h"
 #include "report/result_file/redact.h"
 #include "report/revision/gate.h"
 #include "report/revision/revise.h"
-#include "report/shell/gate_options.h"
-#include "report/shell/option_values.h"
-#include "report/shell/outputs.h"
-#include "report/shell/pdf_printer.h"
-#include "report/shell/print.h"
-#include "report/shell/result_input.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/options/gate_options.h"
+#include "report/shell/options/result_input.h"
+#include "report/shell/output/outputs.h"
+#include "report/shell/output/pdf_printer.h"
+#include "report/shell/process/print.h"
 
 #include <filesystem>
 #include <memory>

@@ -2,9 +2,9 @@
 // `luxgate report`: a result in other formats, without calculating.
 
 #include "report/document/revision.h"
-#include "report/shell/command.h"
-#include "report/shell/output_options.h"
-#include "report/shell/sandbox.h"
+#include "report/shell/command/command.h"
+#include "report/shell/options/sandbox.h"
+#include "report/shell/output/output_options.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 // Which verdicts of a project another rule pack changes: the project is checked with both.
 
 #include "report/document/document.h"
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 #include "report/tools/check/check_options.h"
 #include "rules/pack/pack_fields.h"
 #include "rules/pack/rule_pack.h"

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate rules` and `luxgate explain`.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

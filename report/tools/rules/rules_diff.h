@@ -2,7 +2,7 @@
 // `luxgate rules diff`: in what two rule packs differ, and which verdicts of a project that
 // changes.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -1,7 +1,7 @@
 #include "report/tools/schema/schema.h"
 
 #include "report/result_file/result_schema.h"
-#include "report/shell/print.h"
+#include "report/shell/process/print.h"
 #include "report/tools/advise/advice.h"
 #include "report/tools/sweep/sweep_table.h"
 #include "rules/binding/project_schema.h"

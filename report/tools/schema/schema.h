@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate schema`: the schemas of project files, of results and of sweeps.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -1,7 +1,7 @@
 #include "report/tools/selftest/report.h"
 
-#include "report/html/html_markup.h"
-#include "report/html/html_style.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/page/html_style.h"
 #include "report/text/markup.h"
 #include "report/text/plain_text.h"
 

@@ -2,7 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "calc/radiosity/solve.h"
+#include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "calc/base/diagnostic_ids.h"
 #include "report/document/program_version.h"
 #include "report/formats/write.h"
-#include "report/shell/interrupt.h"
-#include "report/shell/print.h"
+#include "report/shell/process/interrupt.h"
+#include "report/shell/process/print.h"
 #include "report/tools/selftest/report.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #pragma once
 // `luxgate selftest`: cases whose light is known exactly.
 
-#include "report/shell/command.h"
-#include "report/shell/environment.h"
-#include "report/shell/print.h"
+#include "report/shell/command/command.h"
+#include "report/shell/process/environment.h"
+#include "report/shell/process/print.h"
 #include "report/tools/selftest/selftest_options.h"
 
 namespace cli {

@@ -1,6 +1,6 @@
 #include "report/tools/selftest/selftest_options.h"
 
-#include "report/shell/option_values.h"
+#include "report/shell/command/option_values.h"
 #include "report/tools/selftest/case.h"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/folder_care.h"
-#include "report/shell/option_values.h"
-#include "report/shell/print.h"
+#include "report/shell/command/option_values.h"
+#include "report/shell/process/print.h"
 #include "report/text/plain_text.h"
 
 #include <fmt/chrono.h>

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate store`: what is in a store of looks, whether it is whole, and making room.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 #include <cstdint>
 #include <optional>

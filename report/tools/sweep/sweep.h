@@ -1,8 +1,8 @@
 #pragma once
 // `luxgate sweep`: one project with many values.
 
-#include "report/shell/command.h"
-#include "report/shell/data_output.h"
+#include "report/shell/command/command.h"
+#include "report/shell/output/data_output.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/sweep/sweep_table.h"
 #include "report/tools/sweep/vary.h"

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate validate`: everything that `check` reads and checks, without calculating.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

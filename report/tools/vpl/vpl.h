@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate vpl`: light vertices into a file.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -1,7 +1,7 @@
 #include "report/tools/vpl/vpl_options.h"
 
 #include "calc/base/text.h"
-#include "report/shell/option_values.h"
+#include "report/shell/command/option_values.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 // The options of `luxgate vpl`.
 
-#include "calc/radiosity/settings.h"
-#include "report/shell/command.h"
+#include "calc/radiosity/gather/settings.h"
+#include "report/shell/command/command.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate watch`: checks again whenever a file has changed.
 
-#include "report/shell/command.h"
+#include "report/shell/command/command.h"
 
 namespace cli {
 

@@ -1,6 +1,6 @@
 #include "calc/forecast/cost_model.h"
 
-#include "calc/radiosity/plane_work.h"
+#include "calc/radiosity/gather/plane_work.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // <about>: project data, and that nothing hangs on them.
 
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "calc/scene/about_project.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 

@@ -1,7 +1,7 @@
 #include "calc/proofs/predicates.h"
 
-#include "calc/radiosity/direct.h"
-#include "calc/radiosity/emission.h"
+#include "calc/radiosity/direct/direct.h"
+#include "calc/radiosity/direct/emission.h"
 #include "calc/scene/opening.h"
 #include "tests/unit/calc/proofs/proof_scenes.h"
 

@@ -1,6 +1,6 @@
 // Proofs of free and of hidden sight against many rays.
 #include "calc/rays/sight.h"
-#include "calc/radiosity/random.h"
+#include "calc/radiosity/sampling/random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "report/build/build_luminaire_shares.h"
 
 #include "calc/scene/separate_luminaires.h"
-#include "report/html/html_contributions.h"
+#include "report/html/room/html_contributions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "report/check/set_values.h"
 
 #include "calc/base/xml_document.h"
-#include "calc/project/project_elements.h"
+#include "calc/project/reading/project_elements.h"
 #include "rules/binding/project_schema.h"
 #include "tests/support/memory_file_reader.h"
 

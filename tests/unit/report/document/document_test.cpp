@@ -1,7 +1,7 @@
 #include "report/document/document.h"
 
 #include "calc/base/diagnostic_ids.h"
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "report/result_file/read_json.h"
 #include "report/text/words.h"
 #include "tests/support/rendered.h"

@@ -1,6 +1,6 @@
 #include "report/document/room_summary.h"
 
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "report/text/plain_text.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"

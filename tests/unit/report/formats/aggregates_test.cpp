@@ -1,6 +1,6 @@
 // Aggregates and classes in every format, and what they count.
 #include "report/formats/ci_finding.h"
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "report/result_file/read_json.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/words.h"

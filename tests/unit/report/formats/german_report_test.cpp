@@ -1,8 +1,8 @@
 // Reports in German: complete, and the same in everything that is not language.
 
-#include "report/html/html.h"
-#include "report/html/html_pages.h"
-#include "report/html/html_script.h"
+#include "report/html/page/html.h"
+#include "report/html/page/html_pages.h"
+#include "report/html/page/html_script.h"
 #include "report/text/texts.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/rendered.h"

@@ -1,6 +1,6 @@
 #include "report/formats/pdf.h"
 
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "tests/support/sample_document.h"
 
 #include <fmt/format.h>

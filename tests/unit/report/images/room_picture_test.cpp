@@ -1,6 +1,6 @@
 #include "report/images/room_picture.h"
 
-#include "report/html/html_room.h"
+#include "report/html/room/html_room.h"
 #include "report/images/exr.h"
 
 #include <gmock/gmock.h>

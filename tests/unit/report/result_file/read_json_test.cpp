@@ -1,6 +1,6 @@
 #include "report/result_file/read_json.h"
 
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
 #include "tests/support/rendered.h"

@@ -1,7 +1,7 @@
 #include "report/stream/format_writer.h"
 
 #include "report/formats/format.h"
-#include "report/html/html.h"
+#include "report/html/page/html.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 

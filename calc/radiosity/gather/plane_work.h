@@ -1,0 +1,157 @@
+#pragma once
+// One plane while it is being computed: its points, its random keys, and the sums that become its
+// field.
+
+#include "calc/base/field.h"
+#include "calc/proofs/solve_plan.h"
+#include "calc/radiosity/direct/direct_tracer.h"
+#include "calc/radiosity/gather/gatherer.h"
+#include "calc/radiosity/gather/plane_state.h"
+#include "calc/radiosity/gather/settings.h"
+#include "calc/radiosity/paths/near_field.h"
+#include "calc/radiosity/paths/vertex_tree.h"
+#include "calc/radiosity/sampling/rays.h"
+#include "calc/radiosity/sampling/tiles.h"
+#include "calc/scene/sensor_grid.h"
+
+#include <glm/glm.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace calc {
+
+// Seconds by phase. Phases of replicates that run at the same time share the elapsed time in
+// proportion to their work.
+struct SolveTimes {
+  double build_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0;
+};
+
+// Light vertices of one replicate and look, shared by all planes.
+struct VertexBatch {
+  const VertexTree& tree;
+  const VertexBounds& bounds;
+  const GeometryBound* near_bound;  // null: no near field
+  const LuminaireChoice& luminaires;
+  const Cut& global_cut;  // continues short rays
+  std::size_t replicate = 0;
+  std::uint64_t first_path = 0, paths = 0;  // of this batch
+  double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
+  ShortRayCaster* short_rays = nullptr;            // see Stages
+  std::atomic<bool>* has_endless_chain = nullptr;  // see NearField
+};
+
+// What one light vertex could be, if paths went where none went.
+struct PossibleVertex {
+  double flux_lm = 0.0;           // the largest of any path, times the paths of the look
+  double mean_reflectance = 0.0;  // of the surfaces, [0, 1]
+  double most_per_m2 = 0.0;       // bound of its geometry term; 0: no such vertex
+};
+
+// Connections that each point draws from a pool of so many paths: fewer where many points of the
+// plane take part in the look, which share the pool. A power of two.  [METHOD, 5.5]
+std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
+
+// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws
+// where a surface touches the point, two where it is nearly out of reach and the near field but a
+// trace; and `factor` times that. clear_m in [0, reach_m].
+std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m,
+                                   double factor = 1.0);
+
+// The factor for the next look, from what was measured in this one: variances of the short rays'
+// part and of the connections' over the replicates. Time and variance are best shared where each
+// ray, and each draw, takes as much off the variance for its time.  [METHOD, 4.4]
+double next_short_ray_factor(double factor, double near_variance, double drawn_variance,
+                             std::uint32_t draws, std::uint32_t rays);
+
+// Adds looks to a plane's state.
+class PlaneWork {
+ public:
+  // The plane's id and the point's index key all random numbers: other planes do not matter.
+  // decision: of this plane; must outlive the work, as must the state.
+  PlaneWork(const Tracer& tracer, const SensorGrid& grid, const PlaneDecision& decision,
+            const RadiositySettings& settings, PlaneState& state);
+
+  const PlaneDecision& decision() const { return decision_; }
+
+  // Of a plane that no look was taken of: refuses it where a point cannot be computed.
+  void begin(const SensorGrid& grid);
+  // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
+  // VertexBatch, for all that follows; so is direct: null = the CPU.
+  void add_exact(DirectTracer* direct, double deadline_s, SolveTimes& times);
+  // Doubles the rounds of samples on extended openings, but only while their error matters beside
+  // the indirect part.
+  void sample_openings(DirectTracer* direct, double deadline_s, SolveTimes& times);
+  // Before the first replicate of a look. near_reach_m: of short rays, 0 = none.
+  void start_look(double near_reach_m, const PossibleVertex& possible);
+  // One replicate's indirect light: connections and near field. Replicates may run at the same
+  // time.
+  void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
+  // The same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
+  // points of this look, and what was gathered at them, [channel * stride + point] in their order.
+  std::span<const ReceiverGroup> tiles() const { return tiles_.groups(); }
+  bool has_shadows() const { return !decision_.is_unobstructed; }
+  void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
+  // All replicates of a look are in, with batch_paths new paths each.
+  void finish_look(std::uint64_t batch_paths);
+
+ private:
+  struct TileSums;
+
+  void add_glare(double deadline_s);
+  void prove_openings(double deadline_s);
+  bool has_fine_beams();
+  void sample_openings_by_points(std::uint32_t last_round, double deadline_s);
+  void sample_openings_by(DirectTracer& direct, std::uint32_t last_round, double deadline_s);
+  void sample_batch(DirectTracer& direct, std::span<const std::size_t> chosen,
+                    const OpeningRounds& rounds, double deadline_s);
+  void take_opening_rays(std::size_t point, const DirectRays& rays, std::uint32_t last_round);
+  std::size_t points() const { return receiver_.size(); }
+  std::size_t channels() const { return field_.channels.size(); }
+  std::uint64_t connect_tiles(std::size_t first, std::size_t last, const VertexBatch& batch,
+                              Gatherer& gatherer, std::span<TileSums> sums) const;
+  std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
+                            TileSums& sums) const;
+  // Of all points in a batch.
+  RandomKey near_key(const VertexBatch& batch) const;
+  // 0 if no surface is within reach.
+  std::uint32_t short_rays_of(std::uint32_t point, const VertexBatch& batch) const;
+  struct ShortRays;
+  std::size_t tiles_per_cast(const VertexBatch& batch, std::size_t tiles_each) const;
+  std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) const;
+  NearField near_field(const VertexBatch& batch) const;
+  ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,
+                            const VertexBatch& batch) const;
+  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch, ShortRays& short_rays,
+                         TileSums& sums) const;
+  void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
+  void share_short_rays(std::uint64_t batch_paths);
+  double possible_sample_lx(std::size_t point) const;
+
+  const Tracer& tracer_;
+  const RadiositySettings& settings_;
+  const PlaneDecision& decision_;
+  PlaneState& state_;
+  PlaneField& field_;  // of the state, as the sums
+  PlaneSums& sums_;
+  RandomKey opening_key_, near_key_, draw_key_;
+  std::vector<Receiver> receiver_;            // local
+  std::vector<std::uint32_t> spatial_order_;  // of points, neighbours together
+  // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
+  std::vector<std::vector<std::uint8_t>> free_openings_;
+  std::optional<bool> has_fine_beams_;            // once it is asked for
+  std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
+  ReceiverTiles tiles_;                           // of this look
+  std::size_t look_points_ = 0;                   // in them
+  std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
+  PossibleVertex possible_vertex_;                // of this look
+  double reach_m_ = 0.0;                          // of this look's short rays
+  std::vector<double> look_near_lx_, look_drawn_lx_;  // [replicate][point], of this look alone
+};
+
+}  // namespace calc

@@ -1,0 +1,31 @@
+#pragma once
+// Illuminance by paths from the points: a second way to the same numbers, plain and slow, that
+// shares neither light vertices nor bounds with the first. For comparison and tests.
+
+#include "calc/base/field.h"
+#include "calc/radiosity/sampling/rays.h"
+#include "calc/scene/sensor_grid.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace calc {
+
+struct PathTracingSettings {
+  std::uint64_t paths = 1024;  // from each point, of one replicate; 1 to 2^30
+  int replicates = 16;         // >= 2
+  std::uint64_t seed = 1;
+  std::function<bool()> goes_on;  // asked at every point, on any thread; may be empty. False: the
+                                  // rest is left undone, and the field has a `problem`
+};
+
+// Rays with density cos / pi (evenly on the sphere for receivers without a back); direct light of
+// all luminaires at every hit; from the second hit on roulette with the reflectance. Unbiased;
+// replicates are independent. Direct light at the points as the core has it: exact for point
+// openings. counters.near_rays counts rays of paths. A path of more than kMostReflections makes it
+// a field with a `problem`. Parallel inside; the same bits for any number of threads.
+PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
+                             const SensorGrid& grid, const PathTracingSettings& settings);
+
+}  // namespace calc

@@ -1,0 +1,69 @@
+#pragma once
+// Pieces of drawn connections of many threads, on their way to one device.
+
+#include "gpu/gather/draw_pass.h"
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace gpu {
+
+// What waits goes together, as far as it takes no more room than a large piece: those of a batch of
+// small rooms fill a device only so. Once sent, pieces stand with their draws known until the next
+// come, so that rays of these run beside the choices of those; but not while the device would
+// run out of work.
+class DrawQueue {
+ public:
+  explicit DrawQueue(const DrawLimits& limits) : limits_(limits) {}
+
+  // Waits for the piece. pool, points: as in DrawTask. Throws calc::BackendFailure.
+  void run(DeviceThread& thread, DrawPiece& piece, const PackedPool* pool,
+           const DrawPoints::Packed* points);
+  // With the context current. Nothing may be under way.
+  void clear() { pass_.reset(); }
+  // As DrawPass::places_per_dispatch(), 0 before the first piece. For all threads.
+  std::size_t places_per_dispatch() const { return places_per_dispatch_; }
+
+  // For tests: pieces that wait; what was sent so far.
+  struct Sent {
+    std::size_t waves = 0, most_pieces = 0;  // pieces that went together
+    std::size_t beside = 0;                  // waves whose choices went beside rays of others
+  };
+  std::size_t waiting() const;
+  Sent sent() const { return sent_; }
+
+ private:
+  struct Entry {
+    DrawTask task;
+    bool is_done = false;
+    std::exception_ptr failure;  // null: none
+  };
+  using Wave = std::vector<Entry*>;
+
+  // On the context's thread: sends what waits as long as there is room, then finishes the oldest,
+  // unless others might yet be sent meanwhile.
+  void advance(DeviceState& device);
+  void take_wave();
+  void send(DeviceState& device);
+  bool has_room() const;
+  void finish_oldest(DeviceState& device);
+  void fail_all(const std::exception_ptr& failure);
+
+  const DrawLimits limits_;
+  std::atomic<std::size_t> places_per_dispatch_{0};
+  mutable std::mutex mutex_;
+  std::deque<Entry*> waiting_;
+  // Of the context's thread alone.
+  std::unique_ptr<DrawPass> pass_;
+  Wave next_;                   // not sent yet
+  Wave drawn_;                  // the last wave, if its rays were not sent
+  std::deque<Wave> under_way_;  // those before, oldest first; none is empty
+  Sent sent_;
+};
+
+}  // namespace gpu

@@ -1,0 +1,27 @@
+#pragma once
+// The nodes that the receivers of a tile choose from, as shaders/gather/tile_words.glsl has them.
+
+#include "calc/radiosity/paths/cut.h"
+#include "calc/radiosity/paths/vertex_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+inline constexpr std::uint32_t kTileHead = 4, kTileChosen = 1;
+
+// Words of a tile. most_ranges: channels of the pool, that is roots of its tree.
+constexpr std::size_t words_per_tile(std::size_t most_nodes, std::size_t most_ranges) {
+  return std::size_t{kTileHead} + 2 * most_ranges + most_nodes;
+}
+
+// Appends a tile with these nodes, at most most_nodes, in pool order; channels: their ranges.
+void append_tile(const calc::VertexTree& tree, std::size_t most_nodes,
+                 std::span<const std::uint32_t> nodes,
+                 std::span<const calc::Cut::ChannelRange> channels,
+                 std::vector<std::uint32_t>& words);
+
+}  // namespace gpu

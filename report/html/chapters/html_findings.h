@@ -1,0 +1,68 @@
+#pragma once
+// Requirements and verdicts as HTML: the verdict at the top, what needs attention, the summary, and
+// one plane's table.
+
+#include "report/document/document.h"
+#include "report/html/page/html_markup.h"
+#include "report/stream/spill.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace report {
+
+// Of a part that was chosen it says so first, and is green for nothing.
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const DocumentEnd& end);
+
+// What must be read with a finding's quantity: clause, state, scene, remarks; "" if there is
+// nothing.
+std::string html_finding_notes(const Texts& t, const rules::Finding& finding);
+// Its badge; of one that does not count with the words for that.
+std::string html_verdict(const Texts& t, const rules::Finding& finding);
+
+// Everything that does not pass, gravest first.
+class HtmlAttention {
+ public:
+  // folder: of the planes' pages, see plane_href().
+  HtmlAttention(const Texts& t, std::string folder, const SpillPlace& place)
+      : t_(t), folder_(std::move(folder)), items_(place) {}
+
+  // index: of the project.
+  void add(const ProjectPart& project, std::size_t index);
+  bool is_empty() const { return items_.is_empty(); }  // all is well
+  void copy_to(Sink& sink) const;                      // nothing when it is empty
+
+ private:
+  struct Item {
+    double margin = 0.0;  // the order of findings; 0 where there is none
+    std::uint64_t begin = 0;
+    std::size_t length = 0;
+  };
+  struct Items {  // of one verdict, in their order
+    std::vector<Item> findings, aggregates, projects;
+  };
+
+  Item kept(const std::string& html, double margin = 0.0);
+  void add_findings(const ProjectPart& project, std::size_t index, rules::Verdict verdict,
+                    Items& items);
+
+  Texts t_;
+  std::string folder_;
+  Spill items_;
+  std::map<rules::Verdict, Items> by_verdict_;
+};
+
+// Building, room, plane; sorted and filtered by the page's script. What comes before, between and
+// after the rows of projects.
+std::string html_summary_start(const Texts& t, const std::string& region, double confidence);
+std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
+                              bool is_only, const std::string& folder);
+std::string html_summary_end();
+// The requirements of one plane; "" when it has none.
+std::string html_plane_findings(const Texts& t, const PlanePart& plane);
+
+}  // namespace report

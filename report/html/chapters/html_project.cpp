@@ -1,0 +1,264 @@
+#include "report/html/chapters/html_project.h"
+
+#include "report/document/luminaire_totals.h"
+#include "report/html/drawings/html_polar.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/room/html_convergence.h"
+#include "report/text/factor_words.h"
+#include "report/text/markup.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <initializer_list>
+#include <utility>
+
+namespace report {
+namespace {
+
+// Heads of columns of numbers.
+std::string number_heads(const Texts& t, std::initializer_list<Text> names) {
+  std::string html;
+  for (const Text name : names)
+    html += fmt::format("<th scope=\"col\" class=\"num\">{}</th>", t[name]);
+  return html;
+}
+
+// "0.80" and below it "LLMF 0.92 · LSF 1.00".
+std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
+  std::string parts;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value)
+      parts +=
+          fmt::format("{}{} {}", parts.empty() ? "" : " × ", name, format_limit(t, *value, ""));
+  };
+  add(t[Text::llmf], row.maintenance.llmf);
+  add(t[Text::lsf], row.maintenance.lsf);
+  add(t[Text::lmf], row.maintenance.lmf);
+  add(t[Text::rsmf], row.maintenance.rsmf);
+  const std::string text = factor_words(t, row.maintenance_factor);
+  if (!row.maintenance.is_stated) parts = t[Text::not_stated];
+  return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
+}
+
+// Maker, article and lamp as the photometry file has them, and the housing; "" where nothing is
+// said of them.
+std::string product_note(const Texts& t, const LuminaireRow& row) {
+  std::string words;
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) words += (words.empty() ? "" : ", ") + text;
+  };
+  add(escape_html(row.maker));
+  if (!row.article().empty() && row.article() != row.name)
+    add(t.say<Text::article>(escape_html(row.article())));
+  add(escape_html(row.lamp));
+  add(escape_html(row.colour_temperature));
+  if (!row.colour_rendering.empty())
+    add(t.say<Text::colour_rendering>(escape_html(row.colour_rendering)));
+  if (!row.housing_material.empty()) {
+    add(row.housing_depth_m > 0.0 ? t.say<Text::housing_deep>(escape_html(row.housing_material),
+                                                              format_metres(t, row.housing_depth_m))
+                                  : t.say<Text::housing_face>(escape_html(row.housing_material)));
+  }
+  return words.empty() ? "" : "<span class=\"note\">" + words + "</span>";
+}
+
+std::string luminaire_row(const Texts& t, const LuminaireRow& row) {
+  const bool has_power = row.power_w > 0.0;
+  return fmt::format(
+      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span>{}{}</th>"
+      "<td>{}<span class=\"note\">{}</span><span class=\"hash\">{}</span></td>"
+      "<td class=\"num\">{}</td><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
+      "class=\"num\">{}</td>"
+      "<td class=\"num\">{} cd</td><td class=\"num\">{}</td></tr>\n",
+      escape_html(row.type_id), escape_html(row.name), product_note(t, row), html_polar(t, row),
+      escape_html(row.photometry_file), escape_html(row.format), escape_html(row.sha256), row.count,
+      format_lumens(t, row.flux_lm),
+      has_power ? format_watts(t, row.power_w) + " W" : t[Text::not_stated],
+      has_power ? format_fixed(row.flux_lm / row.power_w, 0) + " lm/W" : "",
+      format_lumens(t, row.max_intensity_cd), maintenance_html(t, row));
+}
+
+std::string total_row(const Texts& t, const ProjectPart& project) {
+  const LuminaireTotals totals = totals_of(project.luminaires);
+  return fmt::format(
+      "<tr class=\"total\"><th scope=\"row\">{}</th><td></td><td class=\"num\">{}</td>"
+      "<td class=\"num\">{} lm</td><td class=\"num\">{}</td><td></td><td></td><td></td></tr>\n",
+      t[Text::all_luminaires], totals.count, format_lumens(t, totals.flux_lm),
+      totals.is_power_known ? format_watts(t, totals.power_w) + " W" : "");
+}
+
+std::string balance_row(const Texts& t, const SpacePart& space) {
+  const calc::FluxBalance& balance = space.balance;
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
+      "class=\"num\">{}</td>"
+      "<td class=\"num\">{}</td><td class=\"num\">{}</td></tr>\n",
+      escape_html(title_of(space.name, space.id)), format_lumens(t, balance.emitted_lm),
+      format_measured(t, balance.absorbed_lm, "lm"), format_measured(t, balance.escaped_lm, "lm"),
+      format_count(space.triangles), format_count(space.degenerate_triangles));
+}
+
+std::string ray_row(const Texts& t, const PlanePart& plane) {
+  if (!plane.is_computed) return {};
+  const calc::SolveCounters& counters = plane.counters;
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
+      "class=\"num\">{}</td>"
+      "<td class=\"num\">{}</td><td>{}</td></tr>\n",
+      escape_html(plane_title(t, plane)), format_count(counters.paths),
+      format_count(counters.direct_rays), format_count(counters.connection_rays),
+      format_count(counters.near_rays), stop_words(t, plane.stop));
+}
+
+std::string times_table(const Texts& t, const PhaseTimes& times) {
+  if (!(times.total_s > 0.0)) return {};
+  const std::array<std::pair<Text, double>, 8> phases{{{Text::time_load, times.load_s},
+                                                       {Text::time_prepare, times.prepare_s},
+                                                       {Text::time_direct, times.direct_s},
+                                                       {Text::time_vertices, times.pool_s},
+                                                       {Text::connections, times.connect_s},
+                                                       {Text::time_near, times.near_s},
+                                                       {Text::time_verdicts, times.judge_s},
+                                                       {Text::time_total, times.total_s}}};
+  std::string rows;
+  if (times.maps_s > 0.0) rows += fact(t[Text::time_maps], format_seconds(t, times.maps_s) + " s");
+  for (const auto& [name, seconds] : phases)
+    rows += fact(t[name], format_seconds(t, seconds) + " s");
+  return std::string("<table class=\"facts narrow\"><caption>") + t[Text::time] +
+         "</caption><tbody>" + rows + "</tbody></table>\n";
+}
+
+const char* repeatability(const Texts& t, SameBits same_bits) {
+  switch (same_bits) {
+    case SameBits::any_processor:
+      return t[Text::repeatable];
+    case SameBits::same_device:
+      return t[Text::repeatable_on_device];
+    case SameBits::nowhere:
+      return t[Text::not_repeatable];
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string html_messages(const Texts& t, const ProjectPart& project) {
+  if (project.diagnostics.empty()) return {};
+  std::string items;
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    const bool is_error = !is_warning(diagnostic);
+    const Text kind = is_error                                 ? Text::error
+                      : is_strict_warning(project, diagnostic) ? Text::warning_counts
+                                                               : Text::warning;
+    const calc::SourceLocation& where = diagnostic.where;
+    std::string place = escape_html(where.file);
+    if (where.line > 0) place += fmt::format(":{}", where.line);
+    if (where.column > 0) place += fmt::format(":{}", where.column);
+    items += fmt::format(
+        "<li class=\"{}\"><b>{}</b> {} <span class=\"note\"><code>{}</code> {}</span></li>\n",
+        kind == Text::warning ? "warning" : "error", t[kind],
+        t.english_html(escape_html(diagnostic.message)), place,
+        calc::diagnostic_name(diagnostic.id));
+  }
+  return std::string("<h3>") + t[Text::messages] + "</h3>\n<ul class=\"messages\">\n" + items +
+         "</ul>\n";
+}
+
+std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index) {
+  if (project.luminaires.empty()) return {};
+  std::string rows;
+  for (const LuminaireRow& row : project.luminaires) rows += luminaire_row(t, row);
+  return fmt::format("<h3 id=\"luminaires{}\">{}</h3>\n", index + 1, t[Text::luminaires]) +
+         scroll_box(t[Text::luminaire_schedule],
+                    fmt::format("<table class=\"schedule\"><caption>{}</caption><thead><tr>"
+                                "<th scope=\"col\">{}</th><th scope=\"col\">{}</th>",
+                                t[Text::schedule_caption], t[Text::type], t[Text::photometry]) +
+                        number_heads(t, {Text::count, Text::flux, Text::power, Text::efficacy,
+                                         Text::peak, Text::maintenance_factor}) +
+                        "</tr></thead><tbody>\n" + rows + "</tbody><tfoot>" +
+                        total_row(t, project) + "</tfoot></table>");
+}
+
+std::string html_calculation(const Texts& t, const Provenance& provenance,
+                             const ProjectPart& project, std::size_t index) {
+  if (project.spaces.empty()) return {};
+  std::string balance, rays;
+  for (const SpacePart& space : project.spaces) {
+    balance += balance_row(t, space);
+    for (const PlanePart& plane : space.planes) rays += ray_row(t, plane);
+  }
+  const std::string share = format_percent(t, provenance.confidence);
+  return fmt::format("<h3 id=\"calculation{}\">{}</h3>\n", index + 1, t[Text::calculation]) +
+         scroll_box(t[Text::light_balance],
+                    fmt::format("<table><caption>{}</caption><thead><tr><th scope=\"col\">{}</th>",
+                                t.say<Text::light_balance_caption>(share), t[Text::space]) +
+                        number_heads(t, {Text::emitted, Text::absorbed, Text::escaped,
+                                         Text::triangles, Text::left_out_no_area}) +
+                        "</tr></thead><tbody>\n" + balance + "</tbody></table>") +
+         (rays.empty()
+              ? ""
+              : scroll_box(t[Text::work_per_plane],
+                           fmt::format("<table><caption>{}</caption><thead><tr><th "
+                                       "scope=\"col\">{}</th>",
+                                       t[Text::work_per_plane], t[Text::plane]) +
+                               number_heads(t, {Text::light_paths, Text::direct_rays,
+                                                Text::connections, Text::near_rays}) +
+                               fmt::format("<th scope=\"col\">{}</th></tr></thead><tbody>\n",
+                                           t[Text::sampling]) +
+                               rays + "</tbody></table>")) +
+         html_convergence(t, project) + times_table(t, project.times);
+}
+
+std::string html_inputs(const Texts& t, const ProjectPart& project) {
+  if (project.inputs.empty()) return {};
+  std::string rows;
+  for (const calc::InputFile& input : project.inputs) {
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash\">{}</td></tr>\n",
+                        escape_html(input.path), escape_html(input.sha256));
+  }
+  const char* title = t[Text::files_read];
+  return fmt::format("<h3>{}</h3>\n", title) +
+         scroll_box(title,
+                    fmt::format("<table><caption class=\"unseen\">{}</caption><thead><tr><th "
+                                "scope=\"col\">{}</th><th scope=\"col\">SHA-256</th></tr></thead>"
+                                "<tbody>\n{}</tbody></table>",
+                                title, t[Text::file], rows));
+}
+
+std::string html_provenance(const Texts& t, const Provenance& provenance) {
+  std::string rows = fact(t[Text::program], "luxgate " + escape_html(provenance.program_version));
+  if (!provenance.timestamp.empty()) rows += fact(t[Text::made], escape_html(provenance.timestamp));
+  rows += fact(t[Text::backend], t.english_html(escape_html(provenance.backend)));
+  rows += fact(t[Text::numbers_version], fmt::format("{}", provenance.numbers_version));
+  rows += fact(t[Text::seed], fmt::format("{}", provenance.seed));
+  rows += fact(t[Text::confidence],
+               t.say<Text::over_all_looks>(format_percent(t, provenance.confidence)));
+  rows +=
+      fact(t[Text::goal],
+           t[provenance.goal == rules::Goal::verdict ? Text::goal_verdict : Text::goal_accuracy]);
+  rows += fact(t[Text::aimed_half_width],
+               t.say<Text::of_the_value>(format_percent(t, provenance.tolerance)));
+  rows += fact(t[Text::comparison], t.say<Text::unless_otherwise>(t[Text::default_policy]));
+  rows += fact(t[Text::most_paths],
+               t.say<Text::per_plane_and_replicate>(format_count(provenance.max_paths)));
+  rows += fact(t[Text::replicates], fmt::format("{}", provenance.replicates));
+  if (!provenance.policy.empty()) {
+    rows +=
+        fact(t[Text::policy], fmt::format("{}<br><code>{}</code>", escape_html(provenance.policy),
+                                          escape_html(provenance.policy_sha256)));
+  }
+  const std::string redacted = redaction_words(provenance, t),
+                    selected = selection_words(provenance, t);
+  return fmt::format(
+      "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
+      "<p>{}{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "
+      "wide\"><caption "
+      "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
+      t[Text::provenance], repeatability(t, provenance.same_bits),
+      redacted.empty() ? "" : " " + redacted, selected.empty() ? "" : " " + escape_html(selected),
+      escape_html(provenance.command_line), t[Text::settings], rows);
+}
+
+}  // namespace report

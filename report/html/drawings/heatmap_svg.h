@@ -1,0 +1,17 @@
+#pragma once
+// The drawing of a plane as an SVG file of its own: what the HTML page shows, in colours for paper.
+
+#include "report/document/document.h"
+#include "report/html/drawings/shared_scale.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// Plan, lines of equal value, luminaires and furniture, with the colour bar and its limits below.
+// Needs has_cells(plane) and has_all_values(plane).
+std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                               const PlaneScale& scale);
+
+}  // namespace report

@@ -1,0 +1,24 @@
+#pragma once
+// The frame of pages that have no script: those of tools, and data sheets.
+
+#include "report/html/page/print_pages.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+struct ToolPage {
+  std::string title;    // escaped; of the window and of h1
+  std::string eyebrow;  // what kind of page it is, plain text
+  std::string style;    // of this kind of page alone, behind the style sheet that all share
+  std::string foot;     // what runs along at the foot of every page on paper, plain text
+  Paper paper = Paper::a4;
+};
+
+// Up to the heading in the open <header>; what follows closes that and begins <main id="main">.
+std::string tool_page_start(const Texts& t, const ToolPage& page);
+// From the end of <main>; footer: finished HTML.
+std::string tool_page_end(const std::string& footer);
+
+}  // namespace report

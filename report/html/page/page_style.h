@@ -1,0 +1,35 @@
+#pragma once
+// What may be chosen of the look of pages.
+
+#include "report/html/drawings/shared_scale.h"
+#include "report/html/page/print_pages.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace report {
+
+class SheetSource;  // data_sheets.h
+
+// Tables of all values at the end of what is printed. automatic: where there are at most so many.
+enum class Annex { automatic, always, never };
+inline constexpr std::size_t kMostAnnexValues = 2500;
+
+// A page of its own before all else, on paper. automatic: where the only project names a
+// client, author, company or logo.
+enum class Cover { automatic, always, never };
+
+// Pages on paper, from 1, by the names of places in a page ("luminaires1").
+using PageNumbers = std::map<std::string, int>;
+
+struct PageStyle {
+  Paper paper = Paper::a4;                     // when it is printed
+  ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
+  Annex annex = Annex::automatic;
+  Cover cover = Cover::automatic;
+  std::shared_ptr<SheetSource> sheets = nullptr;  // of luminaires; null: no data sheets
+};
+
+}  // namespace report

@@ -1,0 +1,24 @@
+#pragma once
+// The card of one plane: requirements, heat map, statistics, how it was measured, values.
+
+#include "report/document/document.h"
+#include "report/html/drawings/shared_scale.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/page/print_pages.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// A card that can be folded. Folded from the start: with folds_passed, one all of whose
+// requirements are met or waived. groups: level_groups() of the room.
+std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, const ColourScales& scales, bool folds_passed,
+                       const std::vector<std::string>& groups, Paper paper);
+
+// A report of so few planes has room for them all.
+inline constexpr std::size_t kFewPlanes = 3;
+
+}  // namespace report

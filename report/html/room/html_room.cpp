@@ -1,0 +1,63 @@
+#include "report/html/room/html_room.h"
+
+#include "report/html/drawings/html_legend.h"
+#include "report/html/page/html_markup.h"
+#include "report/images/heatmap.h"
+#include "report/text/base64.h"
+#include "report/text/markup.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+namespace report {
+namespace {
+
+// Titles of our own are English in results.
+std::string picture_title(const Texts& t, const RoomPicture& picture) {
+  for (const Text id : {Text::from_a_corner, Text::from_above})
+    if (picture.title == english_text(id)) return t[id];
+  return picture.title;
+}
+
+// kind: attributes of the element.
+std::string picture_html(const Texts& t, const SpacePart& space, const RoomPicture& picture,
+                         const char* kind) {
+  return fmt::format(
+      "<img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n", kind,
+      base64(picture.png), picture.width, picture.height,
+      t.say<Text::picture_words>(escape_html(title_of(space.name, space.id)),
+                                 escape_html(picture_title(t, picture))));
+}
+
+}  // namespace
+
+std::string html_room(const Texts& t, const SpacePart& space) {
+  const RoomPictures& pictures = space.pictures;
+  if (!pictures.problem.empty()) {
+    return "<p class=\"quiet\">" +
+           t.say<Text::no_pictures>(t.english_html(escape_html(pictures.problem))) + "</p>\n";
+  }
+  if (pictures.list.empty()) return {};
+  const ColourScale scale{pictures.low_lx, pictures.step_lx, pictures.bands};
+  std::string html = "<figure class=\"room\">\n";
+  for (const RoomPicture& picture : pictures.list) html += picture_html(t, space, picture, "");
+  html += html_colour_bar(t, scale, {});
+  std::string beyond;
+  if (pictures.highest_lx > scale.high()) {
+    beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
+  }
+  return html + "<figcaption>" +
+         t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share),
+                                      t.english_html(escape_html(pictures.device))) +
+         "</figcaption></figure>\n";
+}
+
+std::string html_cover_picture(const Texts& t, const ProjectPart& project) {
+  for (const SpacePart& space : project.spaces) {
+    if (space.pictures.list.empty()) continue;
+    return picture_html(t, space, space.pictures.list.front(), " class=\"on-cover\"");
+  }
+  return {};
+}
+
+}  // namespace report

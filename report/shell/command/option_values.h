@@ -1,0 +1,86 @@
+#pragma once
+// The texts after options, turned into values. No locale, no silent rounding, clamping or octal
+// numbers.
+
+#include "calc/base/budget.h"
+#include "report/shell/command/command.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+// Digits only.
+std::optional<std::uint64_t> parse_count(std::string_view text);
+
+// "0.02" or "2%".
+std::optional<double> parse_share(std::string_view text);
+// Strictly between low and high.
+ValueParser share_between(double& target, double low, double high);
+// low to high inclusive; high must fit into the target.
+ValueParser whole_number(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
+ValueParser whole_number(int& target, int low, int high);
+ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
+// > 0 and finite
+ValueParser positive_number(double& target);
+// "rays" (0) or "shadow-map:N", as calc::RadiositySettings::shadow_map_texels.
+ValueParser visibility(std::uint32_t& target);
+// Not empty.
+ValueParser some_text(std::string& target);
+// Not empty, appended.
+ValueParser one_more(std::vector<std::string>& target);
+// Anything, the empty text too.
+ValueParser any_text(std::string& target);
+// > 0
+ValueParser seconds(double& target);
+// "now" or seconds since 1970; the target becomes "2024-05-01T12:00:00Z".
+ValueParser moment(std::string& target);
+// SOURCE_DATE_EPOCH as a moment; `target` stays if it is not set. Returns what is wrong with it, ""
+// = nothing.
+std::string take_source_date(const std::string& epoch, std::string& target);
+// Of a moment; "" stays "".
+std::string day_of_moment(const std::string& moment);
+
+// Options that several commands have, with the same words.
+// --rules: packs besides those delivered, or folders of them.
+Option rules_option(std::vector<std::string>& target);
+// --allow: folders that symbolic links in a project's folder may lead into.
+Option allow_option(std::vector<std::string>& target);
+// --limit: what one project may take.
+Option limit_option(calc::Budget& target);
+Option seed_option(std::uint64_t& target);
+// never_changes: "a result", "the file".
+Option jobs_option(int& target, const std::string& never_changes = "a result");
+Option space_option(std::string& target);
+Option quiet_option(bool& target);
+// Of commands with a WarningTally.
+Option quiet_option_with_count(bool& target);
+// --format KIND and --json, of commands whose output goes to standard output only.
+std::vector<Option> text_or_json_options(bool& as_json);
+Place project_place(std::string& target);
+
+std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names);
+
+template <class Enum>
+ValueParser choice(Enum& target, std::vector<std::pair<std::string_view, Enum>> table) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : table) words.emplace_back(name);
+  const auto parse = [&target, table = std::move(table)](const std::string& text) -> std::string {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : table) {
+      names.push_back(name);
+      if (name != text) continue;
+      target = value;
+      return "";
+    }
+    return one_of_message(text, names);
+  };
+  return {parse, std::move(words)};
+}
+
+}  // namespace cli

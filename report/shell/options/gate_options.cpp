@@ -1,0 +1,83 @@
+#include "report/shell/options/gate_options.h"
+
+#include "calc/base/names.h"
+#include "calc/base/text.h"
+#include "report/shell/command/option_values.h"
+#include "rules/catalogue/metric.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace cli {
+namespace {
+
+// "1%", or "Uo=2%" of one quantity; the last word on each counts.
+std::string take_allowed_loss(const std::string& text, report::Gate& gate) {
+  const std::size_t sign = text.find('=');
+  const std::string name = sign == std::string::npos ? "" : text.substr(0, sign);
+  const std::optional<double> share =
+      parse_share(sign == std::string::npos ? text : text.substr(sign + 1));
+  if (!share || !(*share >= 0.0 && *share < 1.0)) {
+    return "a share from 0 to below 1 is needed, as 0.01 or 1%, or one of a quantity, as Uo=2%";
+  }
+  if (sign == std::string::npos) {
+    gate.allowed_worse = *share;
+    return "";
+  }
+  const std::optional<rules::Metric> metric = calc::find_value<rules::Metric>(name);
+  if (!metric) return "quantity " + one_of_message(name, calc::names_of<rules::Metric>());
+  auto& losses = gate.allowed_worse_of;
+  std::erase_if(losses, [&](const report::AllowedLoss& loss) { return loss.metric == *metric; });
+  losses.push_back({*metric, *share});
+  return "";
+}
+
+ValueParser reason(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (calc::trim(text).empty()) return "a reason is needed, which then stands in reports";
+    target = text;
+    return "";
+  };
+}
+
+}  // namespace
+
+Option baseline_option(std::string& target) {
+  return {"--baseline", "FILE",
+          "An earlier result. Say what became worse or better, what is asked for less and what has "
+          "changed since this\n"
+          "result, a file that '--format json' wrote",
+          some_text(target)};
+}
+
+std::vector<Option> gate_options(report::Gate& gate) {
+  return {{"--gate", "NAME",
+           "all: exit code 1 for everything that is not met; regression: only for what was met or\n"
+           "not asked before, for values that fell by more than --allow-worse, and for weaker\n"
+           "questions that are not accepted; default all",
+           choice<report::GateMode>(gate.mode, {{"all", report::GateMode::all},
+                                                {"regression", report::GateMode::regression}})},
+          {"--allow-worse", "SHARE",
+           "What a value may lose with --gate regression while its verdict stays, as 0.01 or\n"
+           "1%; of one quantity: Uo=2%; may be given again; default 0.01",
+           [&gate](const std::string& text) { return take_allowed_loss(text, gate); }, true},
+          {"--accept-weaker", "REASON",
+           "Let weaker and other questions through --gate regression; the reason stands in reports",
+           reason(gate.weaker_accepted_by)}};
+}
+
+std::string gate_contradiction(const report::Gate& gate, bool is_compared,
+                               const std::string& with) {
+  if (!is_compared && gate.mode == report::GateMode::regression) {
+    return fmt::format("--gate regression needs {} to compare with", with);
+  }
+  if (gate.mode == report::GateMode::all && !gate.weaker_accepted_by.empty()) {
+    return "--accept-weaker is for --gate regression";
+  }
+  return "";
+}
+
+}  // namespace cli

@@ -1,0 +1,65 @@
+#pragma once
+// Options of commands that write a document: formats, files, wording.
+
+#include "calc/base/budget.h"
+#include "report/formats/format.h"
+#include "report/shell/command/command.h"
+#include "report/shell/output/page_options.h"
+#include "report/stream/spill.h"
+#include "report/text/texts.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// As the name of a file that is written.
+inline constexpr const char* kStandardOutput = "-";
+inline constexpr const char* kOnlyOneToStdout =
+    "--format: only one kind can go to standard output; give the others as KIND=FILE";
+
+struct OutputFormat {
+  const report::Format* format = nullptr;
+  std::string file;  // "" = standard output; at most one format goes there
+};
+
+struct OutputOptions {
+  std::vector<OutputFormat> formats;
+  std::string folder;  // "" = none
+  bool images = false;
+  bool html_split = false;                                // HTML as an index and a page per room
+  report::Language language = report::Language::english;  // of HTML, PDF, Markdown and text
+  DecimalSign decimal = DecimalSign::of_language;         // of the same formats
+  report::PageStyle page;                                 // of HTML, PDF and images
+  bool redact = false;                                    // see report::redact()
+  bool lists_passes = false;                              // see report::TextOptions
+  bool quiet = false;                                     // no text unless asked for
+  bool are_messages_printed = false;  // to standard error: not again by text on standard output
+  double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
+  ColorChoice color = ColorChoice::automatic;
+  // Of `pdf`, see open_printer_or_print() in pdf_printer.h.
+  std::shared_ptr<report::PagePrinter> printer = nullptr;
+  // For what has no folder of its own, standard output and pipes; none: opened when needed.
+  std::shared_ptr<report::SpillFiles> spill_files = nullptr;
+};
+
+std::vector<Option> output_options(OutputOptions& options);
+// --passes
+Option passes_option(bool& lists_passes);
+// --color
+Option color_option(ColorChoice& target);
+// "" = nothing is wrong.
+std::string output_contradiction(const OutputOptions& options);
+
+// How reports for people are worded.
+report::Texts report_texts(const OutputOptions& options);
+
+// --format items and the files of --output, in that order. Standard output has an empty file name
+// and is not here.
+std::vector<OutputFormat> planned_files(const OutputOptions& options);
+
+// The format for standard output: as asked for, else text; null with --quiet.
+const report::Format* stdout_format(const OutputOptions& options);
+
+}  // namespace cli
