@@ -67,7 +67,7 @@ std::optional<Type> type_of_name(std::string_view name) {
   return std::nullopt;
 }
 
-bool is_whole(Type type) { return type < Type::float32; }
+bool is_whole(Type type) { return type != Type::float32 && type != Type::float64; }
 
 template <class T>
 double number_from(const char* data, bool swap) {

@@ -34,7 +34,21 @@ struct LuminousOpening {
   double along_c90_m = 0.0;
   double height_m = 0.0;
 
-  bool is_body() const { return shape >= OpeningShape::box; }
+  bool is_body() const {
+    switch (shape) {
+      case OpeningShape::point:
+      case OpeningShape::rectangle:
+      case OpeningShape::disk:
+        return false;
+      case OpeningShape::box:
+      case OpeningShape::cylinder:
+      case OpeningShape::cylinder_c0:
+      case OpeningShape::cylinder_c90:
+      case OpeningShape::ellipsoid:
+        break;
+    }
+    return true;
+  }
   // Of what sends light, along the luminaire's x, y and z.
   glm::dvec3 size_m() const {
     if (shape == OpeningShape::point) return glm::dvec3(0.0);

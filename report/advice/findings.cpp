@@ -36,9 +36,7 @@ std::string finding_words(const report::ProjectPart& part, const FindingPlace& w
 }
 
 bool is_of_points(const rules::Requirement& requirement) {
-  const rules::MetricSource source = rules::metric_row(requirement.metric).source;
-  return source == rules::MetricSource::values || source == rules::MetricSource::counted_values ||
-         source == rules::MetricSource::neighbours;
+  return !rules::is_about_space(requirement.metric);
 }
 
 bool hangs_on_levels(const rules::Requirement& requirement) {

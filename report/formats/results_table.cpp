@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace report {
 namespace {
@@ -126,7 +127,9 @@ void add_numbers(const rules::Finding& finding, ResultRow& row) {
 
 void add_finding(ResultRow row, const rules::Finding& finding, const VisitRow& visit) {
   const rules::Requirement& requirement = finding.requirement;
-  if (requirement.metric == rules::Metric::percentile) row.set("percent", requirement.percent);
+  if (const auto* of = std::get_if<rules::Percentile>(&requirement.arguments)) {
+    row.set("percent", of->percent);
+  }
   row.set("unit", rules::unit_of(requirement));
   row.set("scene", requirement.scene);
   row.set("state", calc::name_of(requirement.state));

@@ -327,8 +327,9 @@ class PolicyJudge {
       for (const PlanePart& plane : space.planes) {
         for (const rules::Finding& finding : plane.findings) {
           const rules::Requirement& asked = finding.requirement;
-          if (!(asked.field_reflectance > 0.0)) continue;
-          compare(asked.field_reflectance, fmt::format("the field of '{}'", asked.plane_id));
+          const double reflectance = rules::argument_of<rules::LitField>(asked).reflectance;
+          if (!(reflectance > 0.0)) continue;
+          compare(reflectance, fmt::format("the field of '{}'", asked.plane_id));
         }
       }
     }

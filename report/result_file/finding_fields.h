@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace report {
@@ -61,6 +62,17 @@ void describe(auto& v, Is<rules::Deviation> auto& deviation) {
   v.field("accepted", deviation.is_accepted,
           {.words = "The project states it, and its last day is not over."});
   v.field("stated", deviation.stated, {.presence = only_if(deviation.stated.has_value())});
+}
+
+// fields(of) describes the requirement's argument of this kind. Of a metric that has another kind
+// there is nothing to write or to read, and only the schema looks at it.
+template <class Argument>
+void argument(auto& requirement, const auto& fields) {
+  Argument of = rules::argument_of<Argument>(requirement);
+  fields(of);
+  const bool is_its_kind =
+      std::holds_alternative<Argument>(rules::metric_row(requirement.metric).arguments);
+  if (is_its_kind) assign(requirement.arguments, rules::MetricArguments(of));
 }
 
 void describe(auto& v, Is<rules::Finding> auto& finding) {
@@ -157,20 +169,23 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   const bool is_share = requirement.metric == rules::Metric::share;
   const bool is_plain = calc::is_plain_number(requirement.derived);
   constexpr double kOpen = std::numeric_limits<double>::infinity();
-  v.field(
-      "from", requirement.range.from,
-      {.words = "Of quantities without unit, as to.", .presence = only_if(is_share && is_plain)});
-  v.field("to", or_null(requirement.range.to, kOpen),
-          {.words = "null: no upper end.", .presence = only_if(is_share && is_plain)});
-  v.field("from_lx", requirement.range.from, {.presence = only_if(is_share && !is_plain)});
-  v.field("to_lx", or_null(requirement.range.to, kOpen),
-          {.words = "null: no upper end.", .presence = only_if(is_share && !is_plain)});
-  const bool has_heights = rules::has_mounting_heights(requirement.metric);
-  v.field("from_m", requirement.range.from,
-          {.words = "Of the luminaires that count, above the floor.",
-           .presence = only_if(has_heights)});
-  v.field("to_m", or_null(requirement.range.to, kOpen),
-          {.words = "They hang below it. null: no upper end.", .presence = only_if(has_heights)});
+  argument<rules::ValueRange>(requirement, [&](rules::ValueRange& range) {
+    v.field(
+        "from", range.from,
+        {.words = "Of quantities without unit, as to.", .presence = only_if(is_share && is_plain)});
+    v.field("to", or_null(range.to, kOpen),
+            {.words = "null: no upper end.", .presence = only_if(is_share && is_plain)});
+    v.field("from_lx", range.from, {.presence = only_if(is_share && !is_plain)});
+    v.field("to_lx", or_null(range.to, kOpen),
+            {.words = "null: no upper end.", .presence = only_if(is_share && !is_plain)});
+  });
+  argument<rules::HeightRange>(requirement, [&](rules::HeightRange& range) {
+    const Presence presence = only_if(rules::has_mounting_heights(requirement.metric));
+    v.field("from_m", range.from_m,
+            {.words = "Of the luminaires that count, above the floor.", .presence = presence});
+    v.field("to_m", or_null(range.to_m, kOpen),
+            {.words = "They hang below it. null: no upper end.", .presence = presence});
+  });
   const auto mask = [&](auto& o) {
     o.field("id", requirement.mask.id);
     o.field("points_used", finding.points_used);
@@ -184,13 +199,19 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("stated", requirement.stated_words,
           {.words = "What the project states of a road or a field, in words.",
            .presence = only_if(!is_energy && !requirement.stated_words.empty())});
-  v.field("field_reflectance", requirement.field_reflectance,
-          {.words = "Stated, of the field that GR is rated on.",
-           .presence = only_if(requirement.field_reflectance > 0.0)});
-  v.field("percent", requirement.percent,
-          {.presence = only_if(requirement.metric == rules::Metric::percentile)});
-  v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});
-  v.field("facing", requirement.facing, {.presence = only_if(requirement.facing.has_value())});
+  argument<rules::LitField>(requirement, [&](rules::LitField& field) {
+    v.field("field_reflectance", field.reflectance,
+            {.words = "Stated, of the field that GR is rated on.",
+             .presence = only_if(field.reflectance > 0.0)});
+  });
+  argument<rules::Percentile>(requirement, [&](rules::Percentile& of) {
+    v.field("percent", of.percent,
+            {.presence = only_if(requirement.metric == rules::Metric::percentile)});
+  });
+  argument<rules::PointOfValue>(requirement, [&](rules::PointOfValue& at) {
+    v.field("point_m", at.point_m, {.presence = only_if(at.point_m.has_value())});
+    v.field("facing", at.facing, {.presence = only_if(at.facing.has_value())});
+  });
 }
 
 void describe(auto& v, Is<rules::LeftOutZone> auto& zone) {

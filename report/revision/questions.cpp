@@ -76,8 +76,9 @@ std::string exact_words(const glm::dvec3& v) {
 // With what the words of reports round or leave out.
 std::string exact_quantity(const rules::Requirement& requirement) {
   std::string words = quantity_words(requirement);
-  if (requirement.point_m) words += ", exactly " + exact_words(*requirement.point_m);
-  if (requirement.facing) words += ", facing " + exact_words(*requirement.facing);
+  const auto [point_m, facing] = rules::argument_of<rules::PointOfValue>(requirement);
+  if (point_m) words += ", exactly " + exact_words(*point_m);
+  if (facing) words += ", facing " + exact_words(*facing);
   if (requirement.any_one_unit_out) words += " with any one luminaire out";
   return words;
 }
@@ -123,14 +124,24 @@ void compare_rooms(QuestionList& questions, const rules::AggregateFinding& befor
   }
 }
 
+// What a field is stated to be is compared with all that is stated, and what is known of the space
+// is no part of the question.
+bool is_same_argument(const rules::Requirement& before, const rules::Requirement& after) {
+  using rules::argument_of;
+  const auto was = argument_of<rules::PointOfValue>(before);
+  const auto is = argument_of<rules::PointOfValue>(after);
+  return is_same_point(was.point_m, is.point_m) && is_same_point(was.facing, is.facing) &&
+         argument_of<rules::Percentile>(before) == argument_of<rules::Percentile>(after) &&
+         argument_of<rules::ValueRange>(before) == argument_of<rules::ValueRange>(after) &&
+         argument_of<rules::HeightRange>(before) == argument_of<rules::HeightRange>(after);
+}
+
 // What is looked at.
 void compare_quantities(QuestionList& questions, const rules::Requirement& before,
                         const rules::Requirement& after) {
-  const bool is_same =
-      before.metric == after.metric && before.derived == after.derived &&
-      before.percent == after.percent && before.any_one_unit_out == after.any_one_unit_out &&
-      before.range.from == after.range.from && before.range.to == after.range.to &&
-      is_same_point(before.point_m, after.point_m) && is_same_point(before.facing, after.facing);
+  const bool is_same = before.metric == after.metric && before.derived == after.derived &&
+                       before.any_one_unit_out == after.any_one_unit_out &&
+                       is_same_argument(before, after);
   if (is_same) return;
   const std::string was = quantity_words(before), is = quantity_words(after);
   questions.add(QuestionChange::exchanged, QuestionPart::quantity,

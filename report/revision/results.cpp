@@ -84,7 +84,9 @@ ResultChange change_of_values(const ChangedResult& result, rules::Comparison com
 // Whether the two numbers are of one quantity in one light.
 bool is_comparable(const rules::Requirement& before, const rules::Requirement& after) {
   return before.metric == after.metric && before.derived == after.derived &&
-         before.percent == after.percent && before.direct_only == after.direct_only &&
+         rules::argument_of<rules::Percentile>(before) ==
+             rules::argument_of<rules::Percentile>(after) &&
+         before.direct_only == after.direct_only &&
          rules::is_lower_limit(before.comparison) == rules::is_lower_limit(after.comparison);
 }
 

@@ -15,6 +15,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <utility>
+#include <variant>
 
 namespace report {
 namespace {
@@ -23,14 +24,16 @@ constexpr double kStraight = 1e-6;  // of a direction cosine
 
 // "share of points from 300 to 500 lx"
 // Of the luminaires that count; "" = all.
-std::string mounting_words(const Texts& t, const rules::ValueRange& range) {
-  const bool has_to = std::isfinite(range.to);
-  const std::string to = has_to ? format_shortest(t, range.to) : "";
-  if (range.from > 0.0 && has_to) {
-    return ", " + t.say<Text::mounted_between>(format_shortest(t, range.from), to);
+std::string mounting_words(const Texts& t, const rules::HeightRange& range) {
+  const bool has_to = std::isfinite(range.to_m);
+  const std::string to = has_to ? format_shortest(t, range.to_m) : "";
+  if (range.from_m > 0.0 && has_to) {
+    return ", " + t.say<Text::mounted_between>(format_shortest(t, range.from_m), to);
   }
   if (has_to) return ", " + t.say<Text::mounted_below>(to);
-  if (range.from > 0.0) return ", " + t.say<Text::mounted_from>(format_shortest(t, range.from));
+  if (range.from_m > 0.0) {
+    return ", " + t.say<Text::mounted_from>(format_shortest(t, range.from_m));
+  }
   return {};
 }
 
@@ -202,20 +205,20 @@ const char* value_key(calc::DerivedQuantity derived) {
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement) {
-  const rules::Metric metric = requirement.metric;
-  if (metric == rules::Metric::percentile) {
-    return t.say<Text::percentile>(format_shortest(t, requirement.percent));
+  const rules::MetricArguments& arguments = requirement.arguments;
+  if (const auto* of = std::get_if<rules::Percentile>(&arguments)) {
+    return t.say<Text::percentile>(format_shortest(t, of->percent));
   }
-  if (metric == rules::Metric::share) return range_words(t, requirement.range, requirement.derived);
-  if (metric == rules::Metric::value_at_point && requirement.point_m) {
-    const std::string place = format_position(t, *requirement.point_m);
-    return requirement.facing
-               ? t.say<Text::value_at_facing>(place, format_position(t, *requirement.facing))
-               : t.say<Text::value_at>(place);
+  if (const auto* range = std::get_if<rules::ValueRange>(&arguments)) {
+    return range_words(t, *range, requirement.derived);
   }
-  std::string words = t[metric_text(metric)];
-  if (rules::has_mounting_heights(metric)) words += mounting_words(t, requirement.range);
-  return words;
+  if (const auto* at = std::get_if<rules::PointOfValue>(&arguments); at && at->point_m) {
+    const std::string place = format_position(t, *at->point_m);
+    return at->facing ? t.say<Text::value_at_facing>(place, format_position(t, *at->facing))
+                      : t.say<Text::value_at>(place);
+  }
+  return t[metric_text(requirement.metric)] +
+         mounting_words(t, rules::argument_of<rules::HeightRange>(requirement));
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement,

@@ -27,6 +27,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 namespace rules {
@@ -246,8 +247,12 @@ void set_power(const SpaceValues& of_space, Requirement& requirement) {
   if (requirement.problem.empty()) {
     requirement.problem = is_energy ? of_space.energy.problem : of_space.power.problem();
   }
-  requirement.power_density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
-  const double known = is_energy ? of_space.energy.leni_kwh_m2 : requirement.power_density_w_m2;
+  const double density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
+  if (auto* power = std::get_if<SpacePower>(&requirement.arguments)) {
+    power->density_w_m2 = density_w_m2;
+    return;
+  }
+  const double known = is_energy ? of_space.energy.leni_kwh_m2 : density_w_m2;
   requirement.of_space = {known, known, known};
   if (!is_energy) return;
   requirement.stated_words = of_space.energy.words;
@@ -286,16 +291,14 @@ void set_road(const calc::RoadValues* road, Requirement& requirement) {
 
 // Why there is no GR of this plane; "" = there is.
 calc::Message why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_count,
-                           const Requirement& requirement) {
+                           const LitField& field) {
   constexpr double kLevel = 0.9998;  // cosine of one degree
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   const bool is_level = area != nullptr && plane.usual_role.empty() && area->normal().z >= kLevel &&
                         plane.kernel == calc::ReceiverKernel::planar &&
                         plane.derived == calc::DerivedQuantity::none;
   if (!is_level) return calc::say<calc::Sentence::no_field>();
-  if (!(requirement.field_reflectance > 0.0)) {
-    return calc::say<calc::Sentence::no_field_reflectance>();
-  }
+  if (!(field.reflectance > 0.0)) return calc::say<calc::Sentence::no_field_reflectance>();
   // No veil of nothing that is there is no rating that anybody has judged.
   if (luminaire_count == 0) return calc::say<calc::Sentence::no_luminaire>();
   const double points = calc::planned_points(plane);
@@ -307,14 +310,15 @@ calc::Message why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_c
 
 void set_field_glare(SpaceValues& of_space, const calc::CalcPlane& plane,
                      Requirement& requirement) {
+  auto& field = std::get<LitField>(requirement.arguments);
   if (requirement.problem.empty()) {
-    requirement.problem = why_no_field(plane, of_space.luminaires(), requirement);
+    requirement.problem = why_no_field(plane, of_space.luminaires(), field);
   }
   if (!requirement.problem.empty()) return;
-  requirement.veiling_cd_m2 = of_space.veiling(plane, requirement.scene);
-  requirement.stated_words = calc::say<calc::Sentence::field_stated>(requirement.field_reflectance);
+  field.veiling_cd_m2 = of_space.veiling(plane, requirement.scene);
+  requirement.stated_words = calc::say<calc::Sentence::field_stated>(field.reflectance);
   add_note(calc::say<calc::Sentence::field_glare_method>(calc::kFieldEye_m, calc::kFieldLook_deg,
-                                                         requirement.field_reflectance),
+                                                         field.reflectance),
            requirement);
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -90,7 +91,7 @@ void add_full_output(const LuminaireFacts& facts, AngleZone zone,
 }
 
 // Of a range of heights that holds none of these luminaires.
-calc::Message no_luminaire_words(const ValueRange& range,
+calc::Message no_luminaire_words(const HeightRange& range,
                                  const std::vector<calc::ZoneIntensity>& luminaires,
                                  const std::vector<MountingHeight>& heights) {
   MountingHeight all{std::numeric_limits<double>::infinity(), 0.0};
@@ -98,9 +99,9 @@ calc::Message no_luminaire_words(const ValueRange& range,
     all.least_m = std::min(all.least_m, heights[one.luminaire].least_m);
     all.most_m = std::max(all.most_m, heights[one.luminaire].most_m);
   }
-  if (!std::isfinite(range.to)) return say<Sentence::no_luminaire_from>(range.from, all.most_m);
-  if (range.from == 0.0) return say<Sentence::no_luminaire_below>(range.to, all.least_m);
-  return say<Sentence::no_luminaire_between>(range.from, range.to, all.least_m, all.most_m);
+  if (!std::isfinite(range.to_m)) return say<Sentence::no_luminaire_from>(range.from_m, all.most_m);
+  if (range.from_m == 0.0) return say<Sentence::no_luminaire_below>(range.to_m, all.least_m);
+  return say<Sentence::no_luminaire_between>(range.from_m, range.to_m, all.least_m, all.most_m);
 }
 
 void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
@@ -111,12 +112,12 @@ void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
   const bool is_of_battery = requirement.state == LightState::end_of_duration;
   if (is_of_battery) add_full_output(facts, zone, intensities);
   const std::vector<MountingHeight>& heights = facts.heights();
+  const auto& range = std::get<HeightRange>(requirement.arguments);
   bool is_height_open = false;
   for (const calc::ZoneIntensity& one : intensities) {
     const MountingHeight& height = heights[one.luminaire];
-    const ValueRange& range = requirement.range;
-    if (height.most_m < range.from || height.least_m >= range.to) continue;
-    const bool is_certain = height.least_m >= range.from && height.most_m < range.to;
+    if (height.most_m < range.from_m || height.least_m >= range.to_m) continue;
+    const bool is_certain = height.least_m >= range.from_m && height.most_m < range.to_m;
     is_height_open = is_height_open || !is_certain;
     if (++count == 1 || one.cd.value > greatest.value) worst = one.luminaire;
     greatest = {std::max(greatest.value, one.cd.value),
@@ -130,7 +131,7 @@ void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
     if (!requirement.origin.pack.empty()) {
       return add_note(say<Sentence::nobody_hangs_there>(), requirement);
     }
-    requirement.problem = no_luminaire_words(requirement.range, intensities, heights);
+    requirement.problem = no_luminaire_words(range, intensities, heights);
     return;
   }
   add_note(say<Sentence::glare_zone_of>(name_of(facts, worst), heights[worst].least_m, count),

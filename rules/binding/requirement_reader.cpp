@@ -23,6 +23,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -114,11 +115,12 @@ std::optional<glm::dvec3> read_direction(ElementReader& reader, const char* attr
 
 // Of a share: from, to or both. Of heights of luminaires: either, or none.
 void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
-                ValueRange& range) {
+                MetricArguments& arguments) {
   constexpr calc::NumberRange kHeight{0.0, 1.0e6, false, "a height in metres from 0 to 1e6"};
   constexpr calc::NumberRange kLux{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
   constexpr calc::NumberRange kPlain{0.0, 1.0e9, false, "a number from 0 to 1e9"};
-  const bool has_heights = has_mounting_heights(metric);
+  auto* heights = std::get_if<HeightRange>(&arguments);
+  const bool has_heights = heights != nullptr;
   const calc::NumberRange& kEnd = has_heights                      ? kHeight
                                   : calc::is_plain_number(derived) ? kPlain
                                                                    : kLux;
@@ -129,9 +131,11 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
   if (!has_from && !has_to && !has_heights) {
     reader.report(DiagnosticId::missing_form, reader.where(), kElement, "'from' or 'to', or both");
   }
-  if (has_from) range.from = reader.number("from", kEnd);
-  if (has_to) range.to = reader.number("to", kEnd);
-  if (range.to < range.from || (has_heights && range.to == range.from)) {
+  double& from = has_heights ? heights->from_m : std::get<ValueRange>(arguments).from;
+  double& to = has_heights ? heights->to_m : std::get<ValueRange>(arguments).to;
+  if (has_from) from = reader.number("from", kEnd);
+  if (has_to) to = reader.number("to", kEnd);
+  if (to < from || (has_heights && to == from)) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", kElement, "'from'");
   }
 }
@@ -167,24 +171,27 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
     return;
   }
   requirement.metric = *metric;
+  requirement.arguments = metric_row(*metric).arguments;
+  MetricArguments& arguments = requirement.arguments;
   const LimitUnit unit = read_unit(reader, *metric, context.derived);
   if (const std::optional<Comparison> comparison = read_comparison(reader)) {
     requirement.comparison = *comparison;
     requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
   }
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
-    requirement.percent = reader.number("percent", *requirement_attribute("percent").type->range);
+    std::get<Percentile>(arguments).percent =
+        reader.number("percent", *requirement_attribute("percent").type->range);
   }
-  read_range(reader, *metric, context.derived, requirement.range);
+  read_range(reader, *metric, context.derived, arguments);
   if (is_given_for(reader, kReflectance, Metric::glare_rating, *metric)) {
-    requirement.field_reflectance = read_field_reflectance(reader);
+    std::get<LitField>(arguments).reflectance = read_field_reflectance(reader);
   }
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at = reader.numbers("at", 3, kPointWords);
-    requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
+    std::get<PointOfValue>(arguments).point_m = glm::dvec3(at[0], at[1], at[2]);
   }
   if (is_given_for(reader, "facing", Metric::value_at_point, *metric) && reader.has("facing")) {
-    requirement.facing = read_direction(reader, "facing");
+    std::get<PointOfValue>(arguments).facing = read_direction(reader, "facing");
   }
 }
 
@@ -284,8 +291,9 @@ void take_reflectance(ElementReader& reader, std::vector<Requirement>& requireme
   const double reflectance = read_field_reflectance(reader);
   bool is_of_use = false;
   for (Requirement& requirement : requirements) {
-    if (requirement.metric != Metric::glare_rating) continue;
-    requirement.field_reflectance = reflectance;
+    auto* field = std::get_if<LitField>(&requirement.arguments);
+    if (field == nullptr) continue;
+    field->reflectance = reflectance;
     is_of_use = true;
   }
   if (!is_of_use && reader.ok()) report_unfit(reader, kReflectance, "a row that asks for no GR");

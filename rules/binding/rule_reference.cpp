@@ -172,8 +172,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                            const calc::SourceLocation& where) {
   Requirement requirement;
   requirement.metric = check.quantity->of_space.value_or(check.metric);
-  requirement.percent = check.percent;
-  requirement.range = check.range;
+  requirement.arguments = check.arguments_of(requirement.metric);
   requirement.comparison = check.comparison;
   requirement.limit = limit.status == LimitStatus::known ? limit.value.value
                                                          : std::numeric_limits<double>::quiet_NaN();

@@ -6,10 +6,12 @@
 #include "calc/base/names.h"
 #include "calc/base/xml_reader.h"
 #include "calc/scene/receiver_kernel.h"
+#include "rules/catalogue/metric_arguments.h"
 
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rules {
@@ -48,7 +50,9 @@ enum class MetricSource {
   neighbours,       // pairs of points
   space,            // the space alone: known before any light
   space_in_scene,   // the same, with the scene's levels: calculated without a sample
-  space_and_light,  // both
+  road,             // likewise, of the carriageway of a road
+  luminaires,       // likewise, of luminaires as such: what they send where, and where they are
+  space_and_light,  // the space, and values of the plane's points
 };
 
 // Which quantities of points it has a meaning for.
@@ -66,6 +70,7 @@ struct MetricRow {
   MetricDomain domain;              // beyond illuminances: compute_derived() measures it, too
   bool is_linear;                   // grows in proportion with the light
   calc::NumberRange ratio_limit{};  // of ratios: what may be required
+  MetricArguments arguments{};      // what it needs beside the light; only the kind counts
 };
 
 // In the order of the enumeration.
@@ -73,6 +78,7 @@ inline constexpr std::array kMetrics = [] {
   using enum Metric;
   using enum MetricSource;
   using enum MetricDomain;
+  constexpr calc::NumberRange kNone{};
   constexpr calc::NumberRange kShare{0.0, 1.0, false, "a ratio from 0 to 1"};
   constexpr calc::NumberRange kEdgeRatio{0.0, 10.0, false, "a ratio from 0 to 10"};
   constexpr calc::NumberRange kGradient{1.0, 1.0e9, false, "a ratio from 1 to 1e9"};
@@ -82,26 +88,28 @@ inline constexpr std::array kMetrics = [] {
       MetricRow{maximum, "maximum", "lx", values, all, true},
       MetricRow{uniformity_min_avg, "Uo", "", values, illuminances, false, kShare},
       MetricRow{uniformity_min_max, "Ud", "", values, illuminances, false, kShare},
-      MetricRow{percentile, "percentile", "lx", values, no_ratings, true},
-      MetricRow{value_at_point, "value", "lx", values, all, true},
-      MetricRow{share, "share", "", counted_values, all, false, kShare},
+      MetricRow{percentile, "percentile", "lx", values, no_ratings, true, kNone, Percentile{}},
+      MetricRow{value_at_point, "value", "lx", values, all, true, kNone, PointOfValue{}},
+      MetricRow{share, "share", "", counted_values, all, false, kShare, ValueRange{}},
       MetricRow{power_density, "power-density", "W/m2", space, all, false},
       MetricRow{power_per_100_lx, "power-per-100-lx", "W/m2/100lx", space_and_light, illuminances,
-                false},
+                false, kNone, SpacePower{}},
       MetricRow{leni, "LENI", "kWh/m2/a", space, all, false},
       MetricRow{gradient, "gradient", "", neighbours, illuminances, false, kGradient},
       MetricRow{ugr_table, "UGR-table", "", space_in_scene, all, false},
-      MetricRow{road_luminance, "road-luminance", "cd/m2", space_in_scene, all, true},
-      MetricRow{road_uniformity, "road-Uo", "", space_in_scene, all, false, kShare},
-      MetricRow{road_lengthwise, "road-Ul", "", space_in_scene, all, false, kShare},
-      MetricRow{threshold_increment, "TI", "%", space_in_scene, all, false},
-      MetricRow{edge_ratio, "REI", "", space_in_scene, all, false, kEdgeRatio},
-      MetricRow{glare_rating, "GR", "", space_and_light, illuminances, false},
-      MetricRow{upward_share, "ULR", "%", space_in_scene, all, false},
-      MetricRow{intensity, "intensity", "cd", space_in_scene, all, true},
-      MetricRow{glare_intensity, "glare-intensity", "cd", space_in_scene, all, true},
-      MetricRow{peak_intensity, "peak-intensity", "cd", space_in_scene, all, true},
-      MetricRow{luminaire_distance, "luminaire-distance", "m", space_in_scene, all, false},
+      MetricRow{road_luminance, "road-luminance", "cd/m2", road, all, true},
+      MetricRow{road_uniformity, "road-Uo", "", road, all, false, kShare},
+      MetricRow{road_lengthwise, "road-Ul", "", road, all, false, kShare},
+      MetricRow{threshold_increment, "TI", "%", road, all, false},
+      MetricRow{edge_ratio, "REI", "", road, all, false, kEdgeRatio},
+      MetricRow{glare_rating, "GR", "", space_and_light, illuminances, false, kNone, LitField{}},
+      MetricRow{upward_share, "ULR", "%", luminaires, all, false},
+      MetricRow{intensity, "intensity", "cd", luminaires, all, true},
+      MetricRow{glare_intensity, "glare-intensity", "cd", luminaires, all, true, kNone,
+                HeightRange{}},
+      MetricRow{peak_intensity, "peak-intensity", "cd", luminaires, all, true, kNone,
+                HeightRange{}},
+      MetricRow{luminaire_distance, "luminaire-distance", "m", luminaires, all, false},
   };
 }();
 
@@ -137,10 +145,14 @@ bool is_of_space_in_scene(Metric metric);
 bool is_of_light(Metric metric);
 // Of the carriageway of a road.
 bool is_of_road(Metric metric);
-// Of luminaires as such: what they send where, and where they are.
+// Of luminaires as such.
 bool is_of_luminaires(Metric metric);
 // Of these: as seen from the plane's points.
 bool is_of_points(Metric metric);
+// Of these: of the luminaires that hang at certain heights.
+constexpr bool has_mounting_heights(Metric metric) {
+  return std::holds_alternative<HeightRange>(metric_row(metric).arguments);
+}
 // Whether points that measure this have it.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 

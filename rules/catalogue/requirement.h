@@ -9,25 +9,18 @@
 #include "rules/catalogue/deviation.h"
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/metric.h"
+#include "rules/catalogue/metric_arguments.h"
 #include "rules/catalogue/policy.h"
 #include "rules/catalogue/row_level.h"
 
-#include <glm/glm.hpp>
-
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rules {
-
-// Both ends belong to it.
-struct ValueRange {
-  double from = 0.0;
-  double to = std::numeric_limits<double>::infinity();
-};
 
 enum class Comparison { at_least, at_most, more_than, less_than };
 
@@ -70,17 +63,9 @@ struct Requirement {
   std::string was;  // its id in earlier revisions of the project; "" = the same
   Metric metric = Metric::average;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
-  double percent = 0.0;                                         // of Metric::percentile, [0, 100]
-  std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
-  std::optional<glm::dvec3> facing;   // of that point: the way it looks, unit
-  // Of Metric::share, lx or plain as the points' values are. Of has_mounting_heights(): metres
-  // above the floor, of the luminaires that count; the upper end does not belong to it.
-  ValueRange range;
-  double power_density_w_m2 = 0.0;  // of Metric::power_per_100_lx: the space's
-  calc::Estimate of_space{};        // of a metric that is_of_space(): what it is
-  calc::Estimate veiling_cd_m2{};   // of Metric::glare_rating: the luminaires' veil
-  double field_reflectance = 0.0;   // of Metric::glare_rating, (0, 1]; 0: not stated
-  calc::Message stated_words{};     // what the project states that the value rests on
+  MetricArguments arguments;     // of the kind that the metric's row has
+  calc::Estimate of_space{};     // of a metric that is_of_space(): what it is
+  calc::Message stated_words{};  // what the project states that the value rests on
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
   LightState state = LightState::maintained;
@@ -106,6 +91,13 @@ struct Requirement {
   calc::SourceLocation where;
 };
 
+// The requirement's argument; the usual one of a requirement that has none of this kind.
+template <class Argument>
+Argument argument_of(const Requirement& requirement) {
+  const auto* argument = std::get_if<Argument>(&requirement.arguments);
+  return argument == nullptr ? Argument{} : *argument;
+}
+
 inline LimitSource source_of_pack(bool is_user_supplied) {
   return is_user_supplied ? LimitSource::user_pack : LimitSource::pack;
 }
@@ -120,11 +112,6 @@ inline std::optional<LightState> fixed_state(Metric metric) {
   if (is_of_road(metric) && metric != Metric::threshold_increment) return LightState::maintained;
   const bool is_new = is_of_space_in_scene(metric) || metric == Metric::glare_rating;
   return is_new ? std::optional(LightState::initial) : std::nullopt;
-}
-
-// Whether its range is one of heights of luminaires.
-constexpr bool has_mounting_heights(Metric metric) {
-  return metric == Metric::glare_intensity || metric == Metric::peak_intensity;
 }
 
 // Of the same row of a rule pack, on the same plane: the average that is asked of the area which

@@ -79,7 +79,7 @@ void mark_candidates(const DerivedPoints& points, const Indices& indices, Metric
 std::size_t rank_of(const Requirement& requirement, std::size_t count) {
   if (requirement.metric == Metric::minimum) return 1;
   if (requirement.metric == Metric::maximum) return count;
-  return percentile_rank(requirement.percent, count);
+  return percentile_rank(argument_of<Percentile>(requirement).percent, count);
 }
 
 }  // namespace
@@ -90,7 +90,8 @@ std::optional<DerivedEstimate> compute_derived(const DerivedPoints& points,
                                                std::optional<double> limit, double confidence) {
   const double alpha = 1.0 - confidence;
   if (requirement.metric == Metric::share) {
-    const ShareEstimate share = compute_share(points, requirement.range, confidence);
+    const ShareEstimate share =
+        compute_share(points, argument_of<ValueRange>(requirement), confidence);
     return DerivedEstimate{share.estimate, std::nullopt, share.open, 0, 0};
   }
   Indices indices = existing(points);

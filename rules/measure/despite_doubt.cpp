@@ -59,7 +59,7 @@ std::size_t rank_in(const Requirement& requirement, std::size_t count) {
     case Metric::gradient:
       return count;
     case Metric::percentile:
-      return percentile_rank(requirement.percent, count);
+      return percentile_rank(argument_of<Percentile>(requirement).percent, count);
     default:
       return 0;
   }

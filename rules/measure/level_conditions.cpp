@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -94,10 +95,11 @@ LevelConditions::LevelConditions(const Requirement& requirement, const calc::Sen
   std::vector<std::size_t> points = masked.points;
   if (requirement.metric == Metric::value_at_point) {
     // The nearest, as judging takes it; where that refuses, nothing passes.
+    const glm::dvec3 wanted_m = std::get<PointOfValue>(requirement.arguments).point_m.value();
     const auto nearest =
         std::min_element(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
-          return glm::length(grid.position_m[a] - requirement.point_m.value()) <
-                 glm::length(grid.position_m[b] - requirement.point_m.value());
+          return glm::length(grid.position_m[a] - wanted_m) <
+                 glm::length(grid.position_m[b] - wanted_m);
         });
     points = {*nearest};
   }

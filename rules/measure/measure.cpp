@@ -22,6 +22,7 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -90,14 +91,14 @@ constexpr double kSameLook = 0.9998;  // cosine: about a degree
 // Which of the points that stand at the place of point `nearest` looks as asked for; only a list
 // has more than one. Empty, with the reason: none, or it is not said which.
 std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_t nearest,
-                                        const Requirement& requirement, calc::Message& reason) {
-  if (grid.columns > 0 && !requirement.facing) return nearest;
-  const glm::dvec3& wanted_m = requirement.point_m.value();
+                                        const PointOfValue& asked, calc::Message& reason) {
+  if (grid.columns > 0 && !asked.facing) return nearest;
+  const glm::dvec3& wanted_m = asked.point_m.value();
   const auto looks_like = [&](std::size_t i, const glm::dvec3& look) {
     return grid.kernel == calc::ReceiverKernel::scalar ||
            glm::dot(grid.normal[i], look) >= kSameLook;
   };
-  const glm::dvec3 look = requirement.facing.value_or(grid.normal[nearest]);
+  const glm::dvec3 look = asked.facing.value_or(grid.normal[nearest]);
   std::vector<std::size_t> there{nearest};
   for (std::size_t i = 0; grid.columns == 0 && i < grid.position_m.size(); ++i) {
     if (i != nearest && is_near(grid, i, wanted_m)) there.push_back(i);
@@ -110,8 +111,8 @@ std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_
   }
   const auto found =
       std::find_if(there.begin(), there.end(), [&](std::size_t i) { return looks_like(i, look); });
-  if (is_clear || (requirement.facing && found != there.end())) return *found;
-  reason = requirement.facing
+  if (is_clear || (asked.facing && found != there.end())) return *found;
+  reason = asked.facing
                ? calc::say<calc::Sentence::no_such_look>(point_text(wanted_m), direction_text(look),
                                                          looks)
                : calc::say<calc::Sentence::looks_differ>(there.size(), point_text(wanted_m), looks);
@@ -198,8 +199,9 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   result.points_used = points.points();
   Requirement requirement = request.requirement;
   // Ratings below 0 exist; a range without a lower end holds them.
-  if (!(requirement.range.from > 0.0)) {
-    requirement.range.from = -std::numeric_limits<double>::infinity();
+  auto* range = std::get_if<ValueRange>(&requirement.arguments);
+  if (range != nullptr && !(range->from > 0.0)) {
+    range->from = -std::numeric_limits<double>::infinity();
   }
   const auto limit =
       request.goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
@@ -420,20 +422,20 @@ Measurement measure_of_average(const Requirement& requirement, const calc::Senso
   return result;
 }
 
-OfAverage power_per_100_lx(const Requirement& requirement) {
-  const auto at = [&requirement](double average_lx) {
-    return calc::power_per_100_lx_w_m2(requirement.power_density_w_m2, average_lx);
+OfAverage power_per_100_lx(const SpacePower& power) {
+  const auto at = [power](double average_lx) {
+    return calc::power_per_100_lx_w_m2(power.density_w_m2, average_lx);
   };
   return {at, at, at};
 }
 
-OfAverage field_glare(const Requirement& requirement) {
-  const auto at = [&requirement](double veiling_cd_m2) {
-    return [&requirement, veiling_cd_m2](double average_lx) {
-      return calc::field_glare(veiling_cd_m2, average_lx, requirement.field_reflectance);
+OfAverage field_glare(const LitField& field) {
+  const auto at = [reflectance = field.reflectance](double veiling_cd_m2) {
+    return [reflectance, veiling_cd_m2](double average_lx) {
+      return calc::field_glare(veiling_cd_m2, average_lx, reflectance);
     };
   };
-  const calc::Estimate& veiling = requirement.veiling_cd_m2;
+  const calc::Estimate& veiling = field.veiling_cd_m2;
   return {at(veiling.low), at(veiling.value), at(veiling.high)};
 }
 
@@ -449,9 +451,8 @@ Measurement no_veil(const calc::SensorGrid& grid) {
 }
 
 // What is not of the average in a rating of a field.
-void add_readings(const Requirement& requirement, Measurement& result) {
+void add_readings(const calc::Estimate& veiling, Measurement& result) {
   if (calc::is_nothing(result.metric->estimate)) result.without_replicate.clear();
-  const calc::Estimate& veiling = requirement.veiling_cd_m2;
   if (!(veiling.low < veiling.high)) return;
   result.remark = veiling.low > 0.0 ? readings_words(veiling)
                                     : calc::say<calc::Sentence::luminaires_may_be_hidden>();
@@ -470,26 +471,82 @@ const std::vector<std::pair<std::string, double>>* levels_of(
 
 namespace {
 
-Measurement measure_as_sampled(const Requirement& requirement, const calc::SensorGrid& grid,
-                               const calc::PlaneField& field,
-                               const std::vector<calc::LightScene>& scenes, double confidence,
-                               Goal goal) {
-  if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
-  if (is_of_space(requirement.metric)) return known_of_space(requirement, grid);
-  if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
-    const bool is_glare = requirement.metric == Metric::glare_rating;
-    const bool is_all_there = requirement.origin.pack.empty() || !(grid.missed_m2 > 0.0);
-    if (is_glare && is_all_there && requirement.veiling_cd_m2.high == 0.0) return no_veil(grid);
-    Measurement result =
-        measure_of_average(requirement, grid, field, scenes, confidence, goal,
-                           is_glare ? field_glare(requirement) : power_per_100_lx(requirement));
-    if (is_glare && result.metric) add_readings(requirement, result);
+Measurement measure_space_and_light(const Requirement& requirement, const calc::SensorGrid& grid,
+                                    const calc::PlaneField& field,
+                                    const std::vector<calc::LightScene>& scenes, double confidence,
+                                    Goal goal) {
+  const auto of_average = [&](const OfAverage& with) {
+    return measure_of_average(requirement, grid, field, scenes, confidence, goal, with);
+  };
+  if (const auto* power = std::get_if<SpacePower>(&requirement.arguments)) {
+    return of_average(power_per_100_lx(*power));
+  }
+  const auto& lit = std::get<LitField>(requirement.arguments);
+  const bool is_all_there = requirement.origin.pack.empty() || !(grid.missed_m2 > 0.0);
+  if (is_all_there && lit.veiling_cd_m2.high == 0.0) return no_veil(grid);
+  Measurement result = of_average(field_glare(lit));
+  if (result.metric) add_readings(lit.veiling_cd_m2, result);
+  return result;
+}
+
+// Of the masked points, and of their values: `active` is of one receiver per point.
+using MeasureOfValues = Measurement (*)(const PointValues& values, const MaskedPoints& masked,
+                                        const calc::SensorGrid& grid,
+                                        const DerivedRequest& request);
+
+Measurement measure_share(const PointValues& values, const MaskedPoints& masked,
+                          const calc::SensorGrid& grid, const DerivedRequest& request) {
+  const ShareEstimate share = compute_share(
+      values, std::get<ValueRange>(request.requirement.arguments), request.confidence);
+  Measurement result;
+  result.points_used = values.points;
+  result.metric = MetricEstimate{share.estimate, std::nullopt};
+  result.active = spread_marks(share.open, masked.points, grid.position_m.size());
+  return result;
+}
+
+Measurement measure_statistic(const PointValues& values, const MaskedPoints& masked,
+                              const calc::SensorGrid& grid, const DerivedRequest& request) {
+  const auto& [requirement, point, confidence, goal, derived] = request;
+  const Metric metric = requirement.metric;
+  const double percent = argument_of<Percentile>(requirement).percent;
+  const bool is_uniformity =
+      metric == Metric::uniformity_min_avg || metric == Metric::uniformity_min_max;
+  if (is_uniformity && values.points == 1) {
+    return nothing_to_measure(calc::say<calc::Sentence::one_point>());
+  }
+  Measurement result;
+  result.points_used = values.points;
+  result.metric = compute_metric(values, metric, percent, point, confidence);
+  if (!result.metric) {
+    result.reason = undefined_text(metric);
+    result.unseen_points = static_cast<std::size_t>(
+        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
     return result;
   }
+  result.without_replicate = without_each_replicate(values, metric, percent, point);
+  const auto limit =
+      goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
+  Candidates candidates =
+      find_candidates(values, metric, percent, point, result.metric->estimate, limit, confidence);
+  const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
+  result.unseen_points = doubtful.unseen;
+  result.single_sample_points = doubtful.single_sample;
+  result.largest_share = doubtful.largest_share;
+  if (doubtful.unseen + doubtful.single_sample > 0) {
+    result.despite_doubt = despite_doubt(values, requirement, confidence);
+  }
+  result.active = spread_marks(candidates.active, masked.points, grid.position_m.size());
+  place_in_grid(masked, result.metric);
+  place_in_grid(masked, result.despite_doubt);
+  return result;
+}
+
+Measurement measure_points(const Requirement& requirement, const calc::SensorGrid& grid,
+                           const calc::PlaneField& field,
+                           const std::vector<calc::LightScene>& scenes, double confidence,
+                           Goal goal, MeasureOfValues measure_values) {
   if (requirement.any_one_unit_out) {
-    if (metric_row(requirement.metric).source == MetricSource::neighbours) {
-      return nothing_to_measure(calc::say<calc::Sentence::neighbours_in_outage>());
-    }
     return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
   }
   // What a rule requires of an area it requires of all of it.
@@ -502,7 +559,8 @@ Measurement measure_as_sampled(const Requirement& requirement, const calc::Senso
   }
   std::optional<std::size_t> point;
   if (requirement.metric == Metric::value_at_point) {
-    const glm::dvec3 wanted_m = requirement.point_m.value();
+    const auto& asked = std::get<PointOfValue>(requirement.arguments);
+    const glm::dvec3 wanted_m = asked.point_m.value();
     point = point_at(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
     if (!is_near(grid, *point, wanted_m)) {
@@ -511,7 +569,7 @@ Measurement measure_as_sampled(const Requirement& requirement, const calc::Senso
           point_text(nearest_m) + off_plane_text(grid, *point, wanted_m)));
     }
     calc::Message reason;
-    point = point_facing(grid, *point, requirement, reason);
+    point = point_facing(grid, *point, asked, reason);
     if (!point) return nothing_to_measure(reason);
   }
   const MaskedPoints masked = apply_mask(requirement.mask, grid);
@@ -523,73 +581,56 @@ Measurement measure_as_sampled(const Requirement& requirement, const calc::Senso
   PointValues receivers =
       combine_channels(field, requirement.state, *levels,
                        requirement.direct_only ? LightParts::direct : LightParts::all);
-  const std::size_t parts = calc::receivers_per_point(grid.derived);
   if (!is_metric_of(requirement.metric, grid.derived)) {
     return nothing_to_measure(calc::say<calc::Sentence::no_statistic>());
   }
+  const DerivedRequest request{requirement, point, confidence, goal, grid.derived};
+  Measurement result;
   if (calc::is_plain_number(grid.derived)) {
-    const DerivedRequest request{requirement, point, confidence, goal, grid.derived};
-    Measurement result =
-        grid.derived == calc::DerivedQuantity::ugr
-            ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,
-                            masked, request)
-            : measure_modelling(receivers, masked, request);
+    result = grid.derived == calc::DerivedQuantity::ugr
+                 ? measure_glare(field, channel_weights(field, requirement.state, *levels),
+                                 receivers, masked, request)
+                 : measure_modelling(receivers, masked, request);
     place_in_grid(masked, result.metric);
     place_in_grid(masked, result.despite_doubt);
-    if (result.active.empty()) return result;
-    result.active =
-        repeated(spread_marks(result.active, masked.points, grid.position_m.size()), parts);
-    return result;
+    if (!result.active.empty()) {
+      result.active = spread_marks(result.active, masked.points, grid.position_m.size());
+    }
+  } else {
+    if (grid.derived == calc::DerivedQuantity::four_planes) {
+      receivers = mean_of_four_planes(receivers);
+    }
+    result = measure_values(select_points(receivers, masked.points), masked, grid, request);
   }
-  if (grid.derived == calc::DerivedQuantity::four_planes)
-    receivers = mean_of_four_planes(receivers);
-  const PointValues values = select_points(receivers, masked.points);
-  Measurement result;
-  result.points_used = values.points;
-  const Metric metric = requirement.metric;
-  const bool is_uniformity =
-      metric == Metric::uniformity_min_avg || metric == Metric::uniformity_min_max;
-  if (is_uniformity && values.points == 1) {
-    return nothing_to_measure(calc::say<calc::Sentence::one_point>());
-  }
-  const MetricSource source = metric_row(metric).source;
-  if (source == MetricSource::counted_values) {
-    const ShareEstimate share = compute_share(values, requirement.range, confidence);
-    result.metric = MetricEstimate{share.estimate, std::nullopt};
-    result.active =
-        repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
-    return result;
-  }
-  if (source == MetricSource::neighbours) {
-    result = measure_gradient(values, masked, grid,
-                              {requirement, std::nullopt, confidence, goal, grid.derived});
-    result.active = repeated(result.active, parts);
-    return result;
-  }
-  result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
-  if (!result.metric) {
-    result.reason = undefined_text(metric);
-    result.unseen_points = static_cast<std::size_t>(
-        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
-    return result;
-  }
-  result.without_replicate = without_each_replicate(values, metric, requirement.percent, point);
-  const auto limit =
-      goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
-  Candidates candidates = find_candidates(values, metric, requirement.percent, point,
-                                          result.metric->estimate, limit, confidence);
-  const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
-  result.unseen_points = doubtful.unseen;
-  result.single_sample_points = doubtful.single_sample;
-  result.largest_share = doubtful.largest_share;
-  if (doubtful.unseen + doubtful.single_sample > 0) {
-    result.despite_doubt = despite_doubt(values, requirement, confidence);
-  }
-  result.active =
-      repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
-  place_in_grid(masked, result.metric);
-  place_in_grid(masked, result.despite_doubt);
+  result.active = repeated(result.active, calc::receivers_per_point(grid.derived));
   return result;
+}
+
+Measurement measure_as_sampled(const Requirement& requirement, const calc::SensorGrid& grid,
+                               const calc::PlaneField& field,
+                               const std::vector<calc::LightScene>& scenes, double confidence,
+                               Goal goal) {
+  if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
+  const auto of_points = [&](MeasureOfValues measure_values) {
+    return measure_points(requirement, grid, field, scenes, confidence, goal, measure_values);
+  };
+  switch (metric_row(requirement.metric).source) {
+    case MetricSource::values:
+      return of_points(measure_statistic);
+    case MetricSource::counted_values:
+      return of_points(measure_share);
+    case MetricSource::neighbours:
+      if (!requirement.any_one_unit_out) return of_points(measure_gradient);
+      return nothing_to_measure(calc::say<calc::Sentence::neighbours_in_outage>());
+    case MetricSource::space:
+    case MetricSource::space_in_scene:
+    case MetricSource::road:
+    case MetricSource::luminaires:
+      return known_of_space(requirement, grid);
+    case MetricSource::space_and_light:
+      break;
+  }
+  return measure_space_and_light(requirement, grid, field, scenes, confidence, goal);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The share of a plane's points whose value lies in a range.
 
 #include "calc/base/field.h"
-#include "rules/catalogue/requirement.h"
+#include "rules/catalogue/metric_arguments.h"
 #include "rules/measure/derived_points.h"
 #include "rules/measure/metrics.h"
 

@@ -144,6 +144,14 @@ const RuleSpecial* RuleCheck::find_special(calc::SpecialPlace place, const RuleR
   return nullptr;
 }
 
+MetricArguments RuleCheck::arguments_of(Metric measured) const {
+  MetricArguments arguments = metric_row(measured).arguments;
+  if (auto* of = std::get_if<Percentile>(&arguments)) *of = {percent};
+  if (auto* values = std::get_if<ValueRange>(&arguments)) *values = range;
+  if (auto* heights = std::get_if<HeightRange>(&arguments)) *heights = {range.from, range.to};
+  return arguments;
+}
+
 const RuleCheck* RulePack::find_check(std::string_view check_id) const {
   return find_item(checks, check_id, &RuleCheck::id);
 }

@@ -210,6 +210,8 @@ struct RuleCheck {
   // For this place and row (null: none was chosen); null: it has none.
   const RuleSpecial* find_special(calc::SpecialPlace place, const RuleRow* row) const;
 
+  // As far as a check says them, of a requirement that measures this.
+  MetricArguments arguments_of(Metric measured) const;
   // Of a quantity of the space that counts luminaires by their height.
   bool has_mounting_heights() const {
     return quantity->of_space && rules::has_mounting_heights(*quantity->of_space);

@@ -32,7 +32,24 @@ enum class RoleState {
 // is waived.
 RoleState state_of(Outcome outcome, bool has_waived);
 // Something is asked for, and this is what it came to.
-constexpr bool is_of_findings(RoleState state) { return state <= RoleState::waived; }
+constexpr bool is_of_findings(RoleState state) {
+  switch (state) {
+    case RoleState::met:
+    case RoleState::failed:
+    case RoleState::undecided:
+    case RoleState::not_judged:
+    case RoleState::waived:
+      return true;
+    case RoleState::left_out:
+    case RoleState::left_out_ended:
+    case RoleState::not_made:
+    case RoleState::not_possible:
+    case RoleState::never_asked:
+    case RoleState::asked_in_part:
+      break;
+  }
+  return false;
+}
 // A role, or a part of it, that the project leaves out.
 struct LeftOutZone {
   std::string zone;  // "ceiling", "wall.2"

@@ -43,7 +43,9 @@ Outcome outcome_of(const Finding& finding);
 Outcome outcome_of(const AggregateFinding& finding);
 
 // It counts for the exit code: it is asked for and not waived.
-constexpr bool counts(Outcome outcome) { return outcome < Outcome::waived; }
+constexpr bool counts(Outcome outcome) {
+  return outcome != Outcome::waived && outcome != Outcome::nothing_asked;
+}
 
 // Of two together. Outcome::nothing_asked changes nothing.
 constexpr Outcome graver(Outcome a, Outcome b) { return std::min(a, b); }

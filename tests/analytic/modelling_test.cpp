@@ -27,10 +27,10 @@ calc::SensorGrid grid_of(calc::DerivedQuantity derived, std::vector<glm::dvec3> 
 }
 
 calc::Estimate measured(const calc::SensorGrid& grid, const calc::PlaneField& field, Metric metric,
-                        rules::ValueRange range = {}) {
+                        const rules::MetricArguments& arguments = {}) {
   rules::Requirement requirement;
   requirement.metric = metric;
-  requirement.range = range;
+  requirement.arguments = arguments;
   requirement.derived = grid.derived;
   requirement.state = rules::LightState::initial;
   const rules::Measurement m = rules::measure(requirement, grid, field, {}, 0.95);
@@ -51,8 +51,8 @@ TEST(Modelling, OfAPointSourceIsTanOverPi) {
   EXPECT_NEAR(most.value, 1.0 / calc::kPi, 1e-9);
   EXPECT_EQ(most.low, most.high);
   EXPECT_NEAR(measured(grid, field, Metric::minimum).value, 0.5 / calc::kPi, 1e-9);
-  EXPECT_EQ(measured(grid, field, Metric::share, {0.30, 0.60}).value, 0.5);
-  EXPECT_EQ(measured(grid, field, Metric::share, {0.10, 0.60}).value, 1.0);
+  EXPECT_EQ(measured(grid, field, Metric::share, rules::ValueRange{0.30, 0.60}).value, 0.5);
+  EXPECT_EQ(measured(grid, field, Metric::share, rules::ValueRange{0.10, 0.60}).value, 1.0);
 }
 
 // The errors of Ez and Eh at a point have their light in common: the ratio is known better than

@@ -25,7 +25,7 @@ struct Quantity {
   calc::ReceiverKernel kernel;
   calc::DerivedQuantity derived;
   Metric metric;
-  rules::ValueRange range;
+  rules::MetricArguments arguments;
   int most;  // that may be covered: kSeeds for intervals that are conservative by design
 };
 
@@ -63,7 +63,7 @@ TEST_P(QuantityCoverage, IsNominalOrMore) {
   const calc::SensorGrid grid = grid_of(quantity);
   rules::Requirement requirement;
   requirement.metric = quantity.metric;
-  requirement.range = quantity.range;
+  requirement.arguments = quantity.arguments;
   requirement.derived = quantity.derived;
   const auto measured = [&](const calc::SpaceSolution& run) {
     const rules::Measurement m = rules::measure(requirement, grid, run.fields[0], {}, 0.95);
@@ -101,12 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
                  Metric::average,
                  {},
                  kSeeds - 1},
-        Quantity{"ModellingShare",
-                 kCylinder,
-                 calc::DerivedQuantity::modelling,
-                 Metric::share,
-                 {0.30, 0.45},
-                 kSeeds},
+        Quantity{"ModellingShare", kCylinder, calc::DerivedQuantity::modelling, Metric::share,
+                 rules::ValueRange{0.30, 0.45}, kSeeds},
         Quantity{"ModellingMaximum",
                  kCylinder,
                  calc::DerivedQuantity::modelling,

@@ -18,6 +18,7 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <variant>
 
 namespace cli {
 namespace {
@@ -118,8 +119,9 @@ bool take_points(const RoomQuestions& questions, const std::string& scene, const
   }
   std::vector<std::size_t> chosen;
   if (requirement.metric == rules::Metric::value_at_point) {
+    const auto& asked_at = std::get<rules::PointOfValue>(requirement.arguments);
     const auto distance = [&](std::size_t point) {
-      return glm::length(light.grid.position_m[point] - requirement.point_m.value());
+      return glm::length(light.grid.position_m[point] - asked_at.point_m.value());
     };
     const auto nearest =
         std::min_element(masked.points.begin(), masked.points.end(),

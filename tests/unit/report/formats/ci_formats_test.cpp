@@ -55,7 +55,7 @@ Document every_verdict() {
   waived.is_waived = true;
   waived.reason = calc::Message::words("waived by A. Client until 2030-12-31: old hall");
   rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum);
-  advice.requirement.percent = 5;
+  advice.requirement.arguments = rules::Percentile{5};
   advice.requirement.severity = rules::Severity::advice;
   advice.requirement.where = at(26);
   plane.findings.push_back(undecided);

@@ -95,7 +95,7 @@ TEST(Csv, PercentileNamesItsShare) {
   rules::Requirement& requirement =
       document.projects[0].spaces[0].planes[0].findings[0].requirement;
   requirement.metric = rules::Metric::percentile;
-  requirement.percent = 12.5;
+  requirement.arguments = rules::Percentile{12.5};
   EXPECT_THAT(rendered("csv", document), HasSubstr(",percentile,12.5,lx,"));
 }
 

@@ -93,8 +93,9 @@ Document rich_document() {
         rules::Metric::power_per_100_lx, rules::Metric::value_at_point, rules::Metric::maximum,
         rules::Metric::uniformity_min_max}) {
     plane.findings.push_back(sample_finding(metric, 0.5, estimate(0.4, 0.01)));
-    plane.findings.back().requirement.percent = 5;
-    plane.findings.back().requirement.range = {300, 500};
+    rules::MetricArguments& arguments = plane.findings.back().requirement.arguments;
+    if (metric == rules::Metric::percentile) arguments = rules::Percentile{5};
+    if (metric == rules::Metric::share) arguments = rules::ValueRange{300, 500};
   }
   for (int look = 0; look < 3; ++look) {
     PlaneLook taken{1024ULL << look, 4096, plane.points.size(), plane.average, {}};

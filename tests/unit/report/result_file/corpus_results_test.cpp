@@ -72,8 +72,7 @@ rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& c
   rules::Requirement& requirement = finding.requirement;
   requirement.metric = metric_of(check);
   requirement.derived = check.quantity->derived;
-  requirement.percent = check.percent;
-  requirement.range = check.range;
+  requirement.arguments = check.arguments_of(requirement.metric);
   requirement.comparison = check.comparison;
   requirement.limit = limit.value.value;
   requirement.policy = pack.policy;

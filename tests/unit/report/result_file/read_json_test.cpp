@@ -53,15 +53,15 @@ Document rich_document() {
   plane.single_sample_points = 2;
   plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};
   rules::Finding value = sample_finding(rules::Metric::value_at_point, 10, estimate(12, 1));
-  value.requirement.point_m = {1, 2, 3};
+  value.requirement.arguments = rules::PointOfValue{glm::dvec3{1, 2, 3}, {}};
   value.requirement.origin = {"own:1", "middle", "1", {}, {}, {}, true};
   value.requirement.scene = "night";
   value.requirement.state = rules::LightState::initial;
   value.requirement.comparison = rules::Comparison::at_most;
   rules::Finding percentile = sample_finding(rules::Metric::percentile, 10, estimate(12, 1));
-  percentile.requirement.percent = 5;
+  percentile.requirement.arguments = rules::Percentile{5};
   rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
-  share.requirement.range.from = 300;
+  share.requirement.arguments = rules::ValueRange{300};
   share.requirement.comparison = rules::Comparison::more_than;
   share.requirement.state = rules::LightState::end_of_duration;
   share.requirement.note = calc::Message::words("unverified requirement");
@@ -196,7 +196,7 @@ Document rated_document() {
   plane.points[0].measured = no_estimate();
   rules::Finding maximum = sample_finding(rules::Metric::maximum, 19, estimate(18.5, 0.25));
   rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
-  share.requirement.range.to = 19;
+  share.requirement.arguments = rules::ValueRange{0, 19};
   plane.findings = {maximum, share};
   for (rules::Finding& finding : plane.findings) {
     finding.requirement.derived = plane.derived;

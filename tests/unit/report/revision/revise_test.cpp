@@ -343,11 +343,12 @@ INSTANTIATE_TEST_SUITE_P(
                        finding(d).requirement.stated_words = calc::Message::words("surface R1");
                      },
                      {"exchanged stated"}},
-        QuestionCase{"ExactPoint",
-                     [](Document& d) {
-                       finding(d).requirement.point_m = glm::dvec3{1, 1, 1};
-                     },
-                     {"exchanged quantity"}},
+        QuestionCase{
+            "ExactPoint",
+            [](Document& d) {
+              finding(d).requirement.arguments = rules::PointOfValue{glm::dvec3{1, 1, 1}, {}};
+            },
+            {"exchanged quantity"}},
         QuestionCase{"RequirementGone",
                      [](Document& d) { plane(d).findings.pop_back(); },
                      {"weaker requirement"}},

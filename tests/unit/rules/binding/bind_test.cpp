@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace rules::bind_test {
@@ -123,7 +124,7 @@ TEST(BindRequirements, ReadsEveryAttribute) {
                                            {"clause", "contract 4.2"}});
   EXPECT_EQ(r.id, "glare-limit");
   EXPECT_EQ(r.metric, Metric::percentile);
-  EXPECT_EQ(r.percent, 90);
+  EXPECT_EQ(std::get<Percentile>(r.arguments).percent, 90);
   EXPECT_EQ(r.comparison, Comparison::at_most);
   EXPECT_EQ(r.limit, 2000);
   EXPECT_EQ(r.state, LightState::initial);
@@ -140,12 +141,12 @@ TEST(BindRequirements, ConvertsFootcandles) {
 TEST(BindRequirements, ReadsAPointInWorldCoordinates) {
   const Requirement r =
       bound_requirement({{"quantity", "value"}, {"at", "1.5 -2 0.75"}, {"at-least", "300"}});
-  ASSERT_TRUE(r.point_m.has_value());
-  EXPECT_EQ(*r.point_m, glm::dvec3(1.5, -2, 0.75));
-  EXPECT_FALSE(r.facing);
+  const auto& at = std::get<PointOfValue>(r.arguments);
+  EXPECT_EQ(at.point_m, glm::dvec3(1.5, -2, 0.75));
+  EXPECT_FALSE(at.facing);
   const Requirement up = bound_requirement(
       {{"quantity", "value"}, {"at", "1 2 3"}, {"facing", "0 0 5"}, {"at-least", "300"}});
-  EXPECT_EQ(up.facing, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(std::get<PointOfValue>(up.arguments).facing, glm::dvec3(0, 0, 1));
 }
 
 TEST(BindRequirements, TakesTheEndsOfRanges) {
@@ -367,8 +368,8 @@ TEST(BindRequirements, ReadsAShareAndItsRange) {
   const Requirement r =
       bound_requirement({{"quantity", "share"}, {"from", "300"}, {"at-least", "0.9"}});
   EXPECT_EQ(r.metric, Metric::share);
-  EXPECT_EQ(r.range.from, 300);
-  EXPECT_FALSE(std::isfinite(r.range.to));
+  EXPECT_EQ(std::get<ValueRange>(r.arguments).from, 300);
+  EXPECT_FALSE(std::isfinite(std::get<ValueRange>(r.arguments).to));
   EXPECT_EQ(r.limit, 0.9);
 }
 
@@ -403,7 +404,7 @@ TEST(BindRequirements, ReadsLimitsOfRatingsAsPlainNumbers) {
       bind_derived(calc::DerivedQuantity::modelling,
                    {{"quantity", "share"}, {"from", "0.3"}, {"to", "0.6"}, {"at-least", "0.9"}});
   ASSERT_EQ(modelling.requirements.size(), 1u);
-  EXPECT_EQ(modelling.requirements[0].range.to, 0.6);
+  EXPECT_EQ(std::get<ValueRange>(modelling.requirements[0].arguments).to, 0.6);
 }
 
 TEST(BindRequirements, TakesGlareAndModellingOfRows) {

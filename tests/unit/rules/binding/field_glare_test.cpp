@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace rules::field_glare_test {
@@ -56,9 +57,11 @@ TEST(FieldGlareRequirement, HasTheVeilAndSaysHow) {
   EXPECT_EQ(full.problem, "");
   EXPECT_EQ(full.metric, Metric::glare_rating);
   EXPECT_EQ(full.state, LightState::initial);
-  EXPECT_EQ(full.field_reflectance, 0.2);
-  EXPECT_GT(full.veiling_cd_m2.value, 0.0);
-  EXPECT_NEAR(field.requirements[1].veiling_cd_m2.value, 0.5 * full.veiling_cd_m2.value, 1e-12);
+  const auto& lit = std::get<LitField>(full.arguments);
+  const auto& dimmed = std::get<LitField>(field.requirements[1].arguments);
+  EXPECT_EQ(lit.reflectance, 0.2);
+  EXPECT_GT(lit.veiling_cd_m2.value, 0.0);
+  EXPECT_NEAR(dimmed.veiling_cd_m2.value, 0.5 * lit.veiling_cd_m2.value, 1e-12);
   EXPECT_THAT(full.note.english(),
               HasSubstr("a field of reflectance 0.2, which is not calculated but stated"));
   EXPECT_STREQ(unit_of(full), "");

@@ -17,6 +17,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace rules::despite_doubt_test {
@@ -29,7 +30,7 @@ Requirement required(Metric metric, Comparison comparison, double limit, double 
   requirement.metric = metric;
   requirement.comparison = comparison;
   requirement.limit = limit;
-  requirement.percent = percent;
+  if (metric == Metric::percentile) requirement.arguments = Percentile{percent};
   return requirement;
 }
 
@@ -208,7 +209,8 @@ double statistic(std::vector<double> values, const Requirement& requirement) {
       // The smallest value that `percent` % of the points do not exceed.
       std::size_t rank = 1;
       while (100.0 * static_cast<double>(rank) <
-             requirement.percent * static_cast<double>(values.size())) {
+             std::get<Percentile>(requirement.arguments).percent *
+                 static_cast<double>(values.size())) {
         ++rank;
       }
       return values[rank - 1];

@@ -61,7 +61,7 @@ TEST(Measure, AValueIsThatOfAPlaceInThePlane) {
     Requirement requirement = minimum_at_least(1);
     requirement.metric = Metric::value_at_point;
     requirement.direct_only = true;
-    requirement.point_m = grid.position_m[6] + off_m;
+    requirement.arguments = PointOfValue{grid.position_m[6] + off_m, {}};
     return measure(requirement, grid, field_of_twelve(), {}, 0.95);
   };
   const glm::dvec3 across = glm::cross(grid.u, grid.v);
@@ -113,12 +113,12 @@ TEST(Measure, AValueUnderAMaskIsThatOfItsPoint) {
   requirement.metric = Metric::value_at_point;
   requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
   requirement.direct_only = true;
-  requirement.point_m = grid.position_m[6];
+  requirement.arguments = PointOfValue{grid.position_m[6], {}};
   const Measurement inner = measure(requirement, grid, field_of_twelve(), {}, 0.95);
   ASSERT_TRUE(inner.metric.has_value());
   EXPECT_EQ(inner.metric->estimate.value, 7.0);
   EXPECT_EQ(inner.metric->point, 6u);
-  requirement.point_m = grid.position_m[0];
+  requirement.arguments = PointOfValue{grid.position_m[0], {}};
   const Measurement outer = measure(requirement, grid, field_of_twelve(), {}, 0.95);
   EXPECT_FALSE(outer.metric.has_value());
   EXPECT_EQ(outer.reason, "the requirement's mask leaves the point out");
@@ -127,7 +127,7 @@ TEST(Measure, AValueUnderAMaskIsThatOfItsPoint) {
 TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
   Requirement requirement = minimum_at_least(1);
   requirement.metric = Metric::power_per_100_lx;
-  requirement.power_density_w_m2 = 13.0;
+  requirement.arguments = SpacePower{13.0};
   requirement.direct_only = true;
   const calc::Estimate exact =
       measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
@@ -156,8 +156,7 @@ TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
 TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
   Requirement requirement = minimum_at_least(1);
   requirement.metric = Metric::glare_rating;
-  requirement.veiling_cd_m2 = {1.0, 0.9, 1.2};
-  requirement.field_reflectance = 0.25;
+  requirement.arguments = LitField{0.25, {1.0, 0.9, 1.2}};
   Requirement average = requirement;
   average.metric = Metric::average;
   const calc::Estimate lx =
@@ -168,7 +167,7 @@ TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
   EXPECT_DOUBLE_EQ(glare.value, calc::field_glare(1.0, lx.value, 0.25));
   EXPECT_DOUBLE_EQ(glare.low, calc::field_glare(0.9, lx.high, 0.25));
   EXPECT_DOUBLE_EQ(glare.high, calc::field_glare(1.2, lx.low, 0.25));
-  requirement.veiling_cd_m2 = {};
+  requirement.arguments = LitField{0.25, {}};
   const Measurement none = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   EXPECT_EQ(none.nothing_there, "no luminaire shines to an eye that has it in view");
   EXPECT_TRUE(calc::is_nothing(none.metric->estimate));
@@ -179,7 +178,7 @@ TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
   requirement.origin.pack = "en12464-2:2014";
   EXPECT_FALSE(measure(requirement, part, field_of_twelve(), {}, 0.95).metric.has_value());
   requirement.origin.pack.clear();
-  requirement.veiling_cd_m2 = {0.0, 0.0, 1.2};  // by one reading there is none
+  requirement.arguments = LitField{0.25, {0.0, 0.0, 1.2}};  // by one reading there is none
   const Measurement perhaps = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   EXPECT_TRUE(calc::is_nothing(perhaps.metric->estimate));
   EXPECT_DOUBLE_EQ(perhaps.metric->estimate.high, calc::field_glare(1.2, lx.low, 0.25));
@@ -269,7 +268,7 @@ TEST(Measure, DoesNothingForWhatCannotBeJudged) {
 TEST(Measure, SharesOfPoints) {
   Requirement requirement = minimum_at_least(0.5);
   requirement.metric = Metric::share;
-  requirement.range.from = 7.0;
+  requirement.arguments = ValueRange{7.0};
   requirement.direct_only = true;
   const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   EXPECT_EQ(result.metric->estimate.value, 0.5);
@@ -296,7 +295,7 @@ TEST(Measure, AValueOnARouteIsOfTheCellAround) {
   const auto measured = [&](const glm::dvec3& at_m) {
     Requirement requirement = minimum_at_least(1);
     requirement.metric = Metric::value_at_point;
-    requirement.point_m = at_m;
+    requirement.arguments = PointOfValue{at_m, {}};
     return measure(requirement, grid, field, {}, 0.95);
   };
   const glm::dvec3 third = grid.position_m[2];

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <variant>
 
 namespace rules::judge_test {
 namespace {
@@ -306,7 +307,7 @@ TEST(Judge, FailsADarkPlaneWhereTheQuantityExists) {
 
 Requirement value_at(const glm::dvec3& point_m) {
   Requirement requirement = at_least(Metric::value_at_point, 200);
-  requirement.point_m = point_m;
+  requirement.arguments = PointOfValue{point_m, {}};
   return requirement;
 }
 
@@ -355,21 +356,22 @@ TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
   const calc::PlaneField field = exact_field({500, 300, 400});
   Requirement value = value_at(list.position_m[0]);
   value.limit = 350.0;
+  auto& facing = std::get<PointOfValue>(value.arguments).facing;
   const auto judged = [&] { return judge_plane({value}, list, field, {}, 0.95)[0]; };
   EXPECT_EQ(judged().verdict, Verdict::not_judged);
   EXPECT_EQ(judged().reason,
             "2 calculation points at (0.500, 0.250, 0.750) m look different ways, (0 0 1), (0 1 "
             "0): say with 'facing' which is meant");
-  value.facing = glm::dvec3(0, 0, 1);
+  facing = glm::dvec3(0, 0, 1);
   EXPECT_EQ(judged().verdict, Verdict::pass);
-  value.facing = glm::dvec3(0, 1, 0);
+  facing = glm::dvec3(0, 1, 0);
   EXPECT_EQ(judged().verdict, Verdict::fail) << "0.8 x 400 lx";
-  value.facing = glm::dvec3(1, 0, 0);
+  facing = glm::dvec3(1, 0, 0);
   EXPECT_EQ(judged().verdict, Verdict::not_judged);
   EXPECT_EQ(judged().reason,
             "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0): (0 0 1), (0 1 "
             "0)");
-  value.facing.reset();
+  facing.reset();
   list.normal[2] = {0, 0, 1};
   EXPECT_EQ(judged().verdict, Verdict::pass) << "twice the same point";
   list.normal[2] = {0, 1, 0};
@@ -379,9 +381,10 @@ TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
 
 TEST(Judge, APlaneLooksOneWayOnly) {
   Requirement value = value_at({0.5, 0.25, 0.75});
-  value.facing = glm::dvec3(0, 0, 1);
+  auto& facing = std::get<PointOfValue>(value.arguments).facing;
+  facing = glm::dvec3(0, 0, 1);
   EXPECT_EQ(judge(value, exact_field({500, 300, 400})).verdict, Verdict::pass);
-  value.facing = glm::dvec3(0, 0, -1);
+  facing = glm::dvec3(0, 0, -1);
   EXPECT_EQ(judge(value, exact_field({500, 300, 400})).verdict, Verdict::not_judged);
 }
 

@@ -138,7 +138,7 @@ TEST(VerdictGoal, WithoutRequirementsIsAccuracy) {
 
 TEST(VerdictGoal, DoesNotWaitForWhatDoesNotExist) {
   Requirement outside = at_least(Metric::value_at_point, 100);
-  outside.point_m = glm::dvec3(50, 50, 50);
+  outside.arguments = PointOfValue{glm::dvec3(50, 50, 50), {}};
   EXPECT_EQ(verdict_answer({outside}, field_with_spread(10)).finished, calc::StopReason::decided);
 }
 
@@ -291,7 +291,7 @@ TEST(AccuracyGoal, OfExactDarknessIsReached) {
 
 TEST(AccuracyGoal, OfAPlaceOutsideTheGridIsReached) {
   Requirement requirement = judged(Metric::value_at_point);
-  requirement.point_m = glm::dvec3(50, 50, 50);
+  requirement.arguments = PointOfValue{glm::dvec3(50, 50, 50), {}};
   EXPECT_TRUE(is_accurate_to(0.02, {requirement}, field_with_spread(100)));
 }
 
