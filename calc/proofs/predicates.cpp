@@ -136,8 +136,6 @@ ReflectionView find_reflection_view(const PreparedScene& scene, const PointSet& 
       view.sees_reflection[i] = farthest > height_m + offset_m ? 1 : 0;
     }
   }
-  view.seeing = static_cast<std::size_t>(
-      std::count(view.sees_reflection.begin(), view.sees_reflection.end(), 1));
   return view;
 }
 

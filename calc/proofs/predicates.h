@@ -19,8 +19,6 @@ bool no_reflection(const PreparedScene& scene);
 
 struct ReflectionView {
   std::vector<std::uint8_t> sees_reflection;  // [point]: 0 = proved that indirect light is 0 there
-  std::size_t seeing = 0;                     // points with 1
-  bool is_behind_plane() const { return seeing == 0; }
 };
 
 // Points in front of whose tangent plane no reflecting surface reaches. Proof: a planar receiver

@@ -72,7 +72,6 @@ class RouteCells {
   double offset_m(int row) const;                  // of the row's centres
   double station_m(int column) const;              // of the column's middle, on the centre line
   glm::dvec3 centre_m(int column, int row) const;  // at the height of the line
-  const RouteLeg& leg_of(int column) const { return legs_[place_of(column).leg]; }
   // From the first and up to the last end of the route, along the first and the last leg; infinite
   // on the others.
   double from_begin_m(int column, int row) const;

@@ -14,7 +14,6 @@
 namespace cli {
 
 inline constexpr std::size_t kHelpColumns = 80;
-inline constexpr std::size_t kShortHelpLines = 24;  // a screen
 
 // Something that help can be about: the program, a command or an action.
 struct Topic {

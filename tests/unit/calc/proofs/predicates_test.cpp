@@ -61,43 +61,46 @@ struct OverGround : ::testing::Test {
   calc::PreparedScene scene;
 };
 
+auto seeing(const calc::ReflectionView& view) {
+  return std::count(view.sees_reflection.begin(), view.sees_reflection.end(), 1);
+}
+
 TEST_F(OverGround, UpwardPointsSeeNoReflection) {
-  EXPECT_TRUE(view(work_plane(-5, 5, 1.0)).is_behind_plane());
-  EXPECT_TRUE(view(work_plane(-5, 5, 0.0)).is_behind_plane());  // in the ground
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0))), 0);
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 0.0))), 0);  // in the ground
 }
 
 TEST_F(OverGround, PointsUnderTheGroundOrTiltedPointsSeeIt) {
-  EXPECT_EQ(view(work_plane(-5, 5, -0.001)).seeing, 25u);
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, -0.001))), 25);
   calc::SensorGrid tilted = work_plane(-5, 5, 1.0);
   for (glm::dvec3& n : tilted.normal) n = glm::normalize(glm::dvec3(0.3, 0, 1));
-  EXPECT_EQ(view(tilted).seeing, 25u);
+  EXPECT_EQ(seeing(view(tilted)), 25);
 }
 
 TEST_F(OverGround, EachPointHasItsOwnAnswer) {
   calc::SensorGrid grid = work_plane(-5, 5, 1.0);
   grid.normal[7] = {0, 0, -1};
   const calc::ReflectionView answer = view(grid);
-  EXPECT_EQ(answer.seeing, 1u);
+  EXPECT_EQ(seeing(answer), 1);
   EXPECT_EQ(answer.sees_reflection[7], 1);
-  EXPECT_FALSE(answer.is_behind_plane());
 }
 
 TEST_F(OverGround, OnlyPlanarReceiversHaveABack) {
-  EXPECT_EQ(view(work_plane(-5, 5, 1.0), calc::ReceiverKernel::cylindrical).seeing, 25u);
-  EXPECT_EQ(view(work_plane(-5, 5, 1.0), calc::ReceiverKernel::scalar).seeing, 25u);
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0), calc::ReceiverKernel::cylindrical)), 25);
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0), calc::ReceiverKernel::scalar)), 25);
 }
 
 TEST_F(OverGround, OneReflectingCornerAMillimetreInFrontIsSeen) {
   test_support::add_triangle(scene, {0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 1.001}, 0.1);
-  EXPECT_EQ(view(work_plane(-5, 5, 1.0)).seeing, 25u);
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0))), 25);
   scene.reflectance.back() = 0.0;
-  EXPECT_TRUE(view(work_plane(-5, 5, 1.0)).is_behind_plane());
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0))), 0);
 }
 
 TEST_F(OverGround, WorldPositionsAreShiftedByTheOrigin) {
   scene.origin_m = {1000, 2000, 300};
-  EXPECT_EQ(view(work_plane(-5, 5, 1.0)).seeing, 25u);  // 299 m below the ground
-  EXPECT_TRUE(view(work_plane(-5, 5, 301.0)).is_behind_plane());
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 1.0))), 25);  // 299 m below the ground
+  EXPECT_EQ(seeing(view(work_plane(-5, 5, 301.0))), 0);
 }
 
 TEST(UnlitSurfaces, ASpotAimedAwayLightsNothingThatReflects) {

@@ -15,7 +15,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace report::warnings_test {
 namespace {
@@ -44,10 +43,6 @@ Document strict() {
   return document;
 }
 
-std::string rendered(const Document& document, std::string_view format) {
-  return rendered(format, document);
-}
-
 TEST(Warnings, AreInEveryFormatButPoints) {
   for (const Format& format : formats()) {
     if (is_table(format)) continue;
@@ -65,12 +60,12 @@ TEST(Warnings, AreInEveryFormatButPoints) {
 }
 
 TEST(Warnings, AreCountedInTheLastLineOfText) {
-  const std::string text = rendered(warned(), "text");
+  const std::string text = rendered("text", warned());
   EXPECT_TRUE(text.ends_with("\n1 requirement: 1 pass, 3 warnings\n")) << text;
   Document one = warned();
   one.projects[0].diagnostics.resize(1);
-  EXPECT_THAT(rendered(one, "text"), HasSubstr("1 requirement: 1 pass, 1 warning\n"));
-  EXPECT_TRUE(rendered(strict(), "text")
+  EXPECT_THAT(rendered("text", one), HasSubstr("1 requirement: 1 pass, 1 warning\n"));
+  EXPECT_TRUE(rendered("text", strict())
                   .ends_with("\n1 requirement: 1 pass, 3 warnings (that count: 2)\n"));
 }
 
@@ -83,18 +78,18 @@ TEST(Warnings, AreNotSaidTwiceOnATerminal) {
 }
 
 TEST(Warnings, AreRowsOfTheTable) {
-  EXPECT_THAT(rendered(warned(), "csv"),
+  EXPECT_THAT(rendered("csv", warned()),
               HasSubstr("\r\noffice.xml,,,light-leaves-room,,,,,,,,,,,,,warning,office.xml:7:3: "
                         "warning[light-leaves-room]: 16 % of the light is lost,,,,,,,,,,\r\n"));
-  EXPECT_THAT(rendered(strict(), "csv"),
+  EXPECT_THAT(rendered("csv", strict()),
               HasSubstr("office.xml,,,light-leaves-room,,,,,,,,,,,,,strict warning,"));
-  EXPECT_THAT(rendered(strict(), "csv"),
+  EXPECT_THAT(rendered("csv", strict()),
               HasSubstr("office.xml,,,luminaires-coincide,,,,,,,,,,,,,warning,"));
 }
 
 TEST(Warnings, AreCasesOfJunitWithNamesOfTheirOwn) {
   pugi::xml_document xml;
-  ASSERT_TRUE(xml.load_string(rendered(warned(), "junit").c_str()));
+  ASSERT_TRUE(xml.load_string(rendered("junit", warned()).c_str()));
   const auto has_case = [&xml](const char* name, const char* result) {
     return !xml.select_nodes((std::string("//testcase[@name='") + name + "']/" + result).c_str())
                 .empty();
@@ -104,7 +99,7 @@ TEST(Warnings, AreCasesOfJunitWithNamesOfTheirOwn) {
   EXPECT_TRUE(has_case("warning / luminaires-coincide", "skipped"));
   EXPECT_EQ(xml.child("testsuites").attribute("tests").as_int(), 4);
   EXPECT_EQ(xml.child("testsuites").attribute("failures").as_int(), 0);
-  ASSERT_TRUE(xml.load_string(rendered(strict(), "junit").c_str()));
+  ASSERT_TRUE(xml.load_string(rendered("junit", strict()).c_str()));
   EXPECT_TRUE(has_case("warning / light-leaves-room", "failure"));
   EXPECT_TRUE(has_case("warning / luminaires-coincide", "skipped"));
   EXPECT_EQ(xml.child("testsuites").attribute("failures").as_int(), 2);
@@ -112,15 +107,15 @@ TEST(Warnings, AreCasesOfJunitWithNamesOfTheirOwn) {
 }
 
 TEST(Warnings, ThatCountAreErrorsToCiSystems) {
-  EXPECT_THAT(rendered(warned(), "github"), Not(HasSubstr("::error")));
-  EXPECT_THAT(rendered(strict(), "github"),
+  EXPECT_THAT(rendered("github", warned()), Not(HasSubstr("::error")));
+  EXPECT_THAT(rendered("github", strict()),
               HasSubstr("::error file=office.xml,line=7,col=3,title=luxgate%3A light-leaves-room"));
-  EXPECT_THAT(rendered(strict(), "github"), HasSubstr("::warning file=office.xml,line=8"));
-  EXPECT_THAT(rendered(warned(), "gitlab"), Not(HasSubstr("blocker")));
-  EXPECT_THAT(rendered(strict(), "gitlab"), HasSubstr("blocker"));
+  EXPECT_THAT(rendered("github", strict()), HasSubstr("::warning file=office.xml,line=8"));
+  EXPECT_THAT(rendered("gitlab", warned()), Not(HasSubstr("blocker")));
+  EXPECT_THAT(rendered("gitlab", strict()), HasSubstr("blocker"));
   const auto level = [](const Document& document, int k) {
     return json::parse(rendered(
-        document, "sarif"))["runs"][0]["invocations"][0]["toolExecutionNotifications"][k]["level"];
+        "sarif", document))["runs"][0]["invocations"][0]["toolExecutionNotifications"][k]["level"];
   };
   EXPECT_EQ(level(warned(), 0), "warning");
   EXPECT_EQ(level(strict(), 0), "error");
@@ -128,12 +123,12 @@ TEST(Warnings, ThatCountAreErrorsToCiSystems) {
 }
 
 TEST(Warnings, ThatCountLeaveNoHeadlineGreen) {
-  EXPECT_THAT(rendered(warned(), "markdown"), HasSubstr("### luxgate: ✓ pass: "));
-  EXPECT_THAT(rendered(strict(), "markdown"), HasSubstr("### luxgate: ! warnings count: "));
-  EXPECT_THAT(rendered(strict(), "markdown"),
+  EXPECT_THAT(rendered("markdown", warned()), HasSubstr("### luxgate: ✓ pass: "));
+  EXPECT_THAT(rendered("markdown", strict()), HasSubstr("### luxgate: ! warnings count: "));
+  EXPECT_THAT(rendered("markdown", strict()),
               HasSubstr("- **warning that counts** office.xml:7:3: "));
-  EXPECT_THAT(rendered(warned(), "html"), HasSubstr("class=\"banner pass\""));
-  const std::string html = rendered(strict(), "html");
+  EXPECT_THAT(rendered("html", warned()), HasSubstr("class=\"banner pass\""));
+  const std::string html = rendered("html", strict());
   EXPECT_THAT(html, Not(HasSubstr("class=\"banner pass\"")));
   EXPECT_THAT(html, HasSubstr("Warnings were asked to count, and there are some"));
   EXPECT_THAT(html, HasSubstr("<b>warning that counts</b>"));
@@ -142,7 +137,7 @@ TEST(Warnings, ThatCountLeaveNoHeadlineGreen) {
 TEST(Warnings, MarkdownLeavesOutWhatIsTooMuch) {
   Document document = warned();
   document.projects[0].diagnostics.assign(23, document.projects[0].diagnostics[0]);
-  EXPECT_THAT(rendered(document, "markdown"), HasSubstr("\n3 more are left out here.\n"));
+  EXPECT_THAT(rendered("markdown", document), HasSubstr("\n3 more are left out here.\n"));
 }
 
 TEST(Warnings, ThatCountDoSoAgainWhenTheResultIsRead) {
