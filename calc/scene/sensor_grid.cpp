@@ -216,8 +216,8 @@ class GridBuilder {
 
 class GridMaker {
  public:
-  GridMaker(const CalcPlane& plane, const Space& space, Diagnostics& diagnostics)
-      : plane_(plane), space_(space), diagnostics_(diagnostics) {}
+  GridMaker(const CalcPlane& plane, const Space& space, Diagnostics& diagnostics, Message* why_not)
+      : plane_(plane), space_(space), diagnostics_(diagnostics), why_not_(why_not) {}
 
   std::optional<SensorGrid> run() {
     grid_.kernel = plane_.kernel;
@@ -255,8 +255,8 @@ class GridMaker {
     const glm::dvec2 side_m = inner.side_m();
     const glm::dvec2 whole_m = bounding_rectangle(area.outline_m).side_m();
     if (!(side_m.x > kTie * whole_m.x && side_m.y > kTie * whole_m.y)) {
-      diagnostics_.report(DiagnosticId::grid_margin_too_large, plane_.where, plane_.id,
-                          area.margin_m, whole_m.x, whole_m.y);
+      refuse(DiagnosticId::grid_margin_too_large,
+             say<Sentence::grid_margin_leaves_nothing>(area.margin_m, whole_m.x, whole_m.y));
       return false;
     }
     const Counts counts = cell_counts(area.grid, side_m);
@@ -311,8 +311,8 @@ class GridMaker {
   bool is_small_enough(const Counts& counts) {
     // Not "greater than": a product that is not a number must not pass.
     if (counts.columns * counts.rows <= kMaxPoints) return true;
-    diagnostics_.report(DiagnosticId::grid_too_many_points, plane_.where, plane_.id, counts.columns,
-                        counts.rows, kMaxPoints);
+    refuse(DiagnosticId::grid_too_many_points,
+           say<Sentence::grid_points_too_many>(counts.columns, counts.rows, kMaxPoints));
     return false;
   }
 
@@ -364,11 +364,8 @@ class GridMaker {
     }
     const std::optional<MissedPart> missed = part_missed_by(area, inner, counts);
     const glm::dvec3 at = area.origin_m + missed->at_m.x * area.u + missed->at_m.y * area.v;
-    diagnostics_.report(
-        DiagnosticId::plane_not_computed, plane_.where, plane_.id,
-        fmt::format("{:.2g} m2 of its area, at ({:.4g}, {:.4g}, {:.4g}) m, have no calculation "
-                    "point; give it a finer grid by 'spacing'",
-                    missed->area_m2, at.x, at.y, at.z));
+    refuse(DiagnosticId::plane_not_computed,
+           say<Sentence::grid_part_without_point>(missed->area_m2, at.x, at.y, at.z));
     return false;
   }
 
@@ -509,11 +506,8 @@ class GridMaker {
                           fmt::format("{}, the first in '{}',", inside, first->body));
       return false;
     }
-    diagnostics_.report(
-        DiagnosticId::plane_not_computed, plane_.where, plane_.id,
-        fmt::format("{} of its {} points are inside solids, the first in '{}'; give it a 'height' "
-                    "above that, or an area beside it",
-                    inside, all, first->body));
+    refuse(DiagnosticId::plane_not_computed,
+           say<Sentence::grid_points_in_solids>(inside, all, first->body));
     return true;
   }
 
@@ -525,20 +519,28 @@ class GridMaker {
       ++dropped[static_cast<std::size_t>(point.reason)];
     if (grid_.route) {
       const glm::dvec3& at = grid_.dropped.front().position_m;
-      diagnostics_.report(DiagnosticId::route_without_points, plane_.where, plane_.id,
-                          grid_.dropped.size(), dropped[4], kWalkingSearchDown_m, kWalkingStepUp_m,
-                          dropped[5], dropped[3], dropped[2], at.x, at.y, at.z);
+      refuse(DiagnosticId::route_without_points,
+             say<Sentence::route_no_points_left>(grid_.dropped.size(), dropped[4],
+                                                 kWalkingSearchDown_m, kWalkingStepUp_m, dropped[5],
+                                                 dropped[3], dropped[2], at.x, at.y, at.z));
       return true;
     }
-    diagnostics_.report(DiagnosticId::grid_without_points, plane_.where, plane_.id,
-                        grid_.dropped.size(), dropped[0], dropped[1], dropped[2], dropped[3],
-                        dropped[6]);
+    refuse(DiagnosticId::grid_without_points,
+           say<Sentence::grid_no_points_left>(grid_.dropped.size(), dropped[0], dropped[1],
+                                              dropped[2], dropped[3], dropped[6]));
     return true;
+  }
+
+  // There is no grid.
+  void refuse(DiagnosticId id, const Message& why) {
+    diagnostics_.report(id, plane_.where, plane_.id, why);
+    if (why_not_ != nullptr) *why_not_ = why;
   }
 
   const CalcPlane& plane_;
   const Space& space_;
   Diagnostics& diagnostics_;
+  Message* why_not_;
   SensorGrid grid_;
   std::vector<NearlyInside> nearly_inside_;
 };
@@ -628,8 +630,8 @@ double most_planned_points(const CalcPlane& plane) {
 }
 
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
-                                           Diagnostics& diagnostics) {
-  return GridMaker(plane, space, diagnostics).run();
+                                           Diagnostics& diagnostics, Message* why_not) {
+  return GridMaker(plane, space, diagnostics, why_not).run();
 }
 
 }  // namespace calc

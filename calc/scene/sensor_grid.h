@@ -105,8 +105,9 @@ double most_planned_points(const CalcPlane& plane);
 // horizontal and above the floor. Cells that are given by count or spacing stay as they are: a part
 // that they miss is a warning, if it is larger than a cell of EN 12464-1. The points of a
 // route lie above the walking surface (walking_surface.h); where there is none, or something stands
-// in the way, they are left out, and it is an error if no point has a floor.
+// in the way, they are left out, and it is an error if no point has a floor. why_not: what the
+// error is, without naming the plane; may be null.
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
-                                           Diagnostics& diagnostics);
+                                           Diagnostics& diagnostics, Message* why_not = nullptr);
 
 }  // namespace calc

@@ -124,7 +124,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     job.plane = &plane;
     job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
     calc::Diagnostics of_grid;  // all of its own: of many planes' messages some may be left out
-    job.grid = calc::make_sensor_grid(plane, space, of_grid);
+    job.grid = calc::make_sensor_grid(plane, space, of_grid, &job.reason);
     diagnostics.add(of_grid);
     if (job.grid) {
       rules::check_fitness(
@@ -133,8 +133,6 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
       warn_of_speck(plane, *job.grid, job.requirements, diagnostics);
       warn_of_grid_trap(loaded.project, space, job, diagnostics);
       warn_of_lost_points(job, of_grid, diagnostics);
-    } else {
-      job.reason = calc::Message::words(of_grid.all().back().message);
     }
   }
   add_no_longer_left_out(space, loaded, packs, day, jobs, diagnostics);

@@ -198,8 +198,9 @@ TEST(RouteGrid, WarnsOfAHoleInTheFloor) {
 TEST(RouteGrid, WithoutAnyFloorIsAnErrorThatSaysWhere) {
   const Made made = make(route_of({{1, 2, 1}, {5, 2, 1}}, 1.0), room(10, 4));
   EXPECT_EQ(made.messages,
-            "project.xml:7:3: error[route-without-points]: route 'out' keeps none of its 40 "
-            "points: 40 have no surface to walk on between 0.5 m below and 0.3 m above its line, 0 "
+            "project.xml:7:3: error[route-without-points]: route 'out' cannot be judged: "
+            "none of its 40 points is left: 40 have no surface to walk on between 0.5 m below and "
+            "0.3 m above its line, 0 "
             "are where something stands, 0 inside solids, 0 outside the room; the first is at "
             "(1.25, 1.6, 1) m; give its 'points' the heights of the floor");
 }

@@ -211,7 +211,8 @@ TEST(SensorGrid, AMarginThatLeavesNothingIsAnError) {
   const Made made = make(plane);
   EXPECT_EQ(made.messages,
             std::vector<std::string>{
-                "project.xml:7:3: error[grid-margin-too-large]: plane 'desk': a margin "
+                "project.xml:7:3: error[grid-margin-too-large]: plane 'desk' cannot be "
+                "judged: a margin "
                 "of 0.5 m leaves nothing of its 4 m x 1 m; a smaller margin is needed"});
 }
 
@@ -433,16 +434,17 @@ TEST(SensorGrid, APlaneThatKeepsNoPointIsAnErrorWithTheCounts) {
   area_of(plane).holes_m = {{{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}}};
   EXPECT_EQ(make(plane, space).messages,
             std::vector<std::string>{
-                "project.xml:7:3: error[grid-without-points]: plane 'desk' keeps none of its 16 "
-                "points: 1 outside its area, 0 in its margin, 8 outside the room, 7 inside solids, "
+                "project.xml:7:3: error[grid-without-points]: plane 'desk' cannot be judged: "
+                "none of its 16 points is left: 1 outside its area, 0 in its margin, 8 outside the "
+                "room, 7 inside solids, "
                 "0 in surfaces"});
 }
 
 TEST(SensorGrid, MoreThanFourMillionPointsAreAnError) {
-  EXPECT_EQ(
-      make(plane_of(rectangle(4, 4), GridByCount{2001, 2000})).messages,
-      std::vector<std::string>{"project.xml:7:3: error[grid-too-many-points]: plane 'desk' would "
-                               "have 2001 x 2000 points; at most 4000000 points are allowed"});
+  EXPECT_EQ(make(plane_of(rectangle(4, 4), GridByCount{2001, 2000})).messages,
+            std::vector<std::string>{
+                "project.xml:7:3: error[grid-too-many-points]: plane 'desk' cannot "
+                "be judged: it would have 2001 x 2000 points; at most 4000000 points are allowed"});
   EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{1e-300, 1e-300, {}})).grid);
   EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{0.0, 1.0, {}})).grid);
   EXPECT_FALSE(make(plane_of(rectangle(1e9, 1e-9), GridByRule{})).grid);
