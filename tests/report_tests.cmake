@@ -27,7 +27,7 @@ luxgate_test(report_tests
     unit/report/result_file/json_test.cpp
     unit/report/text/ifc_guid_test.cpp
     unit/report/text/number_format_test.cpp
-    unit/report/html/room/pass_factor_test.cpp
+    unit/report/text/pass_factor_test.cpp
     unit/report/html/page/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/text/notices_test.cpp

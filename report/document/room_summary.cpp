@@ -1,5 +1,10 @@
 #include "report/document/room_summary.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
 namespace report {
 namespace {
 
@@ -17,9 +22,34 @@ bool is_glare(const PlanePart& plane, const rules::Requirement& requirement) {
           requirement.metric == rules::Metric::maximum);
 }
 
+// Whether one line can say both: what is missing is the same.
+bool is_one_cause(const RoomCause& cause, rules::Outcome outcome, const PlanePart& plane,
+                  const rules::Finding& finding) {
+  if (cause.outcome != outcome || cause.parts.empty()) return false;
+  const rules::Finding& known = *cause.parts.front().finding;
+  const bool has_reason = outcome == rules::Outcome::not_judged || !finding.reason.empty();
+  if (outcome != rules::Outcome::fail && has_reason) return known.reason == finding.reason;
+  const rules::Requirement &a = known.requirement, &b = finding.requirement;
+  return cause.parts.front().plane->kernel == plane.kernel && a.metric == b.metric &&
+         a.derived == b.derived && a.comparison == b.comparison && a.scene == b.scene &&
+         known.reason == finding.reason;
+}
+
+void add_cause(const PlanePart& plane, const rules::Finding& finding, rules::Outcome outcome,
+               RoomSummary& room) {
+  if (finding.verdict == rules::Verdict::pass) return;
+  const auto known = std::find_if(room.causes.begin(), room.causes.end(), [&](const auto& cause) {
+    return is_one_cause(cause, outcome, plane, finding);
+  });
+  RoomCause& cause = known == room.causes.end() ? room.causes.emplace_back() : *known;
+  cause.outcome = outcome;
+  cause.parts.push_back({&plane, &finding});
+}
+
 void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSummary& room) {
   const rules::Outcome outcome = outcome_of(finding);
   if (outcome == rules::Outcome::nothing_asked) return;
+  add_cause(plane, finding, outcome, room);
   room.outcome = graver(room.outcome, outcome);
   if (!rules::counts(outcome)) return;
   ++room.required;
@@ -37,6 +67,15 @@ void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSumm
 
 }  // namespace
 
+const RoomCause::Part& RoomCause::worst() const {
+  const auto margin = [](const Part& part) {
+    const double own = part.finding->margin;
+    return std::isnan(own) ? std::numeric_limits<double>::infinity() : own;
+  };
+  return *std::min_element(parts.begin(), parts.end(),
+                           [&](const Part& a, const Part& b) { return margin(a) < margin(b); });
+}
+
 std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
   std::vector<RoomSummary> rooms;
   for (const SpacePart& space : project.spaces) {
@@ -49,11 +88,17 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
       if (finding.space_id != space.id) continue;
       const rules::Outcome outcome = outcome_of(finding);
       room.outcome = graver(room.outcome, outcome);
+      const bool is_cause = finding.verdict != rules::Verdict::pass;
+      if (is_cause && outcome != rules::Outcome::nothing_asked)
+        room.causes.push_back({outcome, {}, &finding});
       if (!rules::counts(outcome)) continue;
       ++room.required;
       room.met += finding.verdict == rules::Verdict::pass ? 1 : 0;
     }
-    if (room.outcome != rules::Outcome::nothing_asked) rooms.push_back(room);
+    if (room.outcome == rules::Outcome::nothing_asked) continue;
+    std::stable_sort(room.causes.begin(), room.causes.end(),
+                     [](const RoomCause& a, const RoomCause& b) { return a.outcome < b.outcome; });
+    rooms.push_back(std::move(room));
   }
   return rooms;
 }

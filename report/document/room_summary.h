@@ -9,6 +9,22 @@
 
 namespace report {
 
+// What keeps a room from passing, for one reason: what could not be judged for one cause, or the
+// same requirement that several of its planes do not meet. Points into the project.
+struct RoomCause {
+  struct Part {
+    const PlanePart* plane = nullptr;
+    const rules::Finding* finding = nullptr;
+  };
+
+  rules::Outcome outcome = rules::Outcome::fail;  // not_judged, fail, undecided or waived
+  std::vector<Part> parts;  // in document order; empty: it is an aggregate about the room
+  const rules::AggregateFinding* aggregate = nullptr;
+
+  // The one with the least margin, of those that were judged.
+  const Part& worst() const;
+};
+
 // Points into the project.
 struct RoomSummary {
   const SpacePart* space = nullptr;
@@ -21,9 +37,10 @@ struct RoomSummary {
   const rules::Finding* average = nullptr;
   const rules::Finding* uniformity = nullptr;  // minimum / average
   const rules::Finding* glare = nullptr;       // UGR, at observers or by table
+  std::vector<RoomCause> causes;               // gravest first
 };
 
-// Of all rooms of which something is asked, in their order.
+// Of all rooms of which something is asked, in their order. Valid as long as the project.
 std::vector<RoomSummary> room_summaries(const ProjectPart& project);
 
 }  // namespace report

@@ -9,7 +9,9 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/decides.h"
+#include "report/text/notices.h"
 #include "report/text/plain_text.h"
+#include "report/text/room_causes.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -339,11 +341,13 @@ Widths fitted(Widths widths, int terminal_width) {
 
 void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
 
-// A note at its place, over as many lines as a terminal of that width needs; 0: one line.
-std::string note_lines(const std::string& note, std::size_t indent, int terminal_width) {
+// A text behind a mark of two columns, over as many lines as a terminal of that width needs; 0: one
+// line.
+std::string note_lines(const std::string& note, std::size_t indent, int terminal_width,
+                       const char* mark = "└ ") {
   constexpr std::size_t kNarrowest = 30;  // fewer columns hold no sentence
   const auto width = static_cast<std::size_t>(std::max(terminal_width, 0));
-  const std::string start = std::string(indent, ' ') + "└ ";
+  const std::string start = std::string(indent, ' ') + mark;
   if (width < indent + 2 + kNarrowest) return start + note + "\n";
   std::string text = start;
   std::size_t used = indent + 2;
@@ -385,15 +389,6 @@ std::string render_line(const TableLine& line, const Widths& widths, const TextO
   return text + "\n";
 }
 
-// "a, b, c and 3 more", in the report's language.
-std::string some_names(const Texts& t, std::vector<std::string> names) {
-  constexpr std::size_t kMostNamed = 3;
-  const std::size_t more = names.size() - std::min(names.size(), kMostNamed);
-  names.resize(names.size() - more);
-  const std::string named = fmt::format("{}", fmt::join(names, ", "));
-  return more == 0 ? named : t.say<Text::names_and_more>(named, more);
-}
-
 // Rows of workplaces of which the same is to be said, as one: "a, b and 6 more".
 std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowCoverage> rows) {
   std::map<std::string, std::vector<std::string>> workplaces;  // by what is said
@@ -413,10 +408,18 @@ std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowC
   return result;
 }
 
-std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
-                                     bool lists_passes) {
+// of_rooms: what the overview and the reasons below it leave to say: planes of which nothing is
+// asked, and what is judged of all rooms together.
+std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project, bool lists_passes,
+                                     bool of_rooms) {
   std::vector<TableLine> lines;
   for (const SpacePart& space : project.spaces) {
+    if (of_rooms) {
+      for (const PlanePart& plane : space.planes) {
+        if (plane.findings.empty()) add_plane(t, space, plane, lines);
+      }
+      continue;
+    }
     add_planes(t, space, lists_passes, lines);
     for (const calc::Message& note : space.notes)
       lines.emplace_back().note = printable(sentence(t, note));
@@ -528,7 +531,7 @@ class RoomsToName {
   }
 
   // A line for each list; nothing where a single room is all there is.
-  std::string text(const Texts& t) const {
+  std::string text(const Texts& t, int terminal_width) const {
     if (rooms_ < 2) return {};
     std::string text;
     for (const auto& [outcome, list] : lists_) {
@@ -537,10 +540,11 @@ class RoomsToName {
       if (list.count > list.names.size()) {
         names = t.say<Text::names_and_more>(names, list.count - list.names.size());
       }
-      text += (outcome == rules::Outcome::fail        ? t.say<Text::rooms_fail>(names)
-               : outcome == rules::Outcome::undecided ? t.say<Text::rooms_undecided>(names)
-                                                      : t.say<Text::rooms_not_judged>(names)) +
-              "\n";
+      const std::string line = outcome == rules::Outcome::fail ? t.say<Text::rooms_fail>(names)
+                               : outcome == rules::Outcome::undecided
+                                   ? t.say<Text::rooms_undecided>(names)
+                                   : t.say<Text::rooms_not_judged>(names);
+      text += note_lines(line, 0, terminal_width, "");
     }
     return text;
   }
@@ -557,11 +561,7 @@ class RoomsToName {
                                         {rules::Outcome::undecided, {}}};
 };
 
-// "" = of a single room.
-std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
-  constexpr std::size_t kRoom = 1;  // the column of names, which gives way to a narrow terminal
-  const RoomOverview table = room_overview(t, project);
-  if (table.rows.empty()) return {};
+std::vector<std::size_t> column_widths(const RoomOverview& table) {
   std::vector<std::size_t> widths;
   for (const std::string& head : table.head) widths.push_back(display_width(head));
   for (const RoomOverview::Row& row : table.rows) {
@@ -569,14 +569,34 @@ std::string overview_text(const Texts& t, const ProjectPart& project, const Text
       widths[c] = std::max(widths[c], display_width(printable(row.cells[c])));
     }
   }
-  std::size_t total = 0;
-  for (const std::size_t width : widths) total += width + kGap;
-  const auto available = static_cast<std::size_t>(std::max(options.width, 0));
-  if (options.width > 0 && total > available) {
+  return widths;
+}
+
+// "" = of a single room. On a narrow terminal names of rooms give way first, then power, and then
+// how many requirements are met; values stay.
+std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  constexpr std::size_t kRoom = 1;
+  RoomOverview table = room_overview(t, project);
+  if (table.rows.empty()) return {};
+  std::vector<std::size_t> widths;
+  const auto excess = [&] {
+    std::size_t total = 0;
+    for (const std::size_t width : widths) total += width + kGap;
+    const auto available = static_cast<std::size_t>(std::max(options.width, 0));
+    return options.width > 0 && total > available ? total - available : 0;
+  };
+  const auto fit = [&] {
+    widths = column_widths(table);
     const std::size_t narrowest = std::min(kNarrowestName, widths[kRoom]);
-    const std::size_t excess = total - available;
-    widths[kRoom] = std::max(narrowest, widths[kRoom] > excess ? widths[kRoom] - excess : 0);
+    const std::size_t too_much = std::min(excess(), widths[kRoom] - narrowest);
+    widths[kRoom] -= too_much;
+    return excess() == 0;
+  };
+  for (const auto column : {RoomOverview::Column::power, RoomOverview::Column::met}) {
+    if (fit()) break;
+    table.drop(column);
   }
+  fit();
   const auto line = [&](const std::vector<std::string>& cells, std::string_view colour) {
     std::string text = "  ";
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -590,10 +610,133 @@ std::string overview_text(const Texts& t, const ProjectPart& project, const Text
     return text + "\n";
   };
   std::string text = line(table.head, kDim);
-  for (const RoomOverview::Row& row : table.rows) {
+  for (RoomOverview::Row& row : table.rows) {
+    if (row.outcome == rules::Outcome::fail) {
+      row.cells.front() = verdict_cell(t, rules::Verdict::fail);
+    }
     text += line(row.cells, outcome_colour(row.outcome));
   }
   return text + "\n";
+}
+
+const char* causes_title(const Texts& t, rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::fail:
+      return t[Text::causes_fail];
+    case rules::Outcome::undecided:
+      return t[Text::causes_undecided];
+    case rules::Outcome::waived:
+      return t[Text::causes_waived];
+    default:
+      return t[Text::causes_not_judged];
+  }
+}
+
+// What keeps rooms from passing, room by room; rooms with the same reasons together.
+std::string causes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  struct Entry {
+    std::vector<std::string> rooms;
+    std::string reasons;
+  };
+  std::map<rules::Outcome, std::vector<Entry>> blocks;
+  for (const RoomSummary& room : room_summaries(project)) {
+    std::map<rules::Outcome, std::string> reasons;
+    for (const RoomCause& cause : room.causes) {
+      const CauseWords words = cause_words(t, room, cause);
+      std::string& text = reasons[cause.outcome];
+      text += note_lines(printable(words.what), 2, options.width, "  ");
+      for (const std::string& more : words.more) {
+        text += note_lines(printable(more), 4, options.width);
+      }
+    }
+    const std::string name = printable(title_of(room.space->name, room.space->id));
+    for (const auto& [outcome, text] : reasons) {
+      std::vector<Entry>& entries = blocks[outcome];
+      const auto known =
+          std::find_if(entries.begin(), entries.end(),
+                       [&, &own = text](const Entry& one) { return one.reasons == own; });
+      if (known == entries.end()) {
+        entries.push_back({{name}, text});
+      } else {
+        known->rooms.push_back(name);
+      }
+    }
+  }
+  std::string text;
+  for (const auto& [outcome, entries] : blocks) {
+    const std::string title = causes_title(t, outcome);
+    text += (options.colour ? outcome_colour(outcome) + title + kReset : title) + "\n";
+    for (const Entry& entry : entries) {
+      const std::string rooms = fmt::format("{}", fmt::join(entry.rooms, ", "));
+      text += note_lines(rooms, 0, options.width, "  ");
+      text += entry.reasons;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+// Texts that must be read, each once, with its place or with how often it is to be said.
+class NotesOnce {
+ public:
+  void add(const std::string& place, const std::string& note) {
+    if (note.empty()) return;
+    const auto [known, is_new] = number_.try_emplace(note, notes_.size());
+    if (is_new) notes_.push_back({note, place, 0});
+    ++notes_[known->second].count;
+  }
+  std::string text(const Texts& t, const TextOptions& options) const {
+    std::string text;
+    for (const Note& note : notes_) {
+      const std::string words = note.count > 1 ? t.say<Text::note_times>(note.words, note.count)
+                                : note.place.empty() ? note.words
+                                                     : note.place + t[Text::colon] + note.words;
+      text += note_lines(words, 0, options.width, "· ");
+    }
+    return text;
+  }
+
+ private:
+  struct Note {
+    std::string words, place;
+    int count = 0;
+  };
+  std::vector<Note> notes_;
+  std::map<std::string, std::size_t> number_;
+};
+
+// Of all rooms. Masks are the standard's own and no doubt, and that a value is recommended only is
+// said of all of these together.
+std::string notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  NotesOnce notes;
+  int advice = 0;
+  std::vector<rules::RowCoverage> rows;
+  for (const SpacePart& space : project.spaces) {
+    rows.insert(rows.end(), space.coverage.begin(), space.coverage.end());
+    for (const PlanePart& plane : space.planes) {
+      const std::string place = printable(title_of(space.name, space.id)) + " / " +
+                                printable(plane_in_room(t, space, plane));
+      for (rules::Finding finding : plane.findings) {
+        const bool is_advice = finding.requirement.severity == rules::Severity::advice;
+        advice += is_advice && finding.verdict != rules::Verdict::pass ? 1 : 0;
+        finding.requirement.mask.id.clear();
+        finding.requirement.severity = rules::Severity::shall;
+        notes.add(place, printable(foreign_clause_words(t, finding.requirement)));
+        notes.add(place, printable(note_words(t, finding)));
+        if (finding.verdict == rules::Verdict::pass || is_advice)
+          notes.add(place, printable(sentence(t, finding.reason)));
+        if (finding.is_close) notes.add(place, close_words(t, finding));
+      }
+    }
+  }
+  for (const Notice& notice : notices_of(project)) {
+    if (notice.row == nullptr) notes.add(notice_place(t, notice), notice_words(t, notice));
+  }
+  for (const rules::RowCoverage& row : together(t, rows)) notes.add("", coverage_words(t, row));
+  if (advice == 1) notes.add("", t.say<Text::advice_not_reached_one>(advice));
+  if (advice > 1) notes.add("", t.say<Text::advice_not_reached>(advice));
+  const std::string text = notes.text(t, options);
+  return text.empty() ? text : t[Text::notes_once] + ("\n" + text) + "\n";
 }
 
 // A gate for regressions is about what has changed; --passes shows the rest.
@@ -620,6 +763,7 @@ class TextWriter : public FormatWriter {
   Texts t_;
   Widths widths_{};
   RoomsToName rooms_;
+  bool has_overview_ = false;
   TextList waiting_;  // finished text, and lines after an empty one
 };
 
@@ -631,7 +775,10 @@ void TextWriter::add_line(const TableLine& line) {
 }
 
 void TextWriter::add(const ProjectPart& project) {
-  const std::vector<TableLine> lines = project_lines(t_, project, options_.lists_passes);
+  // Of several rooms the table of all requirements tells nobody what to do.
+  const std::string overview = options_.lists_passes ? "" : overview_text(t_, project, options_);
+  const bool of_rooms = !overview.empty();
+  const std::vector<TableLine> lines = project_lines(t_, project, options_.lists_passes, of_rooms);
   widen(t_, lines, widths_);
   const bool is_shown = shows_all(frame_, options_.lists_passes);
   const bool has_messages = options_.has_messages && !project.diagnostics.empty();
@@ -647,7 +794,12 @@ void TextWriter::add(const ProjectPart& project) {
   if (const std::string about = about_line(t_, project.about); !about.empty()) {
     text += "  " + about + "\n";
   }
-  if (is_shown) text += overview_text(t_, project, options_);
+  if (is_shown && options_.lists_passes) text += overview_text(t_, project, options_);
+  if (is_shown && of_rooms) {
+    has_overview_ = true;
+    text += overview + causes_text(t_, project, options_) + notes_text(t_, project, options_);
+  }
+  if (of_rooms && lines.empty() && text.ends_with("\n\n")) text.pop_back();
   waiting_.add(text);
   if (is_shown) {
     for (const TableLine& line : lines) add_line(line);
@@ -673,7 +825,8 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   std::string text;
   if (frame_.revised != nullptr) text += render_revision_text(t_, *frame_.revised, options_.colour);
-  text += rooms_.text(t_);
+  if (has_overview_) text += t_[Text::list_each] + std::string("\n");
+  text += rooms_.text(t_, options_.width);
   std::string summary = summary_words(t_, end.totals);
   if (options_.colour) summary = outcome_colour(end.totals.outcome) + summary + kReset;
   text += summary + "\n";

@@ -11,6 +11,7 @@
 #include "calc/project/objects/maintenance_plan_xml.h"
 #include "calc/project/reading/logo.h"
 #include "report/document/document.h"
+#include "report/document/room_summary.h"
 #include "report/document/row_uses.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/finding_fields.h"
@@ -65,6 +66,16 @@ void describe(auto& v, Is<VerdictCounts> auto& counts) {
       {.words =
            "Of all these: judged on a plane that is not quite the one that the rule pack means.",
        .presence = kSinceLater});
+}
+
+// Written only: it follows from the findings.
+void describe(auto& v, Is<RoomSummary> auto& room) {
+  v.is("room", "What became of a room of which something is asked.");
+  const std::string space = room.space == nullptr ? "" : room.space->id;
+  v.field("space", space);
+  v.field("outcome", room.outcome, {.words = "The gravest of what counts."});
+  v.field("required", room.required, {.words = "Requirements that count."});
+  v.field("met", room.met, {.words = "Of these."});
 }
 
 void describe(auto& v, Is<WarningCounts> auto& counts) {
@@ -431,6 +442,7 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
            .presence = only_if(!project.maintenance_plan.is_empty())});
   v.field("is_judged", project.is_judged);
   v.written("counts", [&] { return count_verdicts(project); });
+  v.written("rooms", [&] { return room_summaries(project); }, {.presence = kSinceLater});
   v.field("diagnostics", project.diagnostics);
   v.written("warnings", [&] { return count_warnings(project); }, {.presence = kSinceLater});
   std::vector<std::string> strict;

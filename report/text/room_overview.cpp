@@ -31,17 +31,34 @@ bool reads_alike(double value, double limit) {
   return (shown < limit) == (value < limit) && (shown > limit) == (value > limit);
 }
 
-// "412 ≥ 500": what was calculated, and what is required. "503 ± 9 ≥ 500" near the limit.
+// "503.0 ±9.0": by the wider side, where that does not reach beyond a limit which the interval
+// itself does not reach; else both ends.
+std::string with_interval(const Texts& t, const rules::Finding& finding,
+                          const Threshold& threshold) {
+  const calc::Estimate& measured = finding.measured;
+  const double wider = std::max(measured.high - measured.value, measured.value - measured.low);
+  const auto holds_limit = [&](double low, double high) {
+    return low < threshold.limit && threshold.limit < high;
+  };
+  const bool tells_the_same =
+      std::isfinite(wider) && holds_limit(measured.low, measured.high) ==
+                                  holds_limit(measured.value - wider, measured.value + wider);
+  const EstimateText text = format_estimate(measured, "", threshold);
+  if (!tells_the_same || text.spread.empty()) return format_measured(t, measured, "", threshold);
+  return t.number(fmt::format("{} ±{}", text.value, text.spread));
+}
+
+// "412 ≥ 500": what was calculated, and what is required. "503.0 ±9.0 ≥ 500" near the limit.
 std::string value_cell(const Texts& t, const rules::Finding* finding) {
   if (finding == nullptr) return "";
   const rules::Requirement& requirement = finding->requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
   const std::string required = format_required(t, threshold, "");
   if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
-  if (calc::is_nothing(finding->measured)) return t[Text::none] + (" " + required);  // no glare
+  const bool is_open = finding->measured.low < finding->measured.high;
+  if (calc::is_nothing(finding->measured) && !is_open) return t[Text::none] + (" " + required);
   const double value = finding->measured.value;
-  if (is_near_limit(*finding))
-    return format_measured(t, finding->measured, "", threshold) + " " + required;
+  if (is_near_limit(*finding)) return with_interval(t, *finding, threshold) + " " + required;
   if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
     return format_fixed(t, value, kRatioDigits) + " " + required;
   return format_cell(t, value, threshold) + " " + required;
@@ -67,19 +84,26 @@ void drop_empty_columns(RoomOverview& table) {
   for (std::size_t c = table.head.size(); c-- > 0;) {
     const bool has_any = std::any_of(table.rows.begin(), table.rows.end(),
                                      [c](const auto& row) { return !row.cells[c].empty(); });
-    if (has_any) continue;
-    const auto at = static_cast<std::ptrdiff_t>(c);
-    table.head.erase(table.head.begin() + at);
-    for (RoomOverview::Row& row : table.rows) row.cells.erase(row.cells.begin() + at);
+    if (!has_any) table.drop(table.columns[c]);
   }
 }
 
 }  // namespace
 
+void RoomOverview::drop(Column column) {
+  const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();
+  if (at == static_cast<std::ptrdiff_t>(columns.size())) return;
+  columns.erase(columns.begin() + at);
+  head.erase(head.begin() + at);
+  for (Row& row : rows) row.cells.erase(row.cells.begin() + at);
+}
+
 RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
   RoomOverview table;
   const std::vector<RoomSummary> rooms = room_summaries(project);
   if (rooms.size() < 2) return table;
+  using enum RoomOverview::Column;
+  table.columns = {verdict, room, met, average, uniformity, glare, power};
   table.head = {t[Text::head_verdict],
                 t[Text::overview_room],
                 t[Text::overview_met],
@@ -87,9 +111,9 @@ RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
                 "Uo",
                 "UGR",
                 "W/m²"};
-  for (const RoomSummary& room : rooms) {
-    const auto place = static_cast<std::size_t>(room.space - project.spaces.data());
-    table.rows.push_back({room.outcome, place, cells_of(t, room)});
+  for (const RoomSummary& one : rooms) {
+    const auto place = static_cast<std::size_t>(one.space - project.spaces.data());
+    table.rows.push_back({one.outcome, place, cells_of(t, one)});
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a.outcome < b.outcome; });

@@ -11,6 +11,8 @@
 namespace report {
 
 struct RoomOverview {
+  enum class Column { verdict, room, met, average, uniformity, glare, power };
+  std::vector<Column> columns;
   std::vector<std::string> head;
   struct Row {
     rules::Outcome outcome = rules::Outcome::nothing_asked;
@@ -18,6 +20,9 @@ struct RoomOverview {
     std::vector<std::string> cells;  // as many as head; verdict and room first, then numbers
   };
   std::vector<Row> rows;  // gravest first
+
+  // Nothing where it has none.
+  void drop(Column column);
 };
 
 // Nothing where a project has fewer than two rooms of which something is asked. Columns that no

@@ -1,7 +1,7 @@
 #include "report/html/chapters/html_findings.h"
 
 #include "report/html/chapters/html_aggregates.h"
-#include "report/html/room/pass_factor.h"
+#include "report/text/pass_factor.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/clause_words.h"

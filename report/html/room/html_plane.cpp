@@ -8,7 +8,7 @@
 #include "report/html/room/html_convergence.h"
 #include "report/html/room/html_levels.h"
 #include "report/html/room/html_values.h"
-#include "report/html/room/pass_factor.h"
+#include "report/text/pass_factor.h"
 #include "report/images/heatmap.h"
 #include "report/text/decides.h"
 #include "report/text/markup.h"

@@ -139,8 +139,9 @@ std::vector<Option> output_options(OutputOptions& options) {
 
 Option passes_option(bool& lists_passes) {
   return {"--passes", "HOW",
-          "fold: in text, requirements of a workplace that pass with nothing to add share a line;\n"
-          "list: each has its own; default fold",
+          "In text. fold: requirements of a workplace that pass share a line, and several rooms\n"
+          "have a line each, and the reasons where they do not pass; list: each requirement has\n"
+          "its own line; default fold",
           choice<bool>(lists_passes, {{"fold", false}, {"list", true}})};
 }
 

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -99,17 +101,106 @@ TEST(RoomSummary, AggregatesAboutARoomCount) {
   EXPECT_EQ(list[0].required, 3);
 }
 
+// What several planes of a room miss alike is one cause; what cannot be judged is one by its
+// reason.
+TEST(RoomSummary, CausesAreWhatIsMissingAndNotEachPlane) {
+  Document document = rooms();
+  SpacePart& office = document.projects[0].spaces[1];
+  office.planes.push_back(office.planes[0]);
+  office.planes[1].id = "wall";
+  set_average(office.planes[1].findings[0], 300.0);
+  for (const PlanePart& plane : {office.planes[0], office.planes[1]}) {
+    PlanePart& unlit = office.planes.emplace_back(plane);
+    for (rules::Finding& one : unlit.findings) {
+      one.verdict = rules::Verdict::not_judged;
+      one.reason = calc::Message::words("no light");
+    }
+  }
+  const auto list = room_summaries(document.projects[0]);
+  EXPECT_TRUE(list[0].causes.empty());
+  const std::vector<RoomCause>& causes = list[1].causes;
+  ASSERT_EQ(causes.size(), 2U);
+  EXPECT_EQ(causes[0].outcome, rules::Outcome::not_judged);
+  EXPECT_EQ(causes[0].parts.size(), 4U) << "one reason";
+  EXPECT_EQ(causes[1].outcome, rules::Outcome::fail);
+  ASSERT_EQ(causes[1].parts.size(), 2U);
+  EXPECT_EQ(causes[1].worst().plane->id, "wall");
+}
+
+TEST(RoomSummary, CausesTakeNoAdviceAndTellWhatIsWaived) {
+  Document document = rooms();
+  rules::Finding& failed = finding(document.projects[0].spaces[1], 0);
+  failed.requirement.severity = rules::Severity::advice;
+  EXPECT_TRUE(room_summaries(document.projects[0])[1].causes.empty());
+  EXPECT_THAT(rendered("text", document), HasSubstr("1 recommended value is not reached"));
+  failed.requirement.severity = rules::Severity::shall;
+  failed.is_waived = true;
+  const auto list = room_summaries(document.projects[0]);
+  ASSERT_EQ(list[1].causes.size(), 1U);
+  EXPECT_EQ(list[1].causes[0].outcome, rules::Outcome::waived);
+  EXPECT_THAT(rendered("text", document), HasSubstr("Waived\n  Office\n"));
+}
+
+// Of several rooms the terminal says why and not each requirement; --passes has them all.
+TEST(RoomSummary, CausesStandBelowTheRoomsOnTheTerminal) {
+  Document document = rooms();
+  document.projects[0].spaces.push_back(room("r4", "Annex"));
+  document.projects[0].spaces[3].planes[0] = document.projects[0].spaces[1].planes[0];
+  const std::string text = rendered("text", document);
+  EXPECT_THAT(text, HasSubstr("Not met\n  Office, Annex\n    "));
+  EXPECT_THAT(text, HasSubstr("required ≥ 500 lx\n    └ Reaches the limit with all light at ×"));
+  EXPECT_THAT(text, Not(HasSubstr("room / plane")));
+  FormatStyle style;
+  style.terminal.lists_passes = true;
+  EXPECT_THAT(rendered("text", document, style), HasSubstr("room / plane"));
+}
+
 TEST(RoomSummary, StandsFirstOnTheTerminalAndNamesRoomsAtTheEnd) {
   const std::string text = rendered("text", rooms());
   EXPECT_THAT(text, HasSubstr("  verdict       room       met  average lx\n"
                               "  – not judged  Store   1 of 2     – ≥ 450\n"
-                              "  ✗ fail        Office  1 of 2   412 ≥ 500\n"
+                              "  ✗ FAIL        Office  1 of 2   412 ≥ 500\n"
                               "  ✓ pass        Hall    2 of 2   460 ≥ 450\n"));
   EXPECT_THAT(text, HasSubstr("rooms that are not judged: Store\nrooms that fail: Office\n"));
   EXPECT_THAT(rendered("text", small_document()), Not(HasSubstr("rooms that")));
   Document passing = rooms();
   passing.projects[0].spaces = {room("r1", "Hall"), room("r2", "Office")};
   EXPECT_THAT(rendered("text", passing), Not(HasSubstr("rooms that")));
+}
+
+// Names give way, then power and counts; values never.
+TEST(RoomSummary, FitsTheTerminal) {
+  Document document = rooms();
+  std::vector<SpacePart>& spaces = document.projects[0].spaces;
+  for (int i = 0; i < 20; ++i) {
+    spaces.push_back(room("n" + std::to_string(i), "Meeting room on the upper floor, north"));
+    set_average(finding(spaces.back(), 0), 505.0 + i, 9.0);
+    spaces.back().power.power_w = 100.0;
+    spaces.back().power.area_m2 = 20.0;
+  }
+  FormatStyle style;
+  for (const int width : {60, 80, 120, 200}) {
+    style.terminal.width = width;
+    std::istringstream lines(rendered("text", document, style));
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(display_width(line), static_cast<std::size_t>(width)) << line;
+    }
+  }
+  style.terminal.width = 60;
+  EXPECT_THAT(rendered("text", document, style), HasSubstr("±9.0 ≥ 500"));
+}
+
+// One side of an interval must not seem to reach over the limit.
+TEST(RoomSummary, AWideUpperEndMakesNoDoubt) {
+  Document document = rooms();
+  rules::Finding& one = finding(document.projects[0].spaces[1], 0);
+  one.measured = {505.0, 501.0, 530.0};
+  judge_again(one);
+  EXPECT_EQ(one.verdict, rules::Verdict::pass);
+  EXPECT_THAT(rendered("text", document), HasSubstr("505 (501 to 530) ≥ 500"));
+  one.measured = {505.0, 490.0, 506.0};
+  judge_again(one);
+  EXPECT_THAT(rendered("text", document), HasSubstr("505 ±15 ≥ 500"));
 }
 
 TEST(RoomSummary, NoGlareIsNotAMissingValue) {
@@ -135,7 +226,7 @@ TEST(RoomSummary, NearALimitTheIntervalIsSeenAndNothingIsRoundedOverIt) {
   set_average(finding(office, 1), 460.0, 9.0);
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("0.5996 ≥ 0.60"));
-  EXPECT_THAT(text, HasSubstr("460.0 ± 9.0 ≥ 450"));
+  EXPECT_THAT(text, HasSubstr("460.0 ±9.0 ≥ 450"));
 }
 
 TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
@@ -153,7 +244,7 @@ TEST(RoomSummary, NamesGiveWayToANarrowTerminalAtTheirEnd) {
   Document document = rooms();
   document.projects[0].spaces[1].name = "2.03 Bedroom of the caretaker, facing the yard";
   const std::string text = rendered("text", document, {{.width = 60}});
-  EXPECT_THAT(text, HasSubstr("✗ fail        2.03 Bedroom of the car…  1 of 2   412 ≥ 500\n"));
+  EXPECT_THAT(text, HasSubstr("✗ FAIL        2.03 Bedroom of the car…  1 of 2   412 ≥ 500\n"));
 }
 
 TEST(RoomSummary, StandsFirstInHtmlWithLinks) {

@@ -227,11 +227,16 @@ TEST(Console, RatingsHaveNoUnit) {
 TEST(Console, WhatWasNotJudgedSaysWhy) {
   Document document = sample_document();
   document.projects[0].spaces[0].planes[1].findings[0].is_close = true;
+  const std::string listed = rendered("text", document, {{false, 0, true}});
+  EXPECT_THAT(listed, HasSubstr("– not judged  Sports hall / Stand"));
+  EXPECT_THAT(listed, HasSubstr("└ close: usual rounding would change the verdict\n"));
   const std::string text = rendered("text", document);
-  EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));
-  EXPECT_THAT(text, HasSubstr("└ the plane was not computed\n"));
-  EXPECT_THAT(text, HasSubstr("yard.xml\n  – not judged: it could not be read"));
-  EXPECT_THAT(text, HasSubstr("└ close: usual rounding would change the verdict\n"));
+  EXPECT_THAT(text, HasSubstr("Not judged\n  Sports hall\n    Stand: average\n"));
+  EXPECT_THAT(text, HasSubstr(": close: usual rounding would change the verdict\n"));
+  for (const std::string& one : {listed, text}) {
+    EXPECT_THAT(one, HasSubstr("└ the plane was not computed\n"));
+    EXPECT_THAT(one, HasSubstr("yard.xml\n  – not judged: it could not be read"));
+  }
 }
 
 TEST(Console, ReasonOfAnUncomputedPlaneWithoutRequirementIsShown) {
@@ -255,7 +260,10 @@ TEST(Console, PointsThatCannotBeTrustedAreTold) {
 
 TEST(Console, ColoursOnlyOnRequest) {
   EXPECT_THAT(rendered("text", sample_document()), Not(HasSubstr("\033")));
-  EXPECT_THAT(rendered("text", sample_document(), {{true, 0}}), HasSubstr("\033[1;31m✗ FAIL"));
+  for (const bool lists_passes : {false, true}) {
+    EXPECT_THAT(rendered("text", sample_document(), {{true, 0, lists_passes}}),
+                HasSubstr("\033[1;31m✗ FAIL"));
+  }
 }
 
 // Advice and what is waived decide nothing, and do not look as if they did.
@@ -273,7 +281,7 @@ TEST(Console, OnlyWhatCountsStandsOut) {
         }
       }
     }
-    const std::string text = rendered("text", document, {{true, 0}});
+    const std::string text = rendered("text", document, {{true, 0, true}});
     EXPECT_THAT(
         text, AllOf(Not(HasSubstr("✗ FAIL")), HasSubstr("✗ fail"), Not(HasSubstr("\033[1;31m✗"))));
   }

@@ -47,15 +47,20 @@ TEST(Notices, AreOfEachRoomAndItsPlanesInOrder) {
                                  NoticeKind::changed, NoticeKind::remark, NoticeKind::doubt));
 }
 
-// Formats that list problems alone, tables of other things, and drawings have none.
+// Formats that list problems alone, tables of other things, and drawings have none. Of several
+// rooms the terminal has another form.
 TEST(Notices, AreInEveryFormatThatHasMoreThanProblems) {
-  const Document document = with_notices();
   const std::set<std::string_view> without{"dxf", "github", "gitlab"};
-  for (const Format& format : formats()) {
-    if (is_table(format) || without.contains(format.name)) continue;
-    const std::string text = legible(format, document);
-    for (const char* words : {"made-up note", "made-up change", "made-up remark", "wall.2"})
-      EXPECT_THAT(text, HasSubstr(words)) << format.name;
+  for (const bool has_two_rooms : {false, true}) {
+    Document document = with_notices();
+    std::vector<SpacePart>& spaces = document.projects[0].spaces;
+    if (has_two_rooms) spaces.push_back(small_document().projects[0].spaces[0]);
+    for (const Format& format : formats()) {
+      if (is_table(format) || without.contains(format.name)) continue;
+      const std::string text = legible(format, document);
+      for (const char* words : {"made-up note", "made-up change", "made-up remark", "wall.2"})
+        EXPECT_THAT(text, HasSubstr(words)) << format.name;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "report/html/room/pass_factor.h"
+#include "report/text/pass_factor.h"
 
 #include "tests/support/sample_document.h"
 

@@ -1,4 +1,4 @@
-#include "report/html/room/pass_factor.h"
+#include "report/text/pass_factor.h"
 
 #include "calc/base/elementary.h"
 #include "report/text/text_numbers.h"
