@@ -730,7 +730,10 @@ std::string notes_text(const Texts& t, const ProjectPart& project, const TextOpt
     }
   }
   for (const Notice& notice : notices_of(project)) {
-    if (notice.row == nullptr) notes.add(notice_place(t, notice), notice_words(t, notice));
+    // Of planes of which nothing is asked the table below tells.
+    const bool is_told = notice.plane != nullptr && notice.plane->findings.empty();
+    if (notice.row != nullptr || is_told) continue;
+    notes.add(notice_place(t, notice), notice_words(t, notice));
   }
   for (const rules::RowCoverage& row : together(t, rows)) notes.add("", coverage_words(t, row));
   if (advice == 1) notes.add("", t.say<Text::advice_not_reached_one>(advice));

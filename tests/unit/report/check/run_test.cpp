@@ -80,8 +80,6 @@ TEST(CheckRun, CopiesDifferInOneThingAndShareTheRest) {
   constexpr std::size_t kMostBytes = 1 << 20;
   const check::Run run =
       check::Run().with_light_in(std::make_shared<calc::MemoryStore>(kMostBytes));
-  const check::Run other = run.with_text(kOffice, "<nothing/>");
-  EXPECT_EQ(outcome_of(other.check(kOffice)), rules::Outcome::not_judged);
   EXPECT_EQ(outcome_of(run.check(kOffice, first)), rules::Outcome::pass);
   EXPECT_GT(first.looks.computed, 0U);
   EXPECT_EQ(outcome_of(run.with_packs({}).check(kOffice)), rules::Outcome::not_judged);
@@ -93,6 +91,11 @@ TEST(CheckRun, CopiesDifferInOneThingAndShareTheRest) {
   EXPECT_EQ(outcome_of(later.check(kOffice, second)), rules::Outcome::pass);
   EXPECT_EQ(second.looks.computed, 0U);
   EXPECT_GT(second.looks.read, 0U);
+  std::string text = run.files().read(kOffice).bytes;
+  text.replace(text.find("name=\""), 6, "name=\"Other ");
+  const report::ProjectPart other = run.with_text(kOffice, text).check(kOffice);
+  EXPECT_EQ(outcome_of(other), rules::Outcome::pass);
+  EXPECT_THAT(other.name, testing::StartsWith("Other "));
 }
 
 }  // namespace

@@ -116,15 +116,18 @@ TEST(RoomSummary, CausesAreWhatIsMissingAndNotEachPlane) {
       one.reason = calc::Message::words("no light");
     }
   }
+  office.planes.back().findings.back().reason = calc::Message::words("no point");
   const auto list = room_summaries(document.projects[0]);
   EXPECT_TRUE(list[0].causes.empty());
   const std::vector<RoomCause>& causes = list[1].causes;
-  ASSERT_EQ(causes.size(), 2U);
+  ASSERT_EQ(causes.size(), 3U);
   EXPECT_EQ(causes[0].outcome, rules::Outcome::not_judged);
-  EXPECT_EQ(causes[0].parts.size(), 4U) << "one reason";
-  EXPECT_EQ(causes[1].outcome, rules::Outcome::fail);
-  ASSERT_EQ(causes[1].parts.size(), 2U);
-  EXPECT_EQ(causes[1].worst().plane->id, "wall");
+  EXPECT_EQ(causes[0].parts.size(), 3U) << "one reason";
+  EXPECT_EQ(causes[1].outcome, rules::Outcome::not_judged);
+  EXPECT_EQ(causes[1].parts.size(), 1U) << "another";
+  EXPECT_EQ(causes[2].outcome, rules::Outcome::fail);
+  ASSERT_EQ(causes[2].parts.size(), 2U);
+  EXPECT_EQ(causes[2].worst().plane->id, "wall");
 }
 
 TEST(RoomSummary, CausesTakeNoAdviceAndTellWhatIsWaived) {
