@@ -45,16 +45,21 @@ enum class PartKind : std::uint8_t {
 
 struct MessagePart;
 
-// A value. Empty: nothing is said.
+// A value. Empty: nothing is said. What needs its parts to be complete is defined below them.
 class Message {
  public:
-  Message() = default;
+  Message();
+  Message(const Message& other);
+  Message(Message&& other) noexcept;
+  Message& operator=(const Message& other);
+  Message& operator=(Message&& other) noexcept;
+  ~Message();
   static Message number(std::string text);
   static Message path(std::string text);
   static Message words(std::string text);  // "" is an empty message
   static Message of(Sentence id, std::vector<Message> arguments);
 
-  bool empty() const { return parts_.empty(); }
+  bool empty() const;
   const std::vector<MessagePart>& parts() const { return parts_; }
   std::vector<MessagePart>& parts() { return parts_; }
 
@@ -77,6 +82,14 @@ struct MessagePart {
   std::string text;  // of all others
   std::vector<Message> arguments;
 };
+
+inline Message::Message() = default;
+inline Message::Message(const Message& other) = default;
+inline Message::Message(Message&& other) noexcept = default;
+inline Message& Message::operator=(const Message& other) = default;
+inline Message& Message::operator=(Message&& other) noexcept = default;
+inline Message::~Message() = default;
+inline bool Message::empty() const { return parts_.empty(); }
 
 // By what they hold, in an order that means nothing.
 std::strong_ordering operator<=>(const Message& a, const Message& b);
