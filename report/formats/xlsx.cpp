@@ -1,6 +1,7 @@
 #include "report/formats/xlsx.h"
 
 #include "report/document/luminaire_totals.h"
+#include "report/document/room_summary.h"
 #include "report/formats/ci_finding.h"
 #include "report/formats/table.h"
 #include "report/revision/gate.h"
@@ -8,6 +9,7 @@
 #include "report/text/about_words.h"
 #include "report/text/notices.h"
 #include "report/text/number_format.h"
+#include "report/text/room_causes.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 
@@ -18,7 +20,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -101,6 +105,62 @@ std::vector<TableCell> project_row(const ProjectPart& project) {
           count_cell(warnings.all),
           count_cell(warnings.strict),
           about_line({}, project.about)};
+}
+
+// --- Rooms ---------------------------------------------------------------------------------------
+
+std::vector<SheetColumn> room_columns() {
+  return {{"Verdict", 15, kOfColumn, false, ColumnRole::verdict},
+          {"Room", 30, kOfColumn, true},
+          {"Required", 10},
+          {"Met", 8},
+          {"Average (lx)", 12},
+          {"Required (lx)", 12},
+          {"Uo", 9},
+          {"Required Uo", 12},
+          {"UGR", 9},
+          {"Required UGR", 12},
+          {"Power (W/m²)", 12, 2},
+          {"Why it does not pass", 80, kOfColumn, true},
+          {"Project", 30, kOfColumn, true},
+          {"Room id", 24}};
+}
+
+// A value and its limit; nothing where it is not asked.
+void add_value(const rules::Finding* finding, std::vector<TableCell>& row) {
+  if (finding == nullptr) {
+    row.insert(row.end(), 2, TableCell());
+    return;
+  }
+  const rules::Requirement& requirement = finding->requirement;
+  if (finding->verdict == rules::Verdict::not_judged) {
+    row.emplace_back();
+  } else if (calc::is_nothing(finding->measured)) {
+    row.emplace_back(std::string(english_text(Text::none)));
+  } else {
+    row.emplace_back(TableNumber{finding->measured.value});
+  }
+  row.emplace_back(format_required(Threshold{requirement.limit, requirement.comparison}, ""));
+}
+
+std::vector<TableCell> room_row(const ProjectPart& project, const RoomSummary& room) {
+  std::vector<TableCell> row{std::string(outcome_words(room.outcome)),
+                             std::string(report::title_of(room.space->name, room.space->id)),
+                             count_cell(room.required), count_cell(room.met)};
+  for (const rules::Finding* value : {room.average, room.uniformity, room.glare})
+    add_value(value, row);
+  const std::optional<double> power_w_m2 = room.space->power.density_w_m2();
+  row.push_back(power_w_m2 ? TableCell(TableNumber{*power_w_m2}) : TableCell());
+  std::string why;
+  for (const RoomCause& cause : room.causes) {
+    const CauseWords words = cause_words({}, room, cause);
+    why += (why.empty() ? "" : "\n") + words.what;
+    for (const std::string& more : words.more) why += "; " + more;
+  }
+  row.emplace_back(why);
+  row.emplace_back(project.path);
+  row.emplace_back(room.space->id);
+  return row;
 }
 
 // --- Types ---------------------------------------------------------------------------------------
@@ -283,6 +343,7 @@ class XlsxWriter : public FormatWriter {
         results_order_(results_table().columns, kResultsFirst),
         points_order_(points_table().columns, {}),
         luminaires_order_(luminaires_table().columns, {}),
+        rooms_("Rooms", room_columns(), place, most_rows),
         projects_("Projects", project_columns(), place, most_rows),
         requirements_("Requirements", results_order_.head(), place, most_rows),
         points_("Points", points_order_.head(), place, most_rows),
@@ -303,19 +364,20 @@ class XlsxWriter : public FormatWriter {
   void write_reading(SheetSeries& summary, const Provenance& provenance) const;
   void write_remarks(SheetSeries& summary) const;
   std::vector<const SheetSeries*> tables() const {
-    return {&projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_};
+    return {&rooms_, &projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_};
   }
 
   const DocumentFrame& frame_;
   SpillPlace place_;
   SheetOrder results_order_, points_order_, luminaires_order_;
-  SheetSeries projects_, requirements_, points_, luminaires_, types_, warnings_;
+  SheetSeries rooms_, projects_, requirements_, points_, luminaires_, types_, warnings_;
   std::string title_;  // of the only project
   std::vector<AboutWords> about_;
   std::vector<std::pair<std::string, std::string>> first_remarks_;
 };
 
 void XlsxWriter::add(const ProjectPart& project) {
+  for (const RoomSummary& room : room_summaries(project)) rooms_.add(room_row(project, room));
   projects_.add(project_row(project));
   results_table().rows(
       project, [&](std::span<const TableCell> row) { requirements_.add(results_order_.row(row)); });
@@ -469,7 +531,7 @@ void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
   Workbook book;
   book.add(summary);
   for (SheetSeries* table :
-       {&projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_}) {
+       {&rooms_, &projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_}) {
     book.add(*table);
   }
   if (revision) book.add(*revision);

@@ -17,7 +17,7 @@ import zipfile
 import small_designs
 
 PROGRAM, WORK, EXAMPLES = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
-SHEETS = ["Summary", "Projects", "Requirements", "Points", "Luminaires", "Types", "Warnings"]
+SHEETS = ["Summary", "Rooms", "Projects", "Requirements", "Points", "Luminaires", "Types", "Warnings"]
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 LINK = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 problems = []

@@ -97,13 +97,22 @@ std::string column_with(const Book& book, const std::string& head) {
 
 TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
   const Book book(rendered("xlsx", small_document()));
-  EXPECT_THAT(book.sheets(), ElementsAre("Summary", "Projects", "Requirements", "Points",
+  EXPECT_THAT(book.sheets(), ElementsAre("Summary", "Rooms", "Projects", "Requirements", "Points",
                                          "Luminaires", "Types", "Warnings"));
   EXPECT_EQ(book.words("Requirements", "A1"), "Verdict");
   EXPECT_EQ(book.words("Requirements", "A2"), "pass");
   EXPECT_EQ(book.words("Requirements", "A3"), "fail");
   EXPECT_EQ(book.words("Requirements", column_with(book, "Required") + "2"), "≥ 500 lx");
   EXPECT_EQ(book.rows("Points"), 3U);
+}
+
+TEST(Xlsx, ARoomHasARowThatSaysWhy) {
+  const Book book(rendered("xlsx", small_document()));
+  EXPECT_EQ(book.rows("Rooms"), 2U);
+  EXPECT_EQ(book.words("Rooms", "A2"), "fail");
+  EXPECT_EQ(book.words("Rooms", "B2"), "Office");
+  EXPECT_THAT(book.words("Rooms", "L2"),
+              testing::AllOf(HasSubstr("Work plane: "), HasSubstr("required ")));
 }
 
 TEST(Xlsx, SameDocumentSameBytesAndNoDateUnlessAskedFor) {
