@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace report {
 namespace {
@@ -22,17 +23,21 @@ bool is_glare(const PlanePart& plane, const rules::Requirement& requirement) {
           requirement.metric == rules::Metric::maximum);
 }
 
-// Whether one line can say both: what is missing is the same.
+// Whether one line can say both: neither is judged, for the same reason, or the same is required of
+// two planes and missed for the same reason. What has arguments of its own has its own line.
 bool is_one_cause(const RoomCause& cause, rules::Outcome outcome, const PlanePart& plane,
                   const rules::Finding& finding) {
   if (cause.outcome != outcome || cause.parts.empty()) return false;
   const rules::Finding& known = *cause.parts.front().finding;
-  const bool has_reason = outcome == rules::Outcome::not_judged || !finding.reason.empty();
-  if (outcome != rules::Outcome::fail && has_reason) return known.reason == finding.reason;
+  if (known.verdict != finding.verdict || !(known.reason == finding.reason)) return false;
+  if (finding.verdict == rules::Verdict::not_judged) return true;
   const rules::Requirement &a = known.requirement, &b = finding.requirement;
-  return cause.parts.front().plane->kernel == plane.kernel && a.metric == b.metric &&
-         a.derived == b.derived && a.comparison == b.comparison && a.scene == b.scene &&
-         known.reason == finding.reason;
+  const bool is_known_plane = std::any_of(cause.parts.begin(), cause.parts.end(),
+                                          [&](const auto& part) { return part.plane == &plane; });
+  return !is_known_plane && cause.parts.front().plane->kernel == plane.kernel &&
+         a.metric == b.metric && a.derived == b.derived && a.comparison == b.comparison &&
+         a.scene == b.scene && a.state == b.state &&
+         std::holds_alternative<std::monostate>(a.arguments);
 }
 
 void add_cause(const PlanePart& plane, const rules::Finding& finding, rules::Outcome outcome,

@@ -641,10 +641,16 @@ std::string causes_text(const Texts& t, const ProjectPart& project, const TextOp
   std::map<rules::Outcome, std::vector<Entry>> blocks;
   for (const RoomSummary& room : room_summaries(project)) {
     std::map<rules::Outcome, std::string> reasons;
-    for (const RoomCause& cause : room.causes) {
+    for (std::size_t c = 0; c < room.causes.size(); ++c) {
+      const RoomCause& cause = room.causes[c];
       const CauseWords words = cause_words(t, room, cause);
       std::string& text = reasons[cause.outcome];
       text += note_lines(printable(words.what), 2, options.width, "  ");
+      // What several in a row have in common stands below the last one.
+      const bool is_said_below = c + 1 < room.causes.size() &&
+                                 room.causes[c + 1].outcome == cause.outcome &&
+                                 cause_words(t, room, room.causes[c + 1]).more == words.more;
+      if (is_said_below) continue;
       for (const std::string& more : words.more) {
         text += note_lines(printable(more), 4, options.width);
       }
@@ -676,68 +682,101 @@ std::string causes_text(const Texts& t, const ProjectPart& project, const TextOp
   return text;
 }
 
-// Texts that must be read, each once, with its place or with how often it is to be said.
+// Texts that must be read, each once, with the places of which it is true.
 class NotesOnce {
  public:
   void add(const std::string& place, const std::string& note) {
     if (note.empty()) return;
     const auto [known, is_new] = number_.try_emplace(note, notes_.size());
-    if (is_new) notes_.push_back({note, place, 0});
-    ++notes_[known->second].count;
+    if (is_new) notes_.push_back({note, {}});
+    std::vector<std::string>& places = notes_[known->second].places;
+    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   }
   std::string text(const Texts& t, const TextOptions& options) const {
     std::string text;
     for (const Note& note : notes_) {
-      const std::string words = note.count > 1 ? t.say<Text::note_times>(note.words, note.count)
-                                : note.place.empty() ? note.words
-                                                     : note.place + t[Text::colon] + note.words;
-      text += note_lines(words, 0, options.width, "· ");
+      text += note_lines(some_names(t, note.places) + t[Text::colon] + note.words, 0, options.width,
+                         "· ");
     }
     return text;
   }
 
  private:
   struct Note {
-    std::string words, place;
-    int count = 0;
+    std::string words;
+    std::vector<std::string> places;
   };
   std::vector<Note> notes_;
   std::map<std::string, std::size_t> number_;
 };
 
-// Of all rooms. Masks are the standard's own and no doubt, and that a value is recommended only is
-// said of all of these together.
+// "" = it is as recommended.
+std::string recommendation_words(const Texts& t, const PlanePart& plane,
+                                 const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const std::string quantity =
+      quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
+  const std::string required = format_required(
+      t, Threshold{requirement.limit, requirement.comparison}, rules::unit_of(requirement));
+  switch (finding.verdict) {
+    case rules::Verdict::pass:
+      break;
+    case rules::Verdict::fail:
+      return t.say<Text::advice_not_reached>(quantity, required);
+    case rules::Verdict::undecided:
+      return t.say<Text::advice_undecided>(quantity, required);
+    case rules::Verdict::not_judged:
+      return t.say<Text::advice_not_judged>(quantity, required);
+  }
+  return {};
+}
+
+// What must be read with one finding. Masks of standards are no doubt.
+void add_finding_notes(const Texts& t, const std::string& place, const PlanePart& plane,
+                       rules::Finding finding, NotesOnce& notes) {
+  const std::string foreign = foreign_clause_words(t, finding.requirement);
+  const bool is_in_causes = rules::outcome_of(finding) != rules::Outcome::nothing_asked &&
+                            finding.verdict != rules::Verdict::pass;
+  if (!is_in_causes) notes.add(place, printable(sentence(t, finding.reason)));
+  if (finding.requirement.severity == rules::Severity::advice) {
+    notes.add(place, printable(recommendation_words(t, plane, finding)));
+  }
+  if (foreign.empty()) finding.requirement.mask.id.clear();
+  finding.requirement.severity = rules::Severity::shall;
+  notes.add(place, printable(foreign));
+  notes.add(place, printable(note_words(t, finding)));
+  if (finding.is_close) notes.add(place, close_words(t, finding));
+}
+
+// Of all rooms.
 std::string notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
   NotesOnce notes;
-  int advice = 0;
-  std::vector<rules::RowCoverage> rows;
   for (const SpacePart& space : project.spaces) {
-    rows.insert(rows.end(), space.coverage.begin(), space.coverage.end());
+    const std::string room = printable(title_of(space.name, space.id));
     for (const PlanePart& plane : space.planes) {
-      const std::string place = printable(title_of(space.name, space.id)) + " / " +
-                                printable(plane_in_room(t, space, plane));
-      for (rules::Finding finding : plane.findings) {
-        const bool is_advice = finding.requirement.severity == rules::Severity::advice;
-        advice += is_advice && finding.verdict != rules::Verdict::pass ? 1 : 0;
-        finding.requirement.mask.id.clear();
-        finding.requirement.severity = rules::Severity::shall;
-        notes.add(place, printable(foreign_clause_words(t, finding.requirement)));
-        notes.add(place, printable(note_words(t, finding)));
-        if (finding.verdict == rules::Verdict::pass || is_advice)
-          notes.add(place, printable(sentence(t, finding.reason)));
-        if (finding.is_close) notes.add(place, close_words(t, finding));
+      const std::string place = room + " / " + printable(plane_in_room(t, space, plane));
+      for (const rules::Finding& finding : plane.findings) {
+        add_finding_notes(t, place, plane, finding, notes);
       }
     }
+    for (const Notice& notice : notices_of(space)) {
+      // Of planes of which nothing is asked the table below tells; rows follow.
+      const bool is_told = notice.plane != nullptr && notice.plane->findings.empty();
+      if (notice.row != nullptr || is_told) continue;
+      const std::string place =
+          notice.plane == nullptr
+              ? room
+              : room + " / " + printable(plane_in_room(t, space, *notice.plane));
+      const bool is_change = notice.kind == NoticeKind::changed;
+      notes.add(place, is_change ? printable(t.say<Text::made_and_changed>(
+                                       sentence(t, notice.plane->made_by),
+                                       sentence(t, notice.plane->changed)))
+                                 : notice_words(t, notice));
+    }
+    for (const rules::RowCoverage& row : together(t, space.coverage)) {
+      notes.add(room, coverage_words(t, row));
+    }
   }
-  for (const Notice& notice : notices_of(project)) {
-    // Of planes of which nothing is asked the table below tells.
-    const bool is_told = notice.plane != nullptr && notice.plane->findings.empty();
-    if (notice.row != nullptr || is_told) continue;
-    notes.add(notice_place(t, notice), notice_words(t, notice));
-  }
-  for (const rules::RowCoverage& row : together(t, rows)) notes.add("", coverage_words(t, row));
-  if (advice == 1) notes.add("", t.say<Text::advice_not_reached_one>(advice));
-  if (advice > 1) notes.add("", t.say<Text::advice_not_reached>(advice));
   const std::string text = notes.text(t, options);
   return text.empty() ? text : t[Text::notes_once] + ("\n" + text) + "\n";
 }

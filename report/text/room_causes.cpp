@@ -80,8 +80,7 @@ CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause&
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   CauseWords words;
-  // Of several quantities for one reason no single value tells anything.
-  if (finding.verdict == rules::Verdict::not_judged || quantities.size() > 1) {
+  if (finding.verdict == rules::Verdict::not_judged) {
     words.what = where + t[Text::colon] + fmt::format("{}", fmt::join(quantities, ", "));
   } else {
     const std::string measured = format_measured(t, finding.measured, unit, threshold);

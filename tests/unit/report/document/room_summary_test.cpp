@@ -130,12 +130,43 @@ TEST(RoomSummary, CausesAreWhatIsMissingAndNotEachPlane) {
   EXPECT_EQ(causes[2].worst().plane->id, "wall");
 }
 
+// Each with its value: two percentiles are not one failure, and neither are two of one plane.
+TEST(RoomSummary, CausesHideNoValue) {
+  Document document = rooms();
+  SpacePart& office = document.projects[0].spaces[1];
+  set_average(finding(office, 1), 300.0);
+  EXPECT_EQ(room_summaries(document.projects[0])[1].causes.size(), 2U);
+  office.planes.push_back(office.planes[0]);
+  office.planes[1].id = "other";
+  for (PlanePart& plane : office.planes) {
+    for (rules::Finding& one : plane.findings) {
+      one.requirement.metric = rules::Metric::percentile;
+      one.requirement.arguments = rules::Percentile{10.0};
+    }
+  }
+  EXPECT_EQ(room_summaries(document.projects[0])[1].causes.size(), 4U);
+  const std::string text = rendered("text", document);
+  EXPECT_THAT(text, HasSubstr("412.0 ± 0.5 lx, required ≥ 500 lx"));
+  EXPECT_THAT(text, HasSubstr("300.0 ± 0.5 lx, required ≥ 450 lx"));
+}
+
+// A doubt of one plane names it, however many requirements it has.
+TEST(RoomSummary, NotesNameTheirPlaces) {
+  Document document = rooms();
+  for (const std::size_t r : {0U, 2U}) {
+    for (rules::Finding& one : document.projects[0].spaces[r].planes[0].findings)
+      one.is_close = true;
+  }
+  EXPECT_THAT(rendered("text", document),
+              HasSubstr("· Hall / Work plane, Store / Work plane: close: "));
+}
+
 TEST(RoomSummary, CausesTakeNoAdviceAndTellWhatIsWaived) {
   Document document = rooms();
   rules::Finding& failed = finding(document.projects[0].spaces[1], 0);
   failed.requirement.severity = rules::Severity::advice;
   EXPECT_TRUE(room_summaries(document.projects[0])[1].causes.empty());
-  EXPECT_THAT(rendered("text", document), HasSubstr("1 recommended value is not reached"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("is outside the recommended range"));
   failed.requirement.severity = rules::Severity::shall;
   failed.is_waived = true;
   const auto list = room_summaries(document.projects[0]);
