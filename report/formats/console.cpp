@@ -734,16 +734,17 @@ std::string recommendation_words(const Texts& t, const PlanePart& plane,
 // What must be read with one finding. Masks of standards are no doubt.
 void add_finding_notes(const Texts& t, const std::string& place, const PlanePart& plane,
                        rules::Finding finding, NotesOnce& notes) {
-  const std::string foreign = foreign_clause_words(t, finding.requirement);
   const bool is_in_causes = rules::outcome_of(finding) != rules::Outcome::nothing_asked &&
                             finding.verdict != rules::Verdict::pass;
   if (!is_in_causes) notes.add(place, printable(sentence(t, finding.reason)));
   if (finding.requirement.severity == rules::Severity::advice) {
     notes.add(place, printable(recommendation_words(t, plane, finding)));
   }
-  if (foreign.empty()) finding.requirement.mask.id.clear();
+  if (rules::source_of(finding.requirement) == rules::LimitSource::pack) {
+    finding.requirement.mask.id.clear();
+  }
   finding.requirement.severity = rules::Severity::shall;
-  notes.add(place, printable(foreign));
+  notes.add(place, printable(foreign_clause_words(t, finding.requirement)));
   notes.add(place, printable(note_words(t, finding)));
   if (finding.is_close) notes.add(place, close_words(t, finding));
 }

@@ -1,12 +1,12 @@
 #include "report/html/chapters/html_findings.h"
 
 #include "report/html/chapters/html_aggregates.h"
-#include "report/text/pass_factor.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/clause_words.h"
 #include "report/text/decides.h"
 #include "report/text/markup.h"
+#include "report/text/pass_factor.h"
 #include "report/text/sentences.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"

@@ -8,10 +8,10 @@
 #include "report/html/room/html_convergence.h"
 #include "report/html/room/html_levels.h"
 #include "report/html/room/html_values.h"
-#include "report/text/pass_factor.h"
 #include "report/images/heatmap.h"
 #include "report/text/decides.h"
 #include "report/text/markup.h"
+#include "report/text/pass_factor.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 

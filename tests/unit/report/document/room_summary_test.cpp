@@ -150,6 +150,17 @@ TEST(RoomSummary, CausesHideNoValue) {
   EXPECT_THAT(text, HasSubstr("300.0 ± 0.5 lx, required ≥ 450 lx"));
 }
 
+// Points that a project's own mask leaves out are no matter of course.
+TEST(RoomSummary, NotesHaveMasksThatNoStandardMakes) {
+  Document document = rooms();
+  rules::Requirement& requirement = finding(document.projects[0].spaces[0], 0).requirement;
+  requirement.mask.id = "inner";
+  requirement.clause = {};
+  EXPECT_THAT(rendered("text", document), HasSubstr("· Hall / Work plane: mask inner"));
+  requirement.origin.pack = "en12464-1:2021";
+  EXPECT_THAT(rendered("text", document), Not(HasSubstr("mask inner")));
+}
+
 // A doubt of one plane names it, however many requirements it has.
 TEST(RoomSummary, NotesNameTheirPlaces) {
   Document document = rooms();
