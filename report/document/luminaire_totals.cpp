@@ -13,4 +13,12 @@ LuminaireTotals totals_of(const std::vector<LuminaireRow>& luminaires) {
   return totals;
 }
 
+std::string position_letter(std::size_t row) {
+  constexpr std::size_t kLetters = 26;
+  std::string name;
+  for (++row; row > 0; row = (row - 1) / kLetters)
+    name.insert(name.begin(), static_cast<char>('A' + (row - 1) % kLetters));
+  return name;
+}
+
 }  // namespace report

@@ -3,6 +3,9 @@
 
 #include "report/document/document.h"
 
+#include <cstddef>
+#include <string>
+
 namespace report {
 
 // Of all types of a project together.
@@ -13,5 +16,9 @@ struct LuminaireTotals {
 };
 
 LuminaireTotals totals_of(const std::vector<LuminaireRow>& luminaires);
+
+// By which schedules and plans name a type: "A" to "Z", then "AA" and so on, in the order of the
+// schedule.
+std::string position_letter(std::size_t row);
 
 }  // namespace report
