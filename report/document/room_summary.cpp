@@ -72,7 +72,10 @@ void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSumm
 
 }  // namespace
 
-const RoomCause::Part& RoomCause::worst() const {
+const RoomCause::Part& RoomCause::worst() const { return worst_of(parts); }
+
+const RoomCause::Part& worst_of(const std::vector<RoomCause::Part>& parts) {
+  using Part = RoomCause::Part;
   const auto margin = [](const Part& part) {
     const double own = part.finding->margin;
     return std::isnan(own) ? std::numeric_limits<double>::infinity() : own;

@@ -21,9 +21,12 @@ struct RoomCause {
   std::vector<Part> parts;  // in document order; empty: it is an aggregate about the room
   const rules::AggregateFinding* aggregate = nullptr;
 
-  // The one with the least margin, of those that were judged.
+  // See worst_of().
   const Part& worst() const;
 };
+
+// The part with the least margin; the first one where none was judged. parts: not empty.
+const RoomCause::Part& worst_of(const std::vector<RoomCause::Part>& parts);
 
 // Points into the project.
 struct RoomSummary {

@@ -8,6 +8,7 @@
 #include "report/formats/pdf.h"
 #include "report/formats/sarif.h"
 #include "report/formats/xlsx.h"
+#include "report/html/client/client_page.h"
 #include "report/html/page/html.h"
 #include "report/result_file/json.h"
 
@@ -37,7 +38,8 @@ constexpr Format kFormats[] = {
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
      [](Frame frame, Place place, Style s) {
-       return html_writer(frame, place, s.texts, "", s.page);
+       return s.page.detail == Detail::client ? client_writer(frame, place, s.texts, s.page)
+                                              : html_writer(frame, place, s.texts, "", s.page);
      },
      true},
     {"pdf", "the HTML, printed by Chromium", "",

@@ -1,6 +1,7 @@
 #include "report/formats/pdf.h"
 
 #include "calc/base/text.h"
+#include "report/html/client/client_page.h"
 #include "report/html/page/html.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,9 @@ class PdfWriter : public FormatWriter {
  public:
   PdfWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
             const PageStyle& style, PagePrinter* printer)
-      : page_(html_writer(frame, place, t, "", style, &numbers_)), printer_(printer) {}
+      : page_(style.detail == Detail::full ? html_writer(frame, place, t, "", style, &numbers_)
+                                           : client_writer(frame, place, t, style, &numbers_)),
+        printer_(printer) {}
 
   void add(const ProjectPart& project) override { page_->add(project); }
   void finish(const DocumentEnd& end, Sink& sink) override {

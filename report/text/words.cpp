@@ -357,13 +357,16 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   const rules::Requirement& requirement = finding.requirement;
   if (!requirement.note.empty()) parts.push_back({requirement.note, ""});
   const auto add = [&parts](std::string text) { parts.push_back({{}, std::move(text)}); };
-  if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
-  if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
-  if (requirement.direct_only) add(t[Text::note_direct_only]);
+  const auto add_method = [&parts](std::string text) {
+    parts.push_back({{}, std::move(text), true});
+  };
+  if (requirement.severity == rules::Severity::advice) add_method(t[Text::note_advice]);
+  if (requirement.severity == rules::Severity::in_aggregate) add_method(t[Text::note_in_aggregate]);
+  if (requirement.direct_only) add_method(t[Text::note_direct_only]);
   if (!requirement.mask.id.empty()) {
-    add(finding.points_used == 0
-            ? t.say<Text::note_mask>(requirement.mask.id)
-            : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
+    add_method(finding.points_used == 0
+                   ? t.say<Text::note_mask>(requirement.mask.id)
+                   : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
   }
   if (!requirement.policy.is_default())
     parts.push_back({calc::Message::words(rules::policy_text(requirement.policy)), ""});

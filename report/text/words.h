@@ -70,7 +70,8 @@ const char* comparison_sign(rules::Comparison comparison);
 // if there is nothing to say.
 struct NotePart {
   calc::Message message;
-  std::string text;  // without a message, in the reader's language
+  std::string text;        // without a message, in the reader's language
+  bool is_method = false;  // how it is judged, which weakens nothing
 };
 // ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
 // nothing.

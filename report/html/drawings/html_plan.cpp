@@ -36,6 +36,7 @@ constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 struct PaperForm {
   double px_by_css_px = 1.0;  // of the drawing, by one of the style sheet
   double width_mm = 0.0;
+  int pieces = 1;
   double number_px = 0.0;     // size of values; 0: not even one has room
   int columns = 1, rows = 1;  // of so many cells one is printed
   bool has_value(int column, int row, const calc::SensorGrid& grid) const {
@@ -49,6 +50,44 @@ struct PaperForm {
     const int from_first = cell - (cells - 1 - every * (kept - 1)) / 2;
     return from_first >= 0 && from_first % every == 0 && from_first / every < kept;
   }
+};
+
+// A long plan in pieces of one size: a wide one in rows, a high one in columns.
+class Pieces {
+ public:
+  Pieces(const PlanLayout& layout, int count)
+      : count_(count),
+        all_px_(layout.width_px(), layout.height_px()),
+        axis_(all_px_.x < all_px_.y) {}
+
+  int count() const { return count_; }
+  glm::dvec2 piece_px() const {
+    glm::dvec2 size = all_px_;
+    size[axis_] /= count_;
+    return size;
+  }
+  // Of the drawing: where the piece begins.
+  glm::dvec2 from_px(int piece) const {
+    glm::dvec2 from(0.0);
+    from[axis_] = piece * piece_px()[axis_];
+    return from;
+  }
+  // Of the picture: where the piece stands. The first one of a high plan is its upper end.
+  glm::dvec2 at_px(int piece) const {
+    glm::dvec2 at(0.0);
+    at[1 - axis_] = piece * (all_px_[1 - axis_] + kGap);
+    return at;
+  }
+  glm::dvec2 whole_px() const {
+    return at_px(count_ - 1) + piece_px() + glm::dvec2(0.0, kBelowPlan);
+  }
+
+ private:
+  static constexpr double kGap = 8;
+
+  int count_;
+  glm::dvec2 all_px_;
+  int axis_;  // along which it is cut
 };
 
 struct Drawing : PlanCells {
@@ -167,17 +206,23 @@ double number_size_px(const Drawing& drawing) {
   return fitting < kSmallest ? 0.0 : std::min(fitting, kLargest);
 }
 
-// The place that the style sheet gives a plan beside its tables, and what is read on paper.
-PaperForm paper_form(const Drawing& drawing, Paper paper) {
+// What is read on paper.
+PaperForm paper_form(const Drawing& drawing, const PlanPlace& place) {
+  constexpr double kWorthAPiece = 1.15;  // so much larger all becomes
   constexpr double kPoint_mm = 25.4 / 72, kCssPixel_mm = 25.4 / 96;
   constexpr double kSmallest_mm = 6.5 * kPoint_mm, kLargest_mm = 8 * kPoint_mm;
   constexpr double kGap = 0.5, kLine = 1.15;  // beside and below a number, of its size
-  const glm::dvec2 place_mm = paper == Paper::letter ? glm::dvec2(74, 38) : glm::dvec2(72, 43);
-  const glm::dvec2 plan_px(drawing.layout.width_px(), drawing.layout.height_px() + kBelowPlan);
-  const double mm_by_px = std::min(place_mm.x / plan_px.x, place_mm.y / plan_px.y);
   PaperForm form;
+  double mm_by_px = 0.0;
+  for (int pieces = 1; pieces <= place.most_pieces; ++pieces) {
+    const glm::dvec2 plan_px = Pieces(drawing.layout, pieces).whole_px();
+    const double fitting = std::min(place.most_mm.x / plan_px.x, place.most_mm.y / plan_px.y);
+    if (fitting <= kWorthAPiece * mm_by_px) continue;
+    mm_by_px = fitting;
+    form.pieces = pieces;
+    form.width_mm = mm_by_px * plan_px.x;
+  }
   form.px_by_css_px = kCssPixel_mm / mm_by_px;
-  form.width_mm = mm_by_px * plan_px.x;
   const calc::SensorGrid& grid = drawing.plane.grid;
   const glm::dvec2 cell = drawing.cell_px(), cells(grid.columns, grid.rows);
   // By the size of the font. Cells of a route may lie in any direction.
@@ -334,9 +379,9 @@ std::string svg_minimum(const Drawing& drawing) {
                      path);
 }
 
-std::string svg_scale_bar(const Texts& t, const PlanLayout& layout) {
-  const double length_m = scale_bar_m(layout.high_m.x - layout.low_m.x);
-  const double y = layout.height_px() + 16;
+std::string svg_scale_bar(const Texts& t, const PlanLayout& layout, const Pieces& pieces) {
+  const double length_m = scale_bar_m(pieces.piece_px().x / layout.pixels_per_metre);
+  const double y = pieces.whole_px().y - kBelowPlan + 16;
   return fmt::format(
       "<path class=\"scale\" d=\"M1 {0}v6h{1}v-6\"/><text x=\"{2}\" y=\"{3}\" class=\"small\">{4} "
       "m</text>\n",
@@ -393,17 +438,27 @@ std::string paper_labels(const Drawing& drawing) {
       .labels;
 }
 
+// The window of one piece, and the group that the first one shares with the others.
+std::string piece_start(const Drawing& drawing, const Pieces& pieces, int piece) {
+  const glm::dvec2 at = pieces.at_px(piece), size = pieces.piece_px(), from = pieces.from_px(piece);
+  return fmt::format(
+      "<svg x=\"{0}\" y=\"{1}\" width=\"{4}\" height=\"{5}\" viewBox=\"{2} {3} {4} {5}\"><g{6}>\n",
+      svg_number(at.x), svg_number(at.y), svg_number(from.x), svg_number(from.y),
+      svg_number(size.x), svg_number(size.y),
+      piece == 0 && pieces.count() > 1 ? " id=\"" + drawing.anchor + "-plan\"" : "");
+}
+
 std::string svg_plan(const Drawing& drawing) {
   const PlanLayout& layout = drawing.layout;
-  const std::string width = svg_number(layout.width_px()),
-                    height = svg_number(layout.height_px() + kBelowPlan);
+  const Pieces pieces(layout, drawing.on_paper ? drawing.on_paper->pieces : 1);
+  const std::string width = svg_number(pieces.whole_px().x),
+                    height = svg_number(pieces.whole_px().y);
   std::string svg = fmt::format(
       "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\"{3}>\n",
       width, height, spoken(drawing), paper_attribute(drawing));
   svg += hatch_pattern(drawing.anchor);
-  svg += fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width,
-                     svg_number(layout.height_px()));
+  svg += piece_start(drawing, pieces, 0);
   const std::string room = svg_path(layout, layout.room_m);
   if (!room.empty()) svg += fmt::format("<path class=\"floor\" d=\"{}\"/>\n", room);
   if (drawing.plane.points.size() <= kMostSvgCells) {
@@ -420,8 +475,12 @@ std::string svg_plan(const Drawing& drawing) {
   const IsoluxDrawing isolux =
       svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
-         svg_sign_numbers(drawing) + isolux.labels + paper_labels(drawing) + "</svg>\n";
-  return svg + svg_scale_bar(drawing.t, layout) + "</svg>\n";
+         svg_sign_numbers(drawing) + isolux.labels + paper_labels(drawing) + "</g></svg>\n";
+  for (int piece = 1; piece < pieces.count(); ++piece) {
+    svg += piece_start(drawing, pieces, piece) +
+           fmt::format("<use href=\"#{}-plan\"/></g></svg>\n", drawing.anchor);
+  }
+  return svg + svg_scale_bar(drawing.t, layout, pieces) + "</svg>\n";
 }
 
 // "+x", "−y" for an axis of the world, else its components.
@@ -525,11 +584,15 @@ std::string colour_bar(const Drawing& drawing) {
 
 }  // namespace
 
+PlanPlace place_beside_tables(Paper paper) {
+  return {paper == Paper::letter ? glm::dvec2(74, 38) : glm::dvec2(72, 43)};
+}
+
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      const PlaneScale& scale, std::string_view anchor, Paper paper) {
+                      const PlaneScale& scale, std::string_view anchor, const PlanPlace& place) {
   bool has_all = true;
   Drawing drawing = make_drawing(t, space, plane, scale, anchor, has_all);
-  drawing.on_paper = paper_form(drawing, paper);
+  drawing.on_paper = paper_form(drawing, place);
   std::string left_out;
   if (drawing.is_scale_shared) left_out += std::string(" ") + t[Text::shared_scale];
   if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];

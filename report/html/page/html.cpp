@@ -18,6 +18,7 @@
 #include "report/html/page/html_pages.h"
 #include "report/html/page/html_script.h"
 #include "report/html/page/html_style.h"
+#include "report/html/page/page_parts.h"
 #include "report/html/page/print_pages.h"
 #include "report/html/room/html_levels.h"
 #include "report/html/room/html_plane.h"
@@ -33,10 +34,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -74,55 +73,6 @@ std::string head_start(const Texts& t, const std::string& title, const std::stri
          (language_row(t.language()).has_long_words ? kLongWords : "") + pages;
 }
 
-// Regions are landmarks, which must differ in name; planes of several rooms may have one name.
-// Repeats of "name" are "name (2)", "name (3)" ..., unless another region is called so.
-class RegionNames {
- public:
-  std::string unique(const std::string& label) {
-    if (!is_taken(label)) return *plain_.insert(label).first;
-    for (int& k = next_.try_emplace(label, 2).first->second;;) {
-      std::string name = fmt::format("{} ({})", label, k++);
-      if (!plain_.contains(name)) return name;
-    }
-  }
-
-  // html: made by our own renderers, so that no name from a file can hold a quote.
-  std::string with_unique_regions(std::string_view html) {
-    const std::string start = region_start();
-    std::string unique_html;
-    unique_html.reserve(html.size());
-    for (std::size_t at = html.find(start); at != std::string_view::npos; at = html.find(start)) {
-      const std::size_t begin = at + start.size();
-      const std::string label(html.substr(begin, html.find('"', begin) - begin));
-      unique_html += html.substr(0, begin);
-      unique_html += unique(label);
-      html.remove_prefix(begin + label.size());
-    }
-    unique_html += html;
-    return unique_html;
-  }
-
- private:
-  static std::string region_start() {
-    const std::string box = scroll_box_start("");  // up to the quote at the end of its label
-    return box.substr(box.find("role="), box.rfind('"') - box.find("role="));
-  }
-
-  bool is_taken(const std::string& name) const {
-    if (plain_.contains(name)) return true;
-    const std::size_t at = name.rfind(" (");
-    if (at == std::string::npos) return false;
-    const auto found = next_.find(name.substr(0, at));
-    if (found == next_.end()) return false;
-    int k = 0;
-    std::from_chars(name.data() + at + 2, name.data() + name.size(), k);
-    return k >= 2 && k < found->second && name.substr(at) == fmt::format(" ({})", k);
-  }
-
-  std::set<std::string> plain_;      // as they were labelled
-  std::map<std::string, int> next_;  // by label: the number of its next repeat
-};
-
 // What comes before and after the main part of a page; the style sheet may go on in between.
 std::string page_start(const Texts& t, const std::string& title, const std::string& pages) {
   return fmt::format("<!DOCTYPE html>\n<html lang=\"{}\">\n", t.language_tag()) +
@@ -140,30 +90,6 @@ std::string page_end(const Texts& t, const Provenance& provenance) {
   return "</main>\n<footer><p>" +
          t.say<Text::made_by_program>(escape_html(provenance.program_version)) +
          "</p></footer>\n<script>" + html_script(t) + "</script>\n</body>\n</html>\n";
-}
-
-struct Section {
-  std::string address, words;  // words: escaped
-  bool is_on_paper = false;    // alone
-};
-
-std::string page_number(const Section& section, const PageNumbers* numbers) {
-  if (numbers == nullptr) return {};
-  const auto page = numbers->find(section.address.substr(1));  // without '#'
-  if (page == numbers->end()) return {};
-  return fmt::format("<span class=\"page-number\">{}</span>", page->second);
-}
-
-std::string contents(const Texts& t, const std::vector<Section>& sections,
-                     const PageNumbers* numbers) {
-  std::string html =
-      fmt::format("<nav aria-label=\"{0}\"><h2 class=\"on-paper\">{0}</h2><ul class=\"contents\">",
-                  t[Text::contents]);
-  for (const Section& section : sections)
-    html += fmt::format("<li{}><a href=\"{}\">{}</a>{}</li>",
-                        section.is_on_paper ? " class=\"on-paper\"" : "", section.address,
-                        section.words, page_number(section, numbers));
-  return html + "</ul></nav>\n";
 }
 
 std::string space_title(const SpacePart& space) {
@@ -240,8 +166,8 @@ class HtmlWriter : public FormatWriter {
     std::string html;     // "" = the project has none
     const char* address;  // of its heading, without the number of the project; "" = none
     Text title;
-    bool is_on_paper = false;         // alone
-    std::vector<Section> parts = {};  // of it, in the contents
+    bool is_on_paper = false;               // alone
+    std::vector<ContentsEntry> parts = {};  // of it, in the contents
   };
   void add_data_sheets(const ProjectPart& project, std::vector<Chapter>& chapters);
   std::vector<Chapter> chapters_of(const ProjectPart& project) const;
@@ -266,7 +192,7 @@ class HtmlWriter : public FormatWriter {
   std::string only_title_;                // of the first one
   std::string about_, on_cover_, rooms_;  // of the only one
   bool says_whose_ = false;               // the only one
-  std::vector<Section> sections_;         // of the first ones
+  std::vector<ContentsEntry> sections_;   // of the first ones
   Spill paths_;
   std::string head_, foot_;  // of pages; of the only project
   Spill room_rules_;
@@ -460,7 +386,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   if (!end.provenance.timestamp.empty()) {
     sink.write(" · " + escape_html(end.provenance.timestamp));
   }
-  std::vector<Section> sections;
+  std::vector<ContentsEntry> sections;
   if (frame_.revised != nullptr)
     sections.push_back({"#revision", html_revision_title(t_, *frame_.revised)});
   if (!rooms_.empty()) sections.push_back({"#rooms", t_[Text::overview_title]});
@@ -470,7 +396,8 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.push_back({"#method", t_[Text::method_title]});
   sections.push_back({"#provenance", t_[Text::provenance]});
   sink.write("</p>\n" + on_cover_ + about_ + html_verdict_banner(t_, frame_, end) +
-             (has_cover() ? "</div>\n" : "") + contents(t_, sections, numbers_) + "</header>\n");
+             (has_cover() ? "</div>\n" : "") + html_contents(t_, sections, numbers_) +
+             "</header>\n");
 }
 
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {

@@ -8,7 +8,8 @@
 namespace report {
 
 std::string tool_page_start(const Texts& t, const ToolPage& page) {
-  const std::string head = "luxgate · " + page.eyebrow;
+  const std::string eyebrow = "luxgate · " + page.eyebrow;
+  const std::string& head = page.head.empty() ? eyebrow : page.head;
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
              "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta "
@@ -17,11 +18,13 @@ std::string tool_page_start(const Texts& t, const ToolPage& page) {
              "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>\n"
              "<title>{} – {}</title>\n<style>\n",
              t.language_tag(), page.title, escape_html(page.eyebrow)) +
-         html_style() + page.style + page_rules(t, page.paper, {head, "", page.foot}) +
+         html_style() + page.style +
+         page_rules(t, page.paper, {head, "", page.foot}, page.has_cover) +
          fmt::format(
              "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">{}</a>\n<header>\n"
-             "<p class=\"eyebrow\">{}</p>\n<h1>{}</h1>\n",
-             t[Text::skip_to_results], escape_html(head), page.title);
+             "{}<p class=\"eyebrow\">{}</p>\n<h1>{}</h1>\n",
+             t[Text::skip_to_results], page.has_cover ? "<div class=\"cover\">\n" : "",
+             escape_html(eyebrow), page.title);
 }
 
 std::string tool_page_end(const std::string& footer) {

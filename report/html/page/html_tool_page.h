@@ -1,5 +1,5 @@
 #pragma once
-// The frame of pages that have no script: those of tools, and data sheets.
+// The frame of pages that have no script: those of tools, data sheets, and what is sent to clients.
 
 #include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
@@ -14,6 +14,8 @@ struct ToolPage {
   std::string style;    // of this kind of page alone, behind the style sheet that all share
   std::string foot;     // what runs along at the foot of every page on paper, plain text
   Paper paper = Paper::a4;
+  std::string head = {};   // what runs along at the head, plain text; "" = program and eyebrow
+  bool has_cover = false;  // the header begins with a <div class="cover">, which it has to close
 };
 
 // Up to the heading in the open <header>; what follows closes that and begins <main id="main">.

@@ -24,7 +24,12 @@ enum class Cover { automatic, always, never };
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").
 using PageNumbers = std::map<std::string, int>;
 
+// What a document is for. client: what people send, room first, without what only a checker needs;
+// full: everything. automatic: client of a PDF, full of HTML.
+enum class Detail { automatic, client, full };
+
 struct PageStyle {
+  Detail detail = Detail::automatic;
   Paper paper = Paper::a4;                     // when it is printed
   ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
   Annex annex = Annex::automatic;

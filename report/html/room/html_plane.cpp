@@ -294,7 +294,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
     html += "<div class=\"calculated\"><p class=\"message\">" + escape_html(words) + "</p></div>\n";
   html += "<div class=\"split\">\n";
   if (has_cells(plane) && has_all_values(plane))
-    html += html_plan(t, space, plane, scales.of(space, plane), anchor, paper);
+    html += html_plan(t, space, plane, scales.of(space, plane), anchor, place_beside_tables(paper));
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, own_plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
   return html + html_contributions(t, own_plane) + html_looks(t, plane) + html_values(t, plane) +

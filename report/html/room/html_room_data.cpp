@@ -181,11 +181,16 @@ std::string positions(const Texts& t, const SpacePart& space) {
 
 }  // namespace
 
-std::string html_room_data(const Texts& t, const ProjectPart& project, const SpacePart& space) {
+std::string html_room_facts(const Texts& t, const ProjectPart& project, const SpacePart& space) {
   std::string rows = size_fact(t, space);
   if (space.power.area_m2 > 0.0)
     rows += fact(t[Text::floor_area], square_metres(t, space.power.area_m2));
-  rows += surface_facts(t, project, space) + luminaire_facts(t, space) + power_facts(t, space);
+  return rows + surface_facts(t, project, space) + luminaire_facts(t, space) +
+         power_facts(t, space);
+}
+
+std::string html_room_data(const Texts& t, const ProjectPart& project, const SpacePart& space) {
+  const std::string rows = html_room_facts(t, project, space);
   if (rows.empty()) return {};
   // A short table of places stands beside the figures on paper.
   constexpr std::size_t kBeside = 30;

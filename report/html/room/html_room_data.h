@@ -15,6 +15,9 @@ namespace report {
 // known and where nothing shines.
 std::string html_room_data(const Texts& t, const ProjectPart& project, const SpacePart& space);
 
+// Its figures alone, as rows of a table.
+std::string html_room_facts(const Texts& t, const ProjectPart& project, const SpacePart& space);
+
 // Longer tables of luminaires are for the CSV file.
 inline constexpr std::size_t kMostLuminaireRows = 1000;
 

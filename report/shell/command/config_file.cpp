@@ -39,9 +39,9 @@ constexpr std::array kSettings = {
     SettingRow{"confidence"},  SettingRow{"seed"},         SettingRow{"replicates"},
     SettingRow{"max-paths"},   SettingRow{"by-luminaire"}, SettingRow{"strict"},
     SettingRow{"language"},    SettingRow{"decimal"},      SettingRow{"paper"},
-    SettingRow{"annex"},       SettingRow{"cover"},        SettingRow{"scale"},
-    SettingRow{"passes"},      SettingRow{"pictures"},     SettingRow{"datasheets"},
-    SettingRow{"advice"}};
+    SettingRow{"detail"},      SettingRow{"annex"},        SettingRow{"cover"},
+    SettingRow{"scale"},       SettingRow{"passes"},       SettingRow{"pictures"},
+    SettingRow{"datasheets"},  SettingRow{"advice"}};
 
 const SettingRow* find_row(std::string_view name) {
   const auto* row = std::find_if(kSettings.begin(), kSettings.end(),

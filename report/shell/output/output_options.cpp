@@ -98,16 +98,22 @@ std::vector<Option> output_options(OutputOptions& options) {
        language_choice(options.language)},
       decimal_option(options.decimal, "html, pdf, dxf, markdown and text"),
       paper_option(options.page.paper, "pdf, and of html when it is printed"),
+      {"--detail", "FOR",
+       "How much pdf and html say: client, what is sent to people, room first, or full, with what "
+       "a\nchecker needs: grids, sampling, messages, hashes; default client for pdf, full for html",
+       choice<report::Detail>(options.page.detail, {{"client", report::Detail::client},
+                                                    {"full", report::Detail::full}})},
       {"--annex", "WHEN",
-       fmt::format("Tables of all values at the end of pdf, and of html when it is printed: auto, "
-                   "always or\nnever; default auto: where there are at most {} values",
+       fmt::format("Tables of all values at the end of a full pdf, and of html when it is printed: "
+                   "auto, always\nor never; default auto: where there are at most {} values",
                    report::kMostAnnexValues),
        choice<report::Annex>(options.page.annex, {{"auto", report::Annex::automatic},
                                                   {"always", report::Annex::always},
                                                   {"never", report::Annex::never}})},
       {"--cover", "WHEN",
-       "A cover page of pdf, and of html when it is printed: auto, always or never; default auto:\n"
-       "where one project names its client, author, company or logo",
+       "A cover page of pdf, and of html when it is printed: auto, always or never; default auto: "
+       "of\n"
+       "a full report where one project names its client, author, company or logo",
        choice<report::Cover>(options.page.cover, {{"auto", report::Cover::automatic},
                                                   {"always", report::Cover::always},
                                                   {"never", report::Cover::never}})},

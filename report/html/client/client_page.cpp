@@ -1,0 +1,209 @@
+#include "report/html/client/client_page.h"
+
+#include "report/document/room_summary.h"
+#include "report/html/chapters/data_sheets.h"
+#include "report/html/chapters/html_about.h"
+#include "report/html/chapters/html_aggregates.h"
+#include "report/html/chapters/html_deviations.h"
+#include "report/html/chapters/html_emergency.h"
+#include "report/html/chapters/html_energy.h"
+#include "report/html/chapters/html_findings.h"
+#include "report/html/chapters/html_maintenance.h"
+#include "report/html/chapters/html_method.h"
+#include "report/html/chapters/html_project.h"
+#include "report/html/chapters/html_revision.h"
+#include "report/html/client/client_room.h"
+#include "report/html/client/client_style.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/page/html_tool_page.h"
+#include "report/html/page/page_parts.h"
+#include "report/html/page/print_pages.h"
+#include "report/html/room/html_room.h"
+#include "report/html/room/html_uses.h"
+#include "report/text/markup.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+struct ClientChapter {
+  std::string html;     // "" = the project has none
+  std::string address;  // of its heading; "" = the contents have no line for it
+  std::string title;    // escaped
+};
+
+std::string causes_html(const Texts& t, const std::vector<RoomSummary>& rooms) {
+  std::string html;
+  for (const RoomSummary& room : rooms) {
+    const std::string causes = client_causes(t, room);
+    if (causes.empty()) continue;
+    html += fmt::format("<h3>{}</h3>\n", escape_html(title_of(room.space->name, room.space->id))) +
+            causes;
+  }
+  return html.empty() ? html : "<div class=\"causes\">\n" + html + "</div>\n";
+}
+
+// How many warnings there were, by kind: what they say names elements of the project.
+std::string warnings_html(const Texts& t, const ProjectPart& project) {
+  std::map<std::string, int> count;
+  for (const calc::Diagnostic& diagnostic : project.diagnostics)
+    ++count[calc::diagnostic_name(diagnostic.id)];
+  if (count.empty()) return {};
+  std::string kinds;
+  for (const auto& [kind, times] : count)
+    kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : ", ", kind, times);
+  return "<p>" + t.say<Text::client_warnings>(project.diagnostics.size(), escape_html(kinds)) +
+         "</p>\n";
+}
+
+// words: not escaped; "" = none.
+std::string paragraph(const std::string& words) {
+  return words.empty() ? words : "<p>" + escape_html(words) + "</p>\n";
+}
+
+class ClientWriter : public FormatWriter {
+ public:
+  ClientWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+               const PageStyle& style, const PageNumbers* numbers)
+      : frame_(frame), t_(t), style_(style), numbers_(numbers), body_(place) {}
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  bool is_only() const { return frame_.paths.size() == 1; }
+  std::vector<ClientChapter> chapters_of(const ProjectPart& project);
+  ClientChapter overview(const ProjectPart& project, const std::vector<RoomSummary>& rooms) const;
+  void add_rooms(const ProjectPart& project, const std::vector<RoomSummary>& rooms,
+                 std::vector<ClientChapter>& chapters) const;
+  bool has_cover() const { return style_.cover != Cover::never; }
+
+  const DocumentFrame& frame_;
+  Texts t_;
+  PageStyle style_;
+  const PageNumbers* numbers_;
+  RegionNames regions_;
+  std::size_t project_ = 0;  // the next one
+  std::size_t sheets_ = 0;   // data sheets so far
+  std::string only_title_, about_, on_cover_, head_, foot_, warnings_;
+  std::vector<ContentsEntry> contents_;
+  Spill body_;
+};
+
+ClientChapter ClientWriter::overview(const ProjectPart& project,
+                                     const std::vector<RoomSummary>& rooms) const {
+  ClientChapter chapter;
+  chapter.address = fmt::format("overview{}", project_ + 1);
+  chapter.title =
+      is_only() ? t_[Text::overview_title] : escape_html(title_of(project.name, project.path));
+  std::string body;
+  if (!is_only()) body += html_about(t_, project.about);
+  if (!project.is_judged) {
+    body += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
+            t_[Text::project_unreadable] + "</p>\n" + html_messages(t_, project);
+  }
+  body += html_rooms(t_, project, project_, "") + causes_html(t_, rooms);
+  if (!body.empty())
+    chapter.html = fmt::format("<h2 id=\"{}\">{}</h2>\n", chapter.address, chapter.title) + body;
+  return chapter;
+}
+
+void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomSummary>& rooms,
+                             std::vector<ClientChapter>& chapters) const {
+  const ColourScales scales(project, style_.scale);
+  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+    const SpacePart& space = project.spaces[s];
+    const auto summary = std::find_if(rooms.begin(), rooms.end(),
+                                      [&](const auto& room) { return room.space == &space; });
+    if (space.planes.empty()) continue;
+    chapters.push_back(
+        {client_room(t_, project, {project_, s, 0}, summary == rooms.end() ? nullptr : &*summary,
+                     scales, style_.paper),
+         space_anchor(project_, s), escape_html(title_of(space.name, space.id))});
+  }
+}
+
+std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project) {
+  const std::vector<RoomSummary> rooms = room_summaries(project);
+  std::vector<ClientChapter> chapters{overview(project, rooms)};
+  add_rooms(project, rooms, chapters);
+  const auto add = [&](std::string html, const char* address, Text title) {
+    chapters.push_back({std::move(html),
+                        *address == '\0' ? "" : fmt::format("{}{}", address, project_ + 1),
+                        t_[title]});
+  };
+  add(html_aggregates(t_, project, project_), "", {});
+  add(html_emergency(t_, project, project_, ""), "emergency", Text::emergency);
+  add(html_luminaires(t_, project, project_), "luminaires", Text::luminaires);
+  add(html_energy(t_, project, project_), "energy", Text::energy);
+  add(html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan);
+  add(html_deviations(t_, project, project_, ""), "deviations", Text::deviations);
+  if (style_.sheets) {
+    DataSheets sheets = data_sheets(t_, project, project_, *style_.sheets, sheets_);
+    sheets_ += sheets.entries.size();
+    add(std::move(sheets.html), "datasheets", Text::sheets_title);
+  }
+  return chapters;
+}
+
+void ClientWriter::add(const ProjectPart& project) {
+  if (is_only()) {
+    only_title_ = escape_html(title_of(project.name, project.path));
+    about_ = html_about(t_, project.about);
+    on_cover_ = html_cover_picture(t_, project);
+    foot_ = foot_words(t_, project);
+    head_ = head_words(t_, project.about);
+  }
+  body_.write("<section class=\"client\">\n");
+  for (const ClientChapter& chapter : chapters_of(project)) {
+    if (chapter.html.empty()) continue;
+    body_.write(regions_.with_unique_regions(chapter.html));
+    if (!chapter.address.empty()) contents_.push_back({"#" + chapter.address, chapter.title});
+  }
+  body_.write("</section>\n");
+  warnings_ += warnings_html(t_, project);
+  ++project_;
+}
+
+void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
+  const std::string title = is_only() ? only_title_ : t_.say<Text::project_count>(project_);
+  const std::string page_style = client_style() + (style_.sheets ? sheet_style() : "");
+  std::vector<ContentsEntry> entries = contents_;
+  std::string revision;
+  if (frame_.revised != nullptr) {
+    revision = regions_.with_unique_regions(html_revision(t_, *frame_.revised));
+    entries.insert(entries.begin(), {"#revision", html_revision_title(t_, *frame_.revised)});
+  }
+  entries.push_back({"#method", t_[Text::method_title]});
+  sink.write(tool_page_start(
+      t_, {title, t_[Text::compliance_report], page_style, is_only() ? foot_ : title, style_.paper,
+           is_only() ? head_ : head_words(t_, {}), has_cover()}));
+  sink.write(on_cover_ + about_ + html_verdict_banner(t_, frame_, end) +
+             (has_cover() ? "</div>\n" : "") + html_contents(t_, entries, numbers_) +
+             "</header>\n<main id=\"main\">\n" + revision);
+  body_.copy_to(sink);
+  sink.write(html_method(t_, end.provenance.confidence) + "<section>\n" +
+             paragraph(provenance_remarks(end.provenance, t_)) + warnings_ +
+             paragraph(t_[Text::client_more]) + "</section>\n");
+  sink.write(
+      tool_page_end(t_.say<Text::made_by_program>(escape_html(end.provenance.program_version))));
+}
+
+}  // namespace
+
+std::unique_ptr<FormatWriter> client_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                            const Texts& t, const PageStyle& style,
+                                            const PageNumbers* numbers) {
+  return std::make_unique<ClientWriter>(frame, place, t, style, numbers);
+}
+
+}  // namespace report

@@ -1,0 +1,257 @@
+#include "report/html/client/client_room.h"
+
+#include "report/document/room_lines.h"
+#include "report/document/shown_plane.h"
+#include "report/html/chapters/html_findings.h"
+#include "report/html/drawings/html_plan.h"
+#include "report/html/room/html_room.h"
+#include "report/html/room/html_room_data.h"
+#include "report/images/heatmap.h"
+#include "report/text/clause_words.h"
+#include "report/text/markup.h"
+#include "report/text/room_causes.h"
+#include "report/text/sentences.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+// What must be read with a room's values, each once with the planes that it is about.
+class RoomNotes {
+ public:
+  void add(std::string place, std::string words) {
+    if (words.empty()) return;
+    for (auto& [known, places] : notes_) {
+      if (known != words) continue;
+      if (std::find(places.begin(), places.end(), place) == places.end())
+        places.push_back(std::move(place));
+      return;
+    }
+    notes_.push_back({std::move(words), {std::move(place)}});
+  }
+
+  std::string html(const Texts& t) const {
+    if (notes_.empty()) return {};
+    std::string list;
+    for (const auto& [words, places] : notes_) {
+      const std::string where = some_names(t, places);
+      list +=
+          "<li>" + (where.empty() ? "" : escape_html(where) + t[Text::colon]) + words + "</li>\n";
+    }
+    return "<ul class=\"room-notes\">\n" + list + "</ul>\n";
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes_;  // words: HTML
+};
+
+// "Walls (7)", "task", "observer 2".
+std::string line_title(const Texts& t, const SpacePart& space, const RoomLine& line) {
+  if (line.parts.size() == 1) return plane_in_room(t, space, *line.parts.front().plane);
+  if (line.role == "wall") return t.say<Text::client_walls>(line.parts.size());
+  if (line.role == "observer") return t.say<Text::client_observers>(line.parts.size());
+  std::vector<std::string> names;
+  for (const RoomCause::Part& part : line.parts)
+    names.push_back(plane_in_room(t, space, *part.plane));
+  return some_names(t, names);
+}
+
+std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& line,
+                      const std::string& main_clause) {
+  const RoomCause::Part& worst = line.worst();
+  const rules::Finding& finding = *worst.finding;
+  const rules::Requirement& requirement = finding.requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  const char* unit = rules::unit_of(requirement);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  std::string measured =
+      is_judged ? format_measured(t, finding.measured, unit, threshold) : std::string("–");
+  if (is_judged && line.parts.size() > 1) {
+    measured +=
+        "<span class=\"note\">" + escape_html(plane_in_room(t, space, *worst.plane)) + "</span>";
+  }
+  const std::string clause = clause_words(t, requirement);
+  const std::string note = requirement.clause.empty() || clause == main_clause
+                               ? ""
+                               : "<span class=\"note\">" + escape_html(clause) + "</span>";
+  return fmt::format(
+      "<tr class=\"{}\"><th scope=\"row\">{}</th><td>{}{}{}</td><td class=\"num\">{}</td><td "
+      "class=\"num strong\">{}</td><td>{}</td></tr>\n",
+      calc::name_of(finding.verdict), escape_html(line_title(t, space, line)),
+      escape_html(quantity_words(t, requirement, worst.plane->kernel)),
+      escape_html(scene_words(t, requirement)), note,
+      escape_html(format_required(t, threshold, unit)), measured, html_verdict(t, finding));
+}
+
+// The row that most of the room's requirements are of.
+std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
+  for (const RoomLine& line : lines) {
+    const rules::Requirement& requirement = line.parts.front().finding->requirement;
+    if (!requirement.clause.empty()) return clause_words(t, requirement);
+  }
+  return {};
+}
+
+std::string requirements_table(const Texts& t, const SpacePart& space,
+                               const std::vector<RoomLine>& lines, const std::string& clause) {
+  if (lines.empty()) return {};
+  std::string rows;
+  for (const RoomLine& line : lines) rows += line_html(t, space, line, clause);
+  const std::string label =
+      t.say<Text::requirements_of>(escape_html(title_of(space.name, space.id)));
+  return scroll_box(
+      label, fmt::format("<table class=\"findings\"><caption class=\"unseen\">{}</caption><thead>"
+                         "<tr><th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\" "
+                         "class=\"num\">{}</th><th scope=\"col\" class=\"num\">{}</th><th "
+                         "scope=\"col\">{}</th></tr></thead><tbody>\n{}</tbody></table>",
+                         label, t[Text::plane], t[Text::requirement], t[Text::required],
+                         t[Text::measured], t[Text::verdict], rows));
+}
+
+// Planes whose light is shown: tasks, what the project describes by itself, and routes.
+bool is_charted(const PlanePart& plane) {
+  if (!plane.is_computed || !is_plain_illuminance(plane) || !has_cells(plane) ||
+      !has_all_values(plane)) {
+    return false;
+  }
+  return plane.made_by.empty() ||
+         std::any_of(plane.findings.begin(), plane.findings.end(),
+                     [](const auto& finding) { return finding.requirement.origin.is_of_own_role; });
+}
+
+struct Chart {
+  const PlanePart* plane;
+  std::size_t index;
+};
+
+// Two beside each other where there are several, but a long one alone.
+PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 92, kLow_mm = 62, kLong = 3;
+  constexpr int kMostPieces = 5;
+  const double less_mm = paper == Paper::letter ? 12 : 0;
+  const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
+                          glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m);
+  const bool is_long = size.x > kLong * size.y || size.y > kLong * size.x;
+  const bool is_alone = charts == 1 || is_long;
+  return {{is_alone ? kWhole_mm : kHalf_mm, (charts == 1 ? kHigh_mm : kLow_mm) - less_mm},
+          is_alone ? kMostPieces : 1};
+}
+
+std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
+                        const ColourScales& scales, Paper paper) {
+  constexpr std::size_t kMostCharts = 8;
+  std::vector<Chart> charts;
+  for (std::size_t k = 0; k < space.planes.size(); ++k) {
+    if (is_charted(space.planes[k])) charts.push_back({&space.planes[k], k});
+  }
+  const std::size_t left_out = charts.size() - std::min(charts.size(), kMostCharts);
+  charts.resize(charts.size() - left_out);
+  std::string html;
+  for (const Chart& chart : charts) {
+    const ShownPlane shown(*chart.plane);
+    const PlanPlace place = place_of(*chart.plane, charts.size(), paper);
+    html += fmt::format("<div class=\"chart\"><h3>{}</h3>\n",
+                        escape_html(plane_in_room(t, space, *chart.plane))) +
+            html_plan(t, space, *shown, scales.of(space, *shown),
+                      plane_anchor({room.project, room.space, chart.index}) + "-chart", place) +
+            "</div>\n";
+  }
+  if (html.empty()) return {};
+  if (left_out > 0)
+    html += "<p class=\"quiet\">" + t.say<Text::client_charts_left_out>(left_out) + "</p>\n";
+  return "<div class=\"charts\">\n" + html + "</div>\n";
+}
+
+// So that links from other chapters arrive.
+std::string anchors(const SpacePart& space, PlaneIndex room) {
+  std::string html;
+  for (std::size_t k = 0; k < space.planes.size(); ++k)
+    html += fmt::format("<span id=\"{}\"></span>", plane_anchor({room.project, room.space, k}));
+  return html;
+}
+
+RoomNotes notes_of(const Texts& t, const SpacePart& space) {
+  RoomNotes notes;
+  for (const rules::RowCoverage& row : space.coverage) {
+    if (!row.is_whole()) notes.add({}, escape_html(coverage_words(t, row)));
+  }
+  for (const PlanePart& plane : space.planes) {
+    const std::string name = plane_in_room(t, space, plane);
+    notes.add(name, escape_html(doubt_words(t, plane)));
+    if (plane.made_by.empty() && !plane.changed.empty())
+      notes.add(name, sentence_html(t, plane.changed));
+    for (const rules::Finding& finding : plane.findings) {
+      notes.add(name, escape_html(close_words(t, finding)));
+      if (finding.verdict != rules::Verdict::not_judged)
+        notes.add(name, sentence_html(t, finding.reason));
+      for (const NotePart& part : note_parts(t, finding))
+        notes.add(name,
+                  part.message.empty() ? escape_html(part.text) : sentence_html(t, part.message));
+    }
+    if (plane.findings.empty() && plane.is_computed && is_plain_illuminance(plane)) {
+      notes.add(name,
+                t.say<Text::brief_statistics>(format_measured(t, plane.average, plane_unit(plane)),
+                                              format_measured(t, plane.minimum, plane_unit(plane)),
+                                              format_measured(t, plane.uniformity_min_avg, "")));
+    }
+    if (!plane.is_computed && plane.findings.empty())
+      notes.add(name, t.say<Text::not_computed_because>(sentence_html(t, plane.reason)));
+  }
+  return notes;
+}
+
+std::string outcome_badge(const Texts& t, rules::Outcome outcome) {
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    if (rules::outcome_of(verdict) == outcome) return badge(t, verdict);
+  }
+  return fmt::format("<span class=\"badge free\">{} {}</span>", outcome_symbol(outcome),
+                     escape_html(outcome_words(t, outcome)));
+}
+
+}  // namespace
+
+std::string client_causes(const Texts& t, const RoomSummary& room) {
+  if (room.causes.empty()) return {};
+  std::string html;
+  for (const RoomCause& cause : room.causes) {
+    const CauseWords words = cause_words(t, room, cause);
+    html +=
+        "<li>" + outcome_badge(t, cause.outcome) + "<div><p>" + escape_html(words.what) + "</p>";
+    for (const std::string& more : words.more)
+      html += "<p class=\"note\">" + escape_html(more) + "</p>";
+    html += "</div></li>\n";
+  }
+  return "<ul class=\"attention\">\n" + html + "</ul>\n";
+}
+
+std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
+                        const RoomSummary* summary, const ColourScales& scales, Paper paper) {
+  const SpacePart& space = project.spaces[room.space];
+  const std::vector<RoomLine> lines = room_lines(space);
+  const std::string clause = main_clause(t, lines);
+  const std::string facts = html_room_facts(t, project, space);
+  std::string html = fmt::format(
+      "<section class=\"client-room\"><header><h2 id=\"{}\">{}</h2>{}{}</header>\n",
+      space_anchor(room.project, room.space), escape_html(title_of(space.name, space.id)),
+      summary == nullptr ? "" : outcome_badge(t, summary->outcome),
+      clause.empty() ? "" : "<p class=\"quiet\">" + escape_html(clause) + "</p>");
+  html += anchors(space, room);
+  if (!facts.empty())
+    html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +
+            std::string(t[Text::room_data]) + "</caption><tbody>\n" + facts + "</tbody></table>\n";
+  html += html_room(t, space) + charts_html(t, space, room, scales, paper);
+  if (summary != nullptr) html += client_causes(t, *summary);
+  html += requirements_table(t, space, lines, clause) + notes_of(t, space).html(t);
+  return html + "</section>\n";
+}
+
+}  // namespace report

@@ -1,0 +1,22 @@
+#pragma once
+// A room of the document that people send: what it is, whether it meets its requirements, and its
+// light.
+
+#include "report/document/room_summary.h"
+#include "report/html/drawings/shared_scale.h"
+#include "report/html/page/html_markup.h"
+#include "report/html/page/print_pages.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// room: the place of its first plane. summary: null where nothing is asked of it.
+std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
+                        const RoomSummary* summary, const ColourScales& scales, Paper paper);
+
+// Causes of a room that does not pass, a list item each; "" where there are none.
+std::string client_causes(const Texts& t, const RoomSummary& room);
+
+}  // namespace report
