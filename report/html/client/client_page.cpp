@@ -113,7 +113,9 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
   }
   body += html_rooms(t_, project, project_, "") + causes_html(t_, rooms);
   if (!body.empty())
-    chapter.html = fmt::format("<h2 id=\"{}\">{}</h2>\n", chapter.address, chapter.title) + body;
+    chapter.html =
+        fmt::format("<h2 id=\"{}\" class=\"overview\">{}</h2>\n", chapter.address, chapter.title) +
+        body;
   return chapter;
 }
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -92,13 +93,16 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
       escape_html(format_required(t, threshold, unit)), measured, html_verdict(t, finding));
 }
 
-// The row that most of the room's requirements are of.
+// The row that most of the room's requirements are of; "" = none is of any.
 std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
+  std::map<std::string, std::size_t> count;
   for (const RoomLine& line : lines) {
     const rules::Requirement& requirement = line.parts.front().finding->requirement;
-    if (!requirement.clause.empty()) return clause_words(t, requirement);
+    if (!requirement.clause.empty()) count[clause_words(t, requirement)] += line.parts.size();
   }
-  return {};
+  const auto most = std::max_element(
+      count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() ? std::string() : most->first;
 }
 
 std::string requirements_table(const Texts& t, const SpacePart& space,
@@ -135,7 +139,7 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 92, kLow_mm = 62, kLong = 3;
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 92, kLow_mm = 62, kLong = 2.6;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
   const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
@@ -143,7 +147,7 @@ PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
   const bool is_long = size.x > kLong * size.y || size.y > kLong * size.x;
   const bool is_alone = charts == 1 || is_long;
   return {{is_alone ? kWhole_mm : kHalf_mm, (charts == 1 ? kHigh_mm : kLow_mm) - less_mm},
-          is_alone ? kMostPieces : 1};
+          is_long ? kMostPieces : 1};
 }
 
 std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
@@ -168,7 +172,7 @@ std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
   if (html.empty()) return {};
   if (left_out > 0)
     html += "<p class=\"quiet\">" + t.say<Text::client_charts_left_out>(left_out) + "</p>\n";
-  return "<div class=\"charts\">\n" + html + "</div>\n";
+  return html;
 }
 
 // So that links from other chapters arrive.
@@ -193,9 +197,11 @@ RoomNotes notes_of(const Texts& t, const SpacePart& space) {
       notes.add(name, escape_html(close_words(t, finding)));
       if (finding.verdict != rules::Verdict::not_judged)
         notes.add(name, sentence_html(t, finding.reason));
-      for (const NotePart& part : note_parts(t, finding))
+      for (const NotePart& part : note_parts(t, finding)) {
+        if (part.is_method) continue;
         notes.add(name,
                   part.message.empty() ? escape_html(part.text) : sentence_html(t, part.message));
+      }
     }
     if (plane.findings.empty() && plane.is_computed && is_plain_illuminance(plane)) {
       notes.add(name,
@@ -248,7 +254,8 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
   if (!facts.empty())
     html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +
             std::string(t[Text::room_data]) + "</caption><tbody>\n" + facts + "</tbody></table>\n";
-  html += html_room(t, space) + charts_html(t, space, room, scales, paper);
+  html += "<div class=\"charts\">\n" + charts_html(t, space, room, scales, paper) +
+          html_room(t, space) + "</div>\n";
   if (summary != nullptr) html += client_causes(t, *summary);
   html += requirements_table(t, space, lines, clause) + notes_of(t, space).html(t);
   return html + "</section>\n";
