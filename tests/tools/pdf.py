@@ -2,8 +2,10 @@
 
     pdf.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
 """
+import collections
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -147,13 +149,13 @@ def prints():
     expect(b"/MediaBox [0 0 612 792]" in done.stdout and b"/Lang (de)" in done.stdout, f"letter, German: {done.stderr}")
     if pdf and shutil.which("pdftotext"):
         text = subprocess.run(["pdftotext", WORK / "a.pdf", "-"], capture_output=True, check=True).stdout.decode()
-        for words in ["Hall \"A\" \\ </style> · Revision \"';}\\x</style>", f"Page 1 / {pages('a.pdf')}", "Summary"]:
+        for words in ["Hall \"A\" \\ </style> · Revision \"';}\\x</style>", f"Page 2 / {pages('a.pdf')}", "How to read this report"]:
             expect(words in text, f"a.pdf does not say {words!r}")
         luxgate("check", "p.xml", "--format", "pdf=cover.pdf", "--cover", "always", "--set", "about.client=Anna")
         text = subprocess.run(["pdftotext", WORK / "cover.pdf", "-"], capture_output=True, check=True).stdout.decode()
         first, *others = text.split("\f")
-        expect("Anna" in first and "Summary" not in first and "Page " not in first, f"cover.pdf begins with {first!r}")
-        expect("Summary" in others[0] and f"Page 2 / {pages('cover.pdf')}" in others[0], f"cover.pdf goes on with {others[0]!r}")
+        expect("Anna" in first and "Contents" not in first and "Page " not in first, f"cover.pdf begins with {first!r}")
+        expect("Contents" in others[0] and f"Page 2 / {pages('cover.pdf')}" in others[0], f"cover.pdf goes on with {others[0]!r}")
 
 
 def contents():
@@ -169,7 +171,7 @@ def contents():
 
 
 def many_planes():
-    """40 planes in five rooms come in 25 pages, on either paper."""
+    """40 planes in five rooms come in 15 pages, on either paper."""
     rooms = ""
     for r in range(5):
         planes = "".join(f'<plane id="r{r}p{k}" name="Task {k}" origin="{0.4 + 1.4 * (k % 4)} {0.5 + 1.8 * (k // 4)} 0.75" u="1.2 0 0" v="0 1.4 0" count="6 7">'
@@ -178,11 +180,58 @@ def many_planes():
                   f'<luminaire-grid id="L{r}" type="spot" origin="0 0 2.79" size="6 4" columns="3" rows="2"/>{planes}</room>')
     (WORK / "many.xml").write_text('<luxgate version="1" name="Forty planes" maintenance-factor="0.8"><material id="light" reflectance="0.7"/>'
                                    f'<material id="dark" reflectance="0.3"/><luminaire-type id="spot" photometry="spot.ies"/>{rooms}</luxgate>')
-    done = luxgate("check", "many.xml", "--annex", "never", "--format", "json=many.json")
+    done = luxgate("check", "many.xml", "--format", "json=many.json")
     expect(done.returncode in (0, 1), f"many: {done.returncode}, {done.stderr}")
     for paper in ["a4", "letter"]:
-        luxgate("report", "many.json", "--annex", "never", "--paper", paper, "--format", "pdf=many.pdf")
-        expect(0 < pages("many.pdf") <= 25, f"40 planes take {pages('many.pdf')} pages on {paper}")
+        luxgate("report", "many.json", "--paper", paper, "--format", "pdf=many.pdf")
+        expect(0 < pages("many.pdf") <= 15, f"40 planes take {pages('many.pdf')} pages on {paper}")
+
+
+def used_shares(file):
+    """How far down each page is printed on, 0 to 1, without its head and foot."""
+    picture = subprocess.run(["pdftoppm", "-r", "20", "-gray", WORK / file], capture_output=True, check=True).stdout
+    shares = []
+    while picture:
+        head = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", picture)
+        width, height = int(head[1]), int(head[2])
+        pixels, picture = picture[head.end():head.end() + width * height], picture[head.end() + width * height:]
+        first, last = height * 13 // 297, height * 282 // 297
+        printed = [y for y in range(first, last) if min(pixels[y * width:(y + 1) * width]) < 235]
+        shares.append((max(printed, default=first) - first) / (last - first))
+    return shares
+
+
+def texts_and_chapters(file):
+    """Characters by size of type in points, and the pages on which chapters begin."""
+    zoom = 4  # sizes are whole numbers
+    xml = subprocess.run(["pdftohtml", "-xml", "-i", "-stdout", "-hidden", "-zoom", str(zoom), WORK / file], capture_output=True, check=True).stdout.decode()
+    size_of = {font: float(size) / zoom for font, size in re.findall(r'<fontspec id="(\d+)" size="([-\d.]+)"', xml)}
+    sizes = collections.Counter()
+    for font, text in re.findall(r'<text [^>]*font="(\d+)">(.*?)</text>', xml, re.DOTALL):
+        sizes[size_of[font]] += len(re.sub("<[^>]*>", "", text).strip())
+    return sizes, {int(page) for page in re.findall(r'<item page="(\d+)">', xml)}
+
+
+def client_document():
+    """What people send has no small type, few pages, and no page that ends early but at the end of a chapter."""
+    if not all(map(shutil.which, ["pdftoppm", "pdftohtml"])):
+        print("skipped: pages and type of the client's document, since there is no pdftoppm or pdftohtml")
+        return
+    for project, most in [("17-storey", 20), ("19-school-tender", 12)]:
+        done = luxgate("check", EXAMPLES / project / "project.xml", "--format", f"json={project}.json")
+        expect(done.returncode in (0, 1), f"{project}: {done.returncode}, {done.stderr}")
+        for language in ["en", "de"]:
+            file = f"{project}-{language}.pdf"
+            luxgate("report", f"{project}.json", "--language", language, "--format", f"pdf={file}")
+            expect(0 < pages(file) <= most, f"{file}: {pages(file)} pages")
+            sizes, chapters = texts_and_chapters(file)
+            everything = sum(sizes.values())
+            expect(everything > 2000 and min(sizes) >= 6, f"{file}: type of {min(sizes, default=0)} points")
+            small = sum(count for size, count in sizes.items() if size < 7.4)
+            expect(small < 0.15 * everything, f"{file}: {small} of {everything} characters are smaller than 7.4 points")
+            shares = used_shares(file)
+            early = [page for page, share in enumerate(shares, 1) if share < 0.66 and page < len(shares) and page + 1 not in chapters]
+            expect(not early, f"{file}: pages {early} end early")
 
 
 def data_sheet():
@@ -213,5 +262,6 @@ else:
     prints()
     contents()
     many_planes()
+    client_document()
     print("\n".join(problems))
 sys.exit(1 if problems else 0)
