@@ -22,6 +22,7 @@ luxgate_test(report_tests
     unit/report/html/drawings/html_layout_test.cpp
     unit/report/html/drawings/html_plan_test.cpp
     unit/report/html/room/html_room_data_test.cpp
+    unit/report/html/client/client_page_test.cpp
     unit/report/html/page/html_test.cpp
     unit/report/html/drawings/isolux_test.cpp
     unit/report/result_file/json_test.cpp

@@ -74,8 +74,8 @@ struct Printed {
 Printed print(const Case& c, Paper paper) {
   const SpacePart space = room_of(c);
   Printed printed;
-  printed.html =
-      html_plan({}, space, space.planes[0], {own_scale(space.planes[0]), false}, "x", paper);
+  printed.html = html_plan({}, space, space.planes[0], {own_scale(space.planes[0]), false}, "x",
+                           place_beside_tables(paper));
   pugi::xml_document tree;
   EXPECT_TRUE(tree.load_string(printed.html.c_str()));
   const pugi::xml_node svg = tree.select_node("//svg[@class='plan']").node();
@@ -138,6 +138,37 @@ TEST(PlanOnPaper, SaysWhereValuesAreLeftOut) {
   EXPECT_LT(some.middle_mm.size(), 40U);
   EXPECT_GE(some.middle_mm.size(), 6U);
   EXPECT_THAT(some.html, HasSubstr("Printed: one value for "));
+}
+
+// A corridor of 24 m at the full width of a page.
+TEST(PlanInPieces, ALongPlaneIsCutUntilItsValuesAreReadAndAllAreThere) {
+  const SpacePart space = room_of({24.2, 2.2, 1.0, 48, 4, 100});
+  const auto drawn = [&](int pieces) {
+    return html_plan({}, space, space.planes[0], {own_scale(space.planes[0]), false}, "x",
+                     {{180, 92}, pieces});
+  };
+  const auto count = [](const std::string& html, const std::string& words) {
+    std::size_t times = 0;
+    for (std::size_t at = html.find(words); at != std::string::npos; at = html.find(words, at + 1))
+      ++times;
+    return times;
+  };
+  const std::string whole = drawn(1), cut = drawn(5);
+  EXPECT_THAT(whole, HasSubstr("Printed"));
+  EXPECT_EQ(count(whole, "<use "), 0u);
+  EXPECT_THAT(cut, HasSubstr("id=\"x-plan\""));
+  EXPECT_GE(count(cut, "<use href=\"#x-plan\"/>"), 1u);
+  EXPECT_LT(count(cut, "unprinted"), count(whole, "unprinted") + 1);
+  EXPECT_GT(length_in(cut, "number") * length_in(whole, "px"),
+            length_in(whole, "number") * length_in(cut, "px"))
+      << "values are larger on paper";
+}
+
+TEST(PlanInPieces, ASquareOneStaysWhole) {
+  const SpacePart space = room_of({5.2, 5.2, 1.0, 10, 10, 100});
+  const std::string html = html_plan({}, space, space.planes[0],
+                                     {own_scale(space.planes[0]), false}, "x", {{180, 92}, 1});
+  EXPECT_THAT(html, Not(HasSubstr("<use ")));
 }
 
 }  // namespace
