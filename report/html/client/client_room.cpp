@@ -7,7 +7,6 @@
 #include "report/html/room/html_room.h"
 #include "report/html/room/html_room_data.h"
 #include "report/images/heatmap.h"
-#include "report/text/clause_words.h"
 #include "report/text/markup.h"
 #include "report/text/room_causes.h"
 #include "report/text/sentences.h"
@@ -80,7 +79,7 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
     measured +=
         "<span class=\"note\">" + escape_html(plane_in_room(t, space, *worst.plane)) + "</span>";
   }
-  const std::string clause = clause_words(t, requirement);
+  const std::string clause = sentence(t, requirement.clause);
   const std::string note = requirement.clause.empty() || clause == main_clause
                                ? ""
                                : "<span class=\"note\">" + escape_html(clause) + "</span>";
@@ -98,7 +97,7 @@ std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
   std::map<std::string, std::size_t> count;
   for (const RoomLine& line : lines) {
     const rules::Requirement& requirement = line.parts.front().finding->requirement;
-    if (!requirement.clause.empty()) count[clause_words(t, requirement)] += line.parts.size();
+    if (!requirement.clause.empty()) count[sentence(t, requirement.clause)] += line.parts.size();
   }
   const auto most = std::max_element(
       count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -139,7 +138,7 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 92, kLow_mm = 62, kLong = 2.6;
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 80, kLow_mm = 62, kLong = 2.6;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
   const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
