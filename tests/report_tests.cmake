@@ -14,7 +14,10 @@ luxgate_test(report_tests
     unit/report/images/exr_test.cpp
     unit/report/formats/german_report_test.cpp
     unit/report/html/drawings/heatmap_svg_test.cpp
+    unit/report/images/canvas_test.cpp
     unit/report/images/heatmap_test.cpp
+    unit/report/images/stroke_font_test.cpp
+    unit/report/images/tone_map_test.cpp
     unit/report/html/drawings/html_difference_test.cpp
     unit/report/html/room/html_levels_test.cpp
     unit/report/html/chapters/data_sheets_test.cpp

@@ -116,17 +116,20 @@ void add_edges(PictureScene& picture, const calc::PreparedScene& scene,
   });
 }
 
-void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale) {
+void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale,
+                    const LuminaireGlow& glow) {
   for (const calc::PlacedLuminaire& luminaire : scene.luminaires) {
+    const glm::vec4 colour = glow ? glow(luminaire) : kOpening;
     if (luminaire.opening.shape == calc::OpeningShape::point) {
-      picture.dots.push_back({luminaire.position_m, 4.0 * scale, kOpening, kOpeningEdge});
+      picture.dots.push_back(
+          {luminaire.position_m, 4.0 * scale, colour, glow ? colour : kOpeningEdge});
       continue;
     }
     const std::vector<glm::dvec3> rim = opening_rim_m(luminaire);
     for (std::size_t k = 0; k < rim.size(); ++k) {
       const glm::dvec3 &a = rim[k], &b = rim[(k + 1) % rim.size()];
-      picture.faces.push_back({{luminaire.position_m, a, b}, kOpening});
-      picture.lines.push_back({a, b, kOpeningEdge, 1.2 * scale, 0.0});
+      picture.faces.push_back({{luminaire.position_m, a, b}, colour});
+      if (!glow) picture.lines.push_back({a, b, kOpeningEdge, 1.2 * scale, 0.0});
     }
   }
 }

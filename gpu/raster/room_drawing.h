@@ -27,8 +27,11 @@ void add_edges(PictureScene& picture, const calc::PreparedScene& scene,
 // The rim of a flat opening, or of a body's outline from below; at one place for a point.
 std::vector<glm::dvec3> opening_rim_m(const calc::PlacedLuminaire& luminaire);
 
-// The openings of luminaires, or dots where they have no size.
-void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale);
+// The openings of luminaires, or dots where they have no size. glow: the colour of each, which then
+// has no rim; empty: white glass with a dark rim.
+using LuminaireGlow = std::function<glm::vec4(const calc::PlacedLuminaire&)>;
+void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale,
+                    const LuminaireGlow& glow = {});
 
 // A closed line, drawn through surfaces faintly: the outline of a calculation plane. is_faint: all
 // of it, for planes that are seen from behind.

@@ -229,14 +229,21 @@ struct SurfaceFinish {
   std::string materials;  // ids, as of a body
 };
 
-// A picture of a room in false colours, as files.
+// Which colours stand for low and for high values.
+enum class ColourMap {
+  cividis,       // dark blue to yellow: for all common forms of colour vision, and for grey print
+  false_colour,  // blue, cyan, green, yellow, red, magenta, as lighting programs have it
+};
+
+// A picture of a room, as files.
 struct RoomPicture {
-  std::string name;   // "corner", "plan": for file names
+  std::string name;   // "corner", "plan", "rendered": for file names
   std::string title;  // "seen from above a corner"
   int width = 0, height = 0;
   std::string png;           // without legend, transparent around the room
   std::string labelled_png;  // with legend; "" = not asked for
-  std::string exr;           // in lx; "" = not asked for
+  std::string exr;           // in lx; "" = not asked for, or a rendered view
+  bool is_rendered = false;  // tone-mapped luminance; false: illuminance in false colours
 };
 
 struct RoomPictures {
@@ -244,6 +251,7 @@ struct RoomPictures {
   std::string problem;             // why there are none; "" = no problem
   double low_lx = 0, step_lx = 1;  // a ColourScale
   int bands = 1;
+  ColourMap map = ColourMap::cividis;
   double highest_lx = 0;   // seen; above the scale it is painted as the last band
   double error_share = 0;  // relative standard error of sampling on surfaces, root mean square
   std::string device;      // that drew them

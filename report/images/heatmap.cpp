@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace report {
 namespace {
@@ -23,6 +24,13 @@ constexpr std::array<Rgb, 10> kCividis{{{0x00, 0x20, 0x4D},
                                         {0xC4, 0xB5, 0x6C},
                                         {0xE4, 0xCF, 0x5B},
                                         {0xFF, 0xEA, 0x46}}};
+
+constexpr std::array<Rgb, 6> kFalseColours{{{0x14, 0x28, 0xB4},
+                                            {0x00, 0xC8, 0xF0},
+                                            {0x1E, 0xAA, 0x32},
+                                            {0xFF, 0xE6, 0x00},
+                                            {0xE1, 0x1E, 0x14},
+                                            {0xDC, 0x00, 0xC8}}};
 
 std::uint8_t blend(std::uint8_t a, std::uint8_t b, double t) {
   return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
@@ -57,15 +65,19 @@ std::vector<double> class_borders(ClassSeries series) {
   return borders;
 }
 
-}  // namespace
-
-Rgb cividis(double t) {
-  const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(kCividis.size() - 1);
-  const std::size_t first = std::min(static_cast<std::size_t>(place), kCividis.size() - 2);
+// anchors: at least two, evenly spaced over [0, 1].
+Rgb between(std::span<const Rgb> anchors, double t) {
+  const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
+  const std::size_t first = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
   const double part = place - static_cast<double>(first);
-  const Rgb a = kCividis[first], b = kCividis[first + 1];
+  const Rgb a = anchors[first], b = anchors[first + 1];
   return {blend(a.r, b.r, part), blend(a.g, b.g, part), blend(a.b, b.b, part)};
 }
+
+}  // namespace
+
+Rgb cividis(double t) { return between(kCividis, t); }
+Rgb false_colour(double t) { return between(kFalseColours, t); }
 
 std::string hex_colour(Rgb colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
@@ -131,11 +143,11 @@ int band_of(const ColourScale& scale, double value) {
 }
 
 Rgb band_colour(const ColourScale& scale, int band) {
-  return scale.bands == 1 ? cividis(0.5) : cividis(band / static_cast<double>(scale.bands - 1));
+  const double t = scale.bands == 1 ? 0.5 : band / static_cast<double>(scale.bands - 1);
+  return scale.map == ColourMap::cividis ? cividis(t) : false_colour(t);
 }
 
-ColourScale scale_of(const PlanePart& plane) {
-  if (plane.points.empty()) return {};
+ColourScale scale_of(const PlanePart& plane, ColourMap map) {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const PointRow& point : plane.points) {
@@ -143,7 +155,9 @@ ColourScale scale_of(const PlanePart& plane) {
     lowest = std::min(lowest, point.measured.value);
     highest = std::max(highest, point.measured.value);
   }
-  return lowest <= highest ? make_colour_scale(lowest, highest) : ColourScale{};
+  ColourScale scale = lowest <= highest ? make_colour_scale(lowest, highest) : ColourScale{};
+  scale.map = map;
+  return scale;
 }
 
 bool has_cells(const PlanePart& plane) {

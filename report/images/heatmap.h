@@ -1,6 +1,7 @@
 #pragma once
 // False colours of a plane: colour map, a scale with round steps, and the picture itself.
 
+#include "calc/base/names.h"
 #include "report/document/document.h"
 
 #include <cstddef>
@@ -18,8 +19,12 @@ struct Rgb {
 // made for all common forms of colour-vision deficiency and for grey print. [Nunez18; ten
 // anchors, linear between them]
 Rgb cividis(double t);
+// Blue, cyan, green, yellow, red, magenta, evenly spaced and linear between them, t as above. Its
+// lightness rises and falls: neither grey print nor every reader can tell its colours apart.
+Rgb false_colour(double t);
 std::string hex_colour(Rgb colour);  // "#00204d"
-// Whether black text reads better than white on this colour (relative luminance, WCAG 2.2).
+// Whether black text reads better than white on this colour (relative luminance, WCAG 2.2). The
+// better of the two has a contrast of at least 4.58 on any colour.
 bool needs_dark_text(Rgb colour);
 
 // Bands, each a colour: band i covers [border(i), border(i + 1)), in the unit of what is drawn.
@@ -29,6 +34,7 @@ struct ColourScale {
   double step = 1.0;                 // 1, 2 or 5 times a power of ten; not of classes
   int bands = 1;                     // 1 to 12
   std::vector<double> classes = {};  // their bands + 1 borders; empty: bands of equal width
+  ColourMap map = ColourMap::cividis;
 
   bool has_classes() const { return !classes.empty(); }
   // i: 0 to bands.
@@ -54,7 +60,7 @@ int band_of(const ColourScale& scale, double value);
 Rgb band_colour(const ColourScale& scale, int band);
 
 // The scale of a computed plane: its points, without limits of requirements.
-ColourScale scale_of(const PlanePart& plane);
+ColourScale scale_of(const PlanePart& plane, ColourMap map = ColourMap::cividis);
 
 // 8-bit RGBA, top row first. Row order: the top row is the one with the largest v, as in a plan.
 struct Raster {
@@ -76,3 +82,13 @@ Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels
 int pixels_per_cell(const PlanePart& plane, int wanted);
 
 }  // namespace report
+
+namespace calc {
+
+template <>
+struct EnumNames<report::ColourMap> {
+  static constexpr EnumName<report::ColourMap> list[] = {
+      {report::ColourMap::cividis, "cividis"}, {report::ColourMap::false_colour, "false-colour"}};
+};
+
+}  // namespace calc

@@ -3,9 +3,11 @@
 #include "report/images/room_picture.h"
 
 #include <png.h>
+#include <glm/glm.hpp>
 
-#include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace report {
 namespace {
@@ -14,6 +16,25 @@ constexpr int kWantedPixels = 1024;
 
 [[noreturn]] void fail(const png_image& image) {
   throw std::runtime_error(std::string("cannot encode PNG: ") + image.message);
+}
+
+// In the pixels of plane_raster(). The cells of a route are drawn in a row, whatever its bends: its
+// outline is that of the picture, and so is that of a plane that has no outline of its own.
+std::vector<std::vector<glm::dvec2>> plane_outlines(const PlanePart& plane, int pixels_per_cell) {
+  const calc::SensorGrid& grid = plane.grid;
+  const glm::dvec2 size_px(grid.columns * pixels_per_cell, grid.rows * pixels_per_cell);
+  if (grid.route || plane.outline_m.empty()) {
+    return {{{0.0, 0.0}, {size_px.x, 0.0}, size_px, {0.0, size_px.y}}};
+  }
+  std::vector<std::vector<glm::dvec2>> outlines{plane.outline_m};
+  outlines.insert(outlines.end(), plane.holes_m.begin(), plane.holes_m.end());
+  for (std::vector<glm::dvec2>& outline : outlines) {
+    for (glm::dvec2& corner : outline) {
+      corner = {pixels_per_cell * corner.x / grid.spacing_u_m,
+                size_px.y - pixels_per_cell * corner.y / grid.spacing_v_m};
+    }
+  }
+  return outlines;
 }
 
 }  // namespace
@@ -37,9 +58,12 @@ std::string encode_png(const Raster& raster) {
   return bytes;
 }
 
-std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale) {
-  return encode_png(with_legend(plane_raster(plane, scale, pixels_per_cell(plane, kWantedPixels)),
-                                scale, calc::unit_of(plane.derived)));
+std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale,
+                               const std::string& title, const std::string& note) {
+  const int cell_px = pixels_per_cell(plane, kWantedPixels);
+  return encode_png(
+      with_legend(plane_raster(plane, scale, cell_px), scale,
+                  {title, note, calc::unit_of(plane.derived), plane_outlines(plane, cell_px)}));
 }
 
 }  // namespace report

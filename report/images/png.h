@@ -14,6 +14,8 @@ std::string encode_png(const Raster& raster);
 // The heat map of one plane, about 1024 pixels on its longer side, cells without a point white,
 // with its legend below: a raster for slides and page layouts; limits and lines are in the HTML
 // report and the SVG file. Needs has_cells().
-std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale);
+// title: of the plane; note: of the scale.
+std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale,
+                               const std::string& title = {}, const std::string& note = {});
 
 }  // namespace report

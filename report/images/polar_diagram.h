@@ -27,9 +27,8 @@ struct PolarLabel {
   PolarPoint at;  // middle of the text's height
   enum class Anchor { start, middle, end } anchor = Anchor::middle;
   std::string text;
-  bool is_title = false;  // any letters; all other labels use the characters of kPolarCharacters
+  bool is_title = false;
 };
-inline constexpr const char* kPolarCharacters = "0123456789.,-= Ccdmaxlk°";
 
 struct PolarDrawing {
   double width = 0.0, height = 0.0;

@@ -1,7 +1,8 @@
 #include "report/images/room_picture.h"
 
 #include "calc/base/elementary.h"
-#include "report/images/dot_font.h"
+#include "report/images/canvas.h"
+#include "report/images/stroke_font.h"
 #include "report/text/number_format.h"
 
 #include <fmt/format.h>
@@ -19,9 +20,11 @@
 namespace report {
 namespace {
 
-constexpr double kSeenShare = 0.97, kValueShare = 0.9;
-constexpr int kMargin = 24, kBarHeight = 18, kDot = 2, kLetter = (kGlyphWidth + 1) * kDot;
-constexpr Rgb kInk{27, 31, 36};
+constexpr double kSeenShare = 0.97;
+constexpr int kMargin = 24, kBarHeight = 18, kLeastWidth = 480;  // of a narrow picture
+constexpr double kTitle_px = 22.0, kNumber_px = 18.0, kNote_px = 16.0;
+constexpr double kCapital = 0.7;  // of the size of letters
+constexpr Rgb kInk{27, 31, 36}, kQuiet{89, 97, 107}, kHalo{255, 255, 255};
 
 std::size_t at(int x, int y, int width) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -38,25 +41,6 @@ void for_each_sample(const DrawnRoom& drawn, int x, int y, const Tell& tell) {
   }
 }
 
-void fill(Raster& raster, int left, int top, int width, int height, Rgb colour) {
-  for (int y = std::max(0, top); y < std::min(raster.height, top + height); ++y) {
-    for (int x = std::max(0, left); x < std::min(raster.width, left + width); ++x) {
-      const std::array<std::uint8_t, 4> pixel{colour.r, colour.g, colour.b, 255};
-      std::copy(pixel.begin(), pixel.end(),
-                raster.rgba.begin() + static_cast<std::ptrdiff_t>(4 * at(x, y, raster.width)));
-    }
-  }
-}
-
-void write_text(Raster& raster, int left, int top, const std::string& text) {
-  for (const char letter : text) {
-    for_each_dot(letter, [&](int column, int row) {
-      fill(raster, left + column * kDot, top + row * kDot, kDot, kDot, kInk);
-    });
-    left += kLetter;
-  }
-}
-
 // The value that this share of all is at most; 0 of none.
 double at_share(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -65,8 +49,6 @@ double at_share(std::vector<double> values, double share) {
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
-
-int text_width(const std::string& text) { return static_cast<int>(text.size()) * kLetter - kDot; }
 
 constexpr std::uint32_t kSamples = kOversampling * kOversampling;  // of a pixel
 
@@ -111,6 +93,62 @@ void paint_mixed(const DrawnRoom& drawn, const Palette& palette, int x, int y,
         std::min<std::uint32_t>(255U, (255U * sum[k] + sum[3] / 2) / sum[3]));
   }
   to[3] = static_cast<std::uint8_t>((sum[3] + 255U * kSamples / 2) / (255U * kSamples));
+}
+
+// Below the picture, from there on: the bar, its numbers where they have room, and the unit.
+void draw_colour_bar(const ColourScale& scale, const std::string& unit, int top, Canvas& canvas) {
+  const int width = std::min(canvas.raster().width - 2 * kMargin - 60, 900), left = kMargin + 10;
+  const auto x_of = [&](int band) { return left + band * width / scale.bands; };
+  canvas.fill(left - 1, top - 1, width + 2, kBarHeight + 2, kInk);
+  for (int band = 0; band < scale.bands; ++band) {
+    canvas.fill(x_of(band), top, x_of(band + 1) - x_of(band), kBarHeight, band_colour(scale, band));
+  }
+  constexpr double kLeastGap = 10.0;
+  double free = 0.0;  // where the next number may begin
+  for (int band = 0; band <= scale.bands; ++band) {
+    // Six digits: of 3 x 1.5e-5 a binary number is a little less.
+    const std::string number = fmt::format("{:.6g}", scale.border(band));
+    const double half = 0.5 * text_strokes(number, kNumber_px).width_px;
+    if (x_of(band) - half < free) continue;
+    canvas.write(number, {x_of(band), top + kBarHeight + 8 + kCapital * kNumber_px}, kNumber_px,
+                 TextAnchor::middle, kInk);
+    free = x_of(band) + half + kLeastGap;
+  }
+  canvas.write(unit, {left + width + 10, top + 0.5 * (kBarHeight + kCapital * kNumber_px)},
+               kNumber_px, TextAnchor::start, kInk);
+}
+
+void draw_outlines(const PictureFrame& frame, const glm::dvec2& from, Canvas& canvas) {
+  for (const auto& [width, colour] : {std::pair{4.5, kHalo}, std::pair{2.0, kInk}}) {
+    for (const std::vector<glm::dvec2>& outline : frame.outlines) {
+      if (outline.empty()) continue;
+      std::vector<glm::dvec2> corners;
+      for (const glm::dvec2& corner : outline) corners.push_back(from + corner);
+      corners.push_back(corners.front());
+      canvas.line(corners, width, colour);
+    }
+  }
+}
+
+// scale: null = no colour bar.
+Raster framed(const Raster& picture, const ColourScale* scale, const PictureFrame& frame) {
+  constexpr int kTitleHeight = 36, kBarSpace = kBarHeight + 32 + kMargin / 2, kNoteHeight = 26;
+  const int above = frame.title.empty() ? 0 : kTitleHeight;
+  const int bar_top = kMargin + above + picture.height + (scale == nullptr ? 8 : kMargin);
+  const int note_top = bar_top + (scale == nullptr ? 0 : kBarSpace);
+  const int width = std::max(picture.width, kLeastWidth);
+  Canvas canvas(width + 2 * kMargin, note_top + (frame.note.empty() ? 0 : kNoteHeight) +
+                                         (scale == nullptr ? kMargin - 8 : 0));
+  canvas.put(picture, kMargin, kMargin + above);
+  draw_outlines(frame, {kMargin, kMargin + above}, canvas);
+  const auto write = [&](const std::string& words, double y, double size_px, Rgb colour) {
+    canvas.write(fitting_text(words, size_px, width), {kMargin, y}, size_px, TextAnchor::start,
+                 colour);
+  };
+  write(frame.title, kMargin + kCapital * kTitle_px, kTitle_px, kInk);
+  if (scale != nullptr) draw_colour_bar(*scale, frame.unit, bar_top, canvas);
+  write(frame.note, note_top + kCapital * kNote_px, kNote_px, kQuiet);
+  return canvas.raster();
 }
 
 }  // namespace
@@ -167,15 +205,13 @@ std::vector<float> mean_values(const DrawnRoom& drawn) {
   return result;
 }
 
-ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx) {
+ColourScale room_scale(std::span<const DrawnRoom> rooms) {
   std::vector<double> seen;
   for (const DrawnRoom& room : rooms) {
     std::copy_if(room.lx.begin(), room.lx.end(), std::back_inserter(seen),
                  [](float lx) { return lx >= 0.0F; });
   }
-  ColourScale scale =
-      make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
-                                      at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
+  ColourScale scale = make_colour_scale(0.0, at_share(std::move(seen), kSeenShare));
   // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
   const double power = calc::pow(10.0, std::floor(calc::log10(scale.step) + 1e-9));
   if (scale.bands <= 6 && scale.step < 2.5 * power) {
@@ -185,43 +221,12 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double>
   return scale;
 }
 
-Raster with_legend(const Raster& picture, const ColourScale& scale, const std::string& unit) {
-  constexpr int kLegendWidth = 480;  // of a narrow picture
-  constexpr int kLegendHeight = kBarHeight + kGlyphHeight * kDot + 3 * kMargin / 2;
-  Raster result;
-  result.width = std::max(picture.width, kLegendWidth) + 2 * kMargin;
-  result.height = picture.height + 2 * kMargin + kLegendHeight;
-  result.rgba.assign(
-      4 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 255);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const std::uint8_t* from = &picture.rgba[4 * at(x, y, picture.width)];
-      std::uint8_t* to = &result.rgba[4 * at(x + kMargin, y + kMargin, result.width)];
-      for (std::size_t k = 0; k < 3; ++k) {
-        to[k] = static_cast<std::uint8_t>((from[k] * from[3] + 255 * (255 - from[3]) + 127) / 255);
-      }
-    }
-  }
-  const int width = std::min(result.width - 2 * kMargin - 60, 900), left = kMargin + 10;
-  const int top = picture.height + 2 * kMargin;
-  const auto x_of = [&](int band) { return left + band * width / scale.bands; };
-  fill(result, left - 1, top - 1, width + 2, kBarHeight + 2, kInk);
-  for (int band = 0; band < scale.bands; ++band) {
-    fill(result, x_of(band), top, x_of(band + 1) - x_of(band), kBarHeight,
-         band_colour(scale, band));
-  }
-  constexpr int kLeastGap = 8;
-  int free = 0;  // where the next number may begin
-  for (int band = 0; band <= scale.bands; ++band) {
-    // Six digits: of 3 x 1.5e-5 a binary number is a little less.
-    const std::string number = fmt::format("{:.6g}", scale.border(band));
-    const int begin = x_of(band) - text_width(number) / 2;
-    if (begin < free) continue;
-    write_text(result, begin, top + kBarHeight + 6, number);
-    free = begin + text_width(number) + kLeastGap;
-  }
-  write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, unit);
-  return result;
+Raster with_legend(const Raster& picture, const ColourScale& scale, const PictureFrame& frame) {
+  return framed(picture, &scale, frame);
+}
+
+Raster with_frame(const Raster& picture, const PictureFrame& frame) {
+  return framed(picture, nullptr, frame);
 }
 
 }  // namespace report

@@ -1,10 +1,13 @@
 #pragma once
-// False colours of what a rasteriser drew of a room.
+// False colours of what a rasteriser drew of a room, and what stands around pictures.
 
 #include "report/images/heatmap.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace report {
@@ -30,11 +33,21 @@ Raster paint_room(const DrawnRoom& drawn, const Palette& palette);
 // The mean of what is seen in each pixel, < 0 where there is nothing.
 std::vector<float> mean_values(const DrawnRoom& drawn);
 
-// From 0 to what all but the brightest few of the pixels, and of the values of calculation points,
-// have: a place close to a luminaire must not squeeze the colours of the room.
-ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx);
+// From 0 to what all but the brightest few of the pixels have: a place close to a luminaire must
+// not squeeze the colours of the room.
+ColourScale room_scale(std::span<const DrawnRoom> rooms);
+
+// What stands around a picture and on it. Words that have no room are cut.
+struct PictureFrame {
+  std::string title = {};                              // above; "" = none
+  std::string note = {};                               // below; "" = none
+  std::string unit = "lx";                             // of the colour bar
+  std::vector<std::vector<glm::dvec2>> outlines = {};  // closed lines, in the picture's pixels
+};
 
 // On white, with a colour bar below.
-Raster with_legend(const Raster& picture, const ColourScale& scale, const std::string& unit = "lx");
+Raster with_legend(const Raster& picture, const ColourScale& scale, const PictureFrame& frame = {});
+// The same without a colour bar.
+Raster with_frame(const Raster& picture, const PictureFrame& frame);
 
 }  // namespace report

@@ -46,21 +46,26 @@ text { font-family: "Noto Sans", "DejaVu Sans", Arial, sans-serif; }
 .colour-bar .halo { stroke: #fff; stroke-width: 4.5; fill: none; }
 )";
 
-constexpr double kEdge = 12, kTitle = 30, kScaleWidth = 480;
+constexpr double kEdge = 12, kTitle = 30, kWords = 14, kScaleWidth = 480;
 
 }  // namespace
+
+std::string plane_picture_title(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  std::string title = std::string(title_of(space.name, space.id)) + " – " + plane_title(t, plane);
+  if (plane.asked_light && plane.asked_light->is_shown) {
+    title += ", " + asked_light_words(t, *plane.asked_light);
+  }
+  return title;
+}
 
 std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const PlanePart& plane,
                                const PlaneScale& scale) {
   const PlanPictures pictures = plan_pictures(t, space, plane, scale);
   const double width = std::max(pictures.width_px, kScaleWidth) + 2 * kEdge;
   const double bar_top = kTitle + pictures.plan_height_px + kEdge;
-  const double height = bar_top + pictures.bar_height_px + kEdge;
-  std::string title = std::string(title_of(space.name, space.id)) + " – " + plane_title(t, plane);
-  if (plane.asked_light && plane.asked_light->is_shown) {
-    title += ", " + asked_light_words(t, *plane.asked_light);
-  }
-  title = escape_html(title);
+  const double words_top = bar_top + pictures.bar_height_px + kWords;
+  const double height = words_top + kEdge;
+  const std::string title = escape_html(plane_picture_title(t, space, plane));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
@@ -68,9 +73,10 @@ std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const Pla
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<text class=\"title\" x=\"{4}\" y=\"20\">{2}</text>\n"
       "<g transform=\"translate({4} {5})\">\n{6}</g>\n<g transform=\"translate({4} {7})\">\n{8}"
-      "</g>\n</svg>\n",
+      "</g>\n<text class=\"small\" x=\"{4}\" y=\"{9}\">{10}</text>\n</svg>\n",
       svg_number(width), svg_number(height), title, kHeatmapStyle, kEdge, kTitle, pictures.plan,
-      svg_number(bar_top), pictures.colour_bar);
+      svg_number(bar_top), pictures.colour_bar, svg_number(words_top),
+      sharing_words(t, scale.among));
 }
 
 }  // namespace report

@@ -93,7 +93,7 @@ class Pieces {
 struct Drawing : PlanCells {
   const Texts& t;
   ColourScale scale;
-  bool is_scale_shared;
+  ScaleSharing sharing;
   std::vector<PlanLimit> limits;
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
@@ -565,7 +565,7 @@ Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& pl
   Drawing drawing{plan_cells(space, plane, {640, 460}),
                   t,
                   scale.scale,
-                  scale.is_shared,
+                  scale.among,
                   limits,
                   point_threshold(plane, PointSide::from_below),
                   point_threshold(plane, PointSide::from_above),
@@ -593,8 +593,7 @@ std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& p
   bool has_all = true;
   Drawing drawing = make_drawing(t, space, plane, scale, anchor, has_all);
   drawing.on_paper = paper_form(drawing, place);
-  std::string left_out;
-  if (drawing.is_scale_shared) left_out += std::string(" ") + t[Text::shared_scale];
+  std::string left_out = fmt::format(" {}", sharing_words(t, drawing.sharing));
   if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
   if (space.bodies_left_out > 0)
     left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);

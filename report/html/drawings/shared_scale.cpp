@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace report {
@@ -90,7 +91,20 @@ ColourScale own_scale(const PlanePart& plane) {
   return make_colour_scale(range.low, range.high);
 }
 
-ColourScales::ColourScales(const ProjectPart& project, ScaleSharing sharing) : sharing_(sharing) {
+std::string_view sharing_words(const Texts& t, ScaleSharing sharing) {
+  switch (sharing) {
+    case ScaleSharing::project:
+      return t[Text::scale_of_project];
+    case ScaleSharing::room:
+      return t[Text::scale_of_room];
+    case ScaleSharing::plane:
+      break;
+  }
+  return t[Text::scale_of_plane];
+}
+
+ColourScales::ColourScales(const ProjectPart& project, ScaleSharing sharing, ColourMap map)
+    : sharing_(sharing), map_(map) {
   if (sharing == ScaleSharing::plane) return;
   std::map<Key, std::vector<PlaneRange>> planes;
   std::set<Key> units_of_light;
@@ -121,10 +135,12 @@ PlaneScale ColourScales::of(const SpacePart& space, const PlanePart& own_plane) 
   const ShownPlane shown(own_plane);
   const PlanePart& plane = *shown;
   const auto found = shared_.find(key_of(space, plane));
-  if (found == shared_.end()) return {own_scale(plane), false};
-  const Shared& shared = found->second;
-  if (values_of(plane).high < kFarBelow * shared.highest) return {own_scale(plane), false};
-  return {shared.scale, true};
+  const bool is_shared =
+      found != shared_.end() && values_of(plane).high >= kFarBelow * found->second.highest;
+  PlaneScale result = is_shared ? PlaneScale{found->second.scale, sharing_}
+                                : PlaneScale{own_scale(plane), ScaleSharing::plane};
+  result.scale.map = map_;
+  return result;
 }
 
 }  // namespace report

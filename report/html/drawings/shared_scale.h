@@ -1,13 +1,15 @@
 #pragma once
-// One colour scale for all planes of a project, or of a room, so that drawings can be compared.
+// One colour scale for all planes of a room, or of a project, so that drawings can be compared.
 
 #include "calc/base/names.h"
 #include "report/document/document.h"
 #include "report/images/heatmap.h"
+#include "report/text/texts.h"
 
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace report {
@@ -20,8 +22,10 @@ ColourScale own_scale(const PlanePart& plane);
 
 struct PlaneScale {
   ColourScale scale;
-  bool is_shared = false;  // false: the plane's own
+  ScaleSharing among = ScaleSharing::plane;  // plane: it is the plane's own
 };
+// "One colour scale for all planes of the project."
+std::string_view sharing_words(const Texts& t, ScaleSharing sharing);
 
 // Planes share a scale that are of one unit: bands of equal width, or classes (make_class_scale())
 // where those give the plane that has the fewest colours more of them; finer classes where it would
@@ -31,7 +35,8 @@ struct PlaneScale {
 class ColourScales {
  public:
   ColourScales() = default;  // every plane has its own
-  ColourScales(const ProjectPart& project, ScaleSharing sharing);
+  ColourScales(const ProjectPart& project, ScaleSharing sharing,
+               ColourMap map = ColourMap::cividis);
 
   // space, plane: of the project. The plane has cells, and all values.
   PlaneScale of(const SpacePart& space, const PlanePart& plane) const;
@@ -41,6 +46,7 @@ class ColourScales {
   Key key_of(const SpacePart& space, const PlanePart& plane) const;
 
   ScaleSharing sharing_ = ScaleSharing::plane;
+  ColourMap map_ = ColourMap::cividis;
   struct Shared {
     ColourScale scale;
     double highest = 0.0;  // of all planes

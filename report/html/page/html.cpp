@@ -271,7 +271,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
   const std::vector<RoomRun> runs =
       has_rooms ? room_runs(project, project_) : std::vector<RoomRun>();
   const std::string messages = html_messages(t_, project);
-  const ColourScales scales(project, style_.scale);
+  const ColourScales scales(project, style_.scale, style_.palette);
   std::string html = fmt::format("<section class=\"project\" {}>\n", section);
   // A heading alone stands on the page of the first room, and messages above several.
   const bool is_first_run_open = has_rooms && (messages.empty() || runs.front().page.empty());
@@ -470,7 +470,7 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   }
   body += html_levels(t, project, groups);
   std::vector<AnnexPlane> annex;
-  const ColourScales scales(project, style.scale);
+  const ColourScales scales(project, style.scale, style.palette);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true,
                        groups, style.paper);

@@ -30,8 +30,9 @@ enum class Detail { automatic, client, full };
 
 struct PageStyle {
   Detail detail = Detail::automatic;
-  Paper paper = Paper::a4;                     // when it is printed
-  ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
+  Paper paper = Paper::a4;                  // when it is printed
+  ScaleSharing scale = ScaleSharing::room;  // among whom planes share their colours
+  ColourMap palette = ColourMap::cividis;
   Annex annex = Annex::automatic;
   Cover cover = Cover::automatic;
   std::shared_ptr<SheetSource> sheets = nullptr;  // of luminaires; null: no data sheets

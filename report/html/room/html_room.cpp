@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace report {
 namespace {
 
@@ -25,11 +27,17 @@ std::string picture_html(const Texts& t, const SpacePart& space, const RoomPictu
   return fmt::format(
       "<img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n", kind,
       base64(picture.png), picture.width, picture.height,
-      t.say<Text::picture_words>(escape_html(title_of(space.name, space.id)),
-                                 escape_html(picture_title(t, picture))));
+      escape_html(picture_words(t, space, picture)));
 }
 
 }  // namespace
+
+std::string picture_words(const Texts& t, const SpacePart& space, const RoomPicture& picture) {
+  const auto name = title_of(space.name, space.id);
+  const std::string title = picture_title(t, picture);
+  return picture.is_rendered ? t.say<Text::rendered_words>(name, title)
+                             : t.say<Text::picture_words>(name, title);
+}
 
 std::string html_room(const Texts& t, const SpacePart& space) {
   const RoomPictures& pictures = space.pictures;
@@ -38,7 +46,7 @@ std::string html_room(const Texts& t, const SpacePart& space) {
            t.say<Text::no_pictures>(t.english_html(escape_html(pictures.problem))) + "</p>\n";
   }
   if (pictures.list.empty()) return {};
-  const ColourScale scale{pictures.low_lx, pictures.step_lx, pictures.bands};
+  const ColourScale scale{pictures.low_lx, pictures.step_lx, pictures.bands, {}, pictures.map};
   std::string html = "<figure class=\"room\">\n";
   for (const RoomPicture& picture : pictures.list) html += picture_html(t, space, picture, "");
   html += html_colour_bar(t, scale, {});
@@ -46,9 +54,13 @@ std::string html_room(const Texts& t, const SpacePart& space) {
   if (pictures.highest_lx > scale.high()) {
     beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
   }
+  const bool has_rendered =
+      std::any_of(pictures.list.begin(), pictures.list.end(),
+                  [](const RoomPicture& picture) { return picture.is_rendered; });
   return html + "<figcaption>" +
          t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share),
                                       t.english_html(escape_html(pictures.device))) +
+         (has_rendered ? fmt::format(" {}", t[Text::rendered_caption]) : "") +
          "</figcaption></figure>\n";
 }
 

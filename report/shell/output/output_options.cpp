@@ -127,14 +127,21 @@ std::vector<Option> output_options(OutputOptions& options) {
        }},
       {"--scale", "OF",
        "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
-       "room, or each plane for itself; default project. Shared by dim and bright planes it has\n"
+       "room, or each plane for itself; default room. Shared by dim and bright planes it has\n"
        "classes (1, 1.5, 2, 3, 5 ...), else bands of equal width",
        choice<report::ScaleSharing>(options.page.scale, {{"project", report::ScaleSharing::project},
                                                          {"room", report::ScaleSharing::room},
                                                          {"plane", report::ScaleSharing::plane}})},
+      {"--palette", "NAME",
+       "Colours of values in html, pdf and images: cividis (dark blue to yellow, for all readers\n"
+       "and for grey print) or false-colour (blue, cyan, green, yellow, red, magenta, as in\n"
+       "lighting programs); default cividis. Pictures of rooms are painted by the check",
+       choice<report::ColourMap>(options.page.palette,
+                                 {{"cividis", report::ColourMap::cividis},
+                                  {"false-colour", report::ColourMap::false_colour}})},
       {"--images", "",
        "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
-       "picture too",
+       "picture too,\na PNG file of a rendered view",
        &options.images},
       {"--redact", "",
        "Reports without what tells of this machine: folders of files, also in the command\n"

@@ -163,11 +163,11 @@ void add_problem(std::string problem, std::vector<std::string>& problems) {
 class Images {
  public:
   Images(const std::string& folder, const report::Provenance& provenance, const report::Texts& t,
-         report::ScaleSharing sharing)
-      : folder_(folder), provenance_(provenance), t_(t), sharing_(sharing) {}
+         const report::PageStyle& style)
+      : folder_(folder), provenance_(provenance), t_(t), style_(style) {}
 
   void add(const report::ProjectPart& project, GuardedFiles& files) {
-    const report::ColourScales scales(project, sharing_);
+    const report::ColourScales scales(project, style_.scale, style_.palette);
     for (const report::SpacePart& space : project.spaces) {
       for (const report::PlanePart& plane : space.planes) {
         if (plane.is_computed && report::has_cells(plane))
@@ -197,14 +197,20 @@ class Images {
     const report::ShownPlane shown(own_plane);
     const report::PlanePart& plane = *shown;
     const std::string path = path_of(image_stem(project, plane));
+    const std::string title = report::plane_picture_title(t_, space, plane);
+    const auto write_png = [&](const report::PlaneScale& scale) {
+      write(files, path + ".png", [&] {
+        return report::render_heatmap_png(plane, scale.scale, title,
+                                          std::string(report::sharing_words(t_, scale.among)));
+      });
+    };
     if (report::has_all_values(plane)) {
       const report::PlaneScale scale = scales.of(space, plane);
-      write(files, path + ".png", [&] { return report::render_heatmap_png(plane, scale.scale); });
+      write_png(scale);
       write(files, path + ".svg",
             [&] { return report::render_heatmap_svg(t_, space, plane, scale); });
     } else {
-      write(files, path + ".png",
-            [&] { return report::render_heatmap_png(plane, report::scale_of(plane)); });
+      write_png({report::scale_of(plane, style_.palette)});
     }
     write(files, path + ".exr",
           [&] { return report::render_exr(provenance_, project, space, own_plane); });
@@ -217,14 +223,14 @@ class Images {
       const std::string path = path_of(
           safe_name(fs::path(project.path).stem().string() + "-" + space.id + "-" + picture.name));
       write(files, path + ".png", [&] { return picture.labelled_png; });
-      write(files, path + ".exr", [&] { return picture.exr; });
+      if (!picture.exr.empty()) write(files, path + ".exr", [&] { return picture.exr; });
     }
   }
 
   std::string folder_;
   report::Provenance provenance_;
   report::Texts t_;
-  report::ScaleSharing sharing_;
+  report::PageStyle style_;
   std::set<std::string> taken_;
   std::vector<std::string> problems_;
 };
@@ -523,7 +529,7 @@ class PlannedFiles final : public OutputFiles {
       outputs_.emplace_back(planned, options, frame);
     }
     if (options.images)
-      images_.emplace(options.folder, frame.provenance, report_texts(options), options.page.scale);
+      images_.emplace(options.folder, frame.provenance, report_texts(options), options.page);
   }
 
   void add(const report::ProjectPart& project, const std::set<std::string>& inputs) override {

@@ -93,7 +93,8 @@ class Gallery {
     if (!device) return;
     const calc::RadiositySettings& radiosity = options.settings.radiosity;
     pictures_.emplace(
-        PictureSettings{options.output.images, radiosity.seed, radiosity.jobs, *std::move(device)},
+        PictureSettings{options.output.images, radiosity.seed, radiosity.jobs, *std::move(device),
+                        options.output.page.palette, report_texts(options.output)},
         [] { return !interrupted(); });
     is_done_.resize(options.input.projects.size());
   }

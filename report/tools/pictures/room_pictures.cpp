@@ -1,9 +1,12 @@
 #include "report/tools/pictures/room_pictures.h"
 
-#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/radiosity/looks/surface_light.h"
+#include "calc/scene/opening.h"
+#include "report/html/room/html_room.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
+#include "report/images/tone_map.h"
 #include "report/text/words.h"
 
 #include <algorithm>
@@ -17,10 +20,11 @@ namespace cli {
 namespace {
 
 constexpr int kCornerWidth = 1000, kPlanWidth = 640, kMostHeight = 720, kVertexWidth = 1400;
+constexpr std::size_t kRenderedView = 0;  // of make_views(): the corner
+constexpr double kRenderedShare = 0.6;    // of the width of the same view in false colours
 constexpr std::size_t kMostTriangles = 60'000;
 constexpr double kMeshTriangles = 5500.0;  // of a lit mesh, in most rooms  [counted]
 constexpr double kLift = 2e-3;             // of the room's diagonal
-constexpr double kDotRadius_px = 2.6, kFewestDotPixels = 0.9;
 constexpr double kScale = report::kOversampling;
 
 glm::vec4 gl_colour(report::Rgb colour) {
@@ -78,33 +82,14 @@ SharedSides share_sides(const std::vector<View>& views, std::size_t triangles) {
   return shared;
 }
 
-std::vector<double> point_values(const report::SpacePart& part) {
-  std::vector<double> values;
-  for (const report::PlanePart& plane : part.planes) {
-    if (!report::is_plain_illuminance(plane)) continue;
-    for (const report::PointRow& point : plane.points) values.push_back(point.measured.value);
-  }
-  return values;
-}
-
-// Pixels of the drawing between a plane's first two points.
-double spacing_px(const report::PlanePart& plane, const glm::dvec3& origin_m,
-                  const gpu::Camera& camera, int width_px) {
-  if (plane.points.size() < 2) return 1e9;
-  const glm::dvec3 a = camera.project(plane.points[0].position_m - origin_m);
-  const glm::dvec3 b = camera.project(plane.points[1].position_m - origin_m);
-  return 0.5 * width_px * calc::hypot(b.x - a.x, (b.y - a.y) / camera.aspect);
-}
-
 void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
-                const glm::dvec3& origin_m, const View& view, const report::ColourScale& scale) {
+                const glm::dvec3& origin_m, const View& view) {
   for (const report::PlanePart& plane : part.planes) {
     if (!plane.is_computed) continue;
     const calc::SensorGrid& grid = plane.grid;
-    const bool is_planar = report::is_plain_illuminance(plane);
     // What it measures is on the side that the eye does not see.
     const bool is_turned =
-        is_planar && grid.columns > 0 &&
+        report::is_plain_illuminance(plane) && grid.columns > 0 &&
         glm::dot(glm::cross(grid.u, grid.v), view.camera.eye_m + origin_m - grid.origin_m) < 0.0;
     const auto outline = [&](const std::vector<glm::dvec2>& corners) {
       std::vector<glm::dvec3> corner_m;
@@ -119,17 +104,6 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
       outline(plane.outline_m);
     }
     for (const auto& hole : plane.holes_m) outline(hole);
-    if (!is_planar || is_turned) continue;
-    const double radius_px = std::min(
-        kDotRadius_px * kScale,
-        0.3 * spacing_px(plane, origin_m, view.camera, static_cast<int>(kScale) * view.width));
-    if (radius_px < kFewestDotPixels * kScale) continue;
-    for (const report::PointRow& point : plane.points) {
-      const int band = report::band_of(scale, point.measured.value);
-      picture.dots.push_back({point.position_m - origin_m, radius_px,
-                              gl_colour(report::band_colour(scale, band)),
-                              glm::vec4(0.05f, 0.06f, 0.09f, 1.0f)});
-    }
   }
 }
 
@@ -142,6 +116,37 @@ gpu::PictureScene surfaces_of(const calc::LitSurfaces& lit,
     if (shown[lit.side[k]] != 0) picture.triangle.push_back(lit.triangle[k]);
   }
   return picture;
+}
+
+// The same light as luminance in cd/m2 of surfaces that are matt. A corner where surfaces of
+// several reflectances meet has a value for each.
+gpu::PictureScene luminance_of(const calc::LitSurfaces& lit, const SharedSides& sides,
+                               std::size_t view, const calc::PreparedScene& scene) {
+  gpu::PictureScene picture;
+  for (std::size_t k = 0; k < lit.triangle.size(); ++k) {
+    if (sides.is_shown[view][lit.side[k]] == 0) continue;
+    const auto cd_m2_by_lx =
+        static_cast<float>(scene.reflectance[sides.side[lit.side[k]].triangle] / calc::kPi);
+    const auto first = static_cast<std::uint32_t>(picture.position_m.size());
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t at = lit.triangle[k][corner];
+      picture.position_m.push_back(lit.position_m[at]);
+      picture.value.push_back(lit.lx[at] * cd_m2_by_lx);
+    }
+    picture.triangle.emplace_back(first, first + 1, first + 2);
+  }
+  return picture;
+}
+
+// All of its light spread evenly over the opening, as a matt surface sends it; of a point, which
+// has no area, what is white.
+double glow_cd_m2(const calc::PreparedScene& scene, const calc::PlacedLuminaire& luminaire) {
+  constexpr double kWhite_cd_m2 = 1e9;
+  const double area_m2 =
+      calc::seen_opening_m2(luminaire, luminaire.world_from_luminaire * glm::dvec3(0.0, 0.0, -1.0));
+  if (!(area_m2 > 0.0)) return kWhite_cd_m2;
+  return luminaire.web->flux_lm() * luminaire.flux_scale *
+         scene.channels[luminaire.channel].maintenance_factor / (calc::kPi * area_m2);
 }
 
 report::DrawnRoom drawn_room(gpu::Picture picture) {
@@ -158,6 +163,15 @@ report::DrawnRoom cropped(report::DrawnRoom drawn) {
   drawn.cover.resize(4 * pixels);
   drawn.height = height;
   return drawn;
+}
+
+report::RoomPicture as_picture(const report::Raster& raster, const char* name) {
+  report::RoomPicture picture;
+  picture.name = name;
+  picture.width = raster.width;
+  picture.height = raster.height;
+  picture.png = report::encode_png(raster);
+  return picture;
 }
 
 gpu::Picture memory_of(report::DrawnRoom drawn) {
@@ -199,8 +213,9 @@ calc::DrawingWork picture_work(const std::vector<check::ProjectPlan>& projects) 
     for (const check::SpacePlan& space : project.spaces) {
       if (space.triangles == 0 || space.triangles > kMostTriangles) continue;
       work.rooms += 1.0;
-      for (const int width : {kCornerWidth, kPlanWidth}) {
-        work.pixels += kScale * kScale * width * kMostHeight;  // at most
+      for (const double share_width :
+           {1.0 * kCornerWidth, 1.0 * kPlanWidth, kRenderedShare * kRenderedShare * kCornerWidth}) {
+        work.pixels += kScale * kScale * share_width * kMostHeight;  // at most
         work.triangles += kMeshTriangles + static_cast<double>(space.triangles);
       }
     }
@@ -230,6 +245,23 @@ void PictureMaker::add_pictures(const std::string& project_path, const calc::Spa
   part.pictures.problem = problem;
 }
 
+report::Raster PictureMaker::render(gpu::DeviceThread& device, gpu::PictureScene picture,
+                                    const calc::PreparedScene& scene, const gpu::Camera& camera,
+                                    int width) {
+  // Its brightness is known once it is seen.
+  const gpu::Picture bare = gpu::draw_picture(device, picture, camera, width / 4);
+  const double average = report::log_average(bare.value);
+  picture.lift_m = kLift * scene.extent_m;
+  gpu::add_luminaires(picture, scene, kScale, [&](const calc::PlacedLuminaire& luminaire) {
+    return gl_colour(report::toned(glow_cd_m2(scene, luminaire), average));
+  });
+  report::DrawnRoom drawn = cropped(drawn_room(
+      gpu::draw_picture(device, picture, camera, drawn_width(width), std::move(recycled_))));
+  report::Raster raster = report::paint_room(drawn, report::tone_palette(average));
+  recycled_ = memory_of(std::move(drawn));
+  return raster;
+}
+
 std::string PictureMaker::draw(const std::string& project_path, const calc::Space& space,
                                const calc::PreparedScene& scene, report::SpacePart& part) {
   if (scene.triangle.empty()) return "it has no surfaces";
@@ -252,33 +284,36 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   const calc::LitSurfaces lit = calc::light_surfaces(scene, sides.side, settings, *gatherer);
   if (!lit.problem.empty()) return lit.problem.english();
 
-  // The scale is known once the surfaces are seen; points are painted with it.
+  // The scale is known once the surfaces are seen.
   std::vector<report::DrawnRoom> bare;
   for (std::size_t v = 0; v < views.size(); ++v) {
     const gpu::PictureScene picture = surfaces_of(lit, sides.is_shown[v]);
     bare.push_back(
         drawn_room(gpu::draw_picture(*device, picture, views[v].camera, views[v].width / 4)));
   }
-  const report::ColourScale scale = report::room_scale(bare, point_values(part));
+  report::ColourScale scale = report::room_scale(bare);
+  scale.map = settings_.map;
   report::RoomPictures pictures;
+  const auto add = [&](report::RoomPicture picture, const View& view, const auto& with_words) {
+    picture.title = view.title;
+    if (settings_.has_files) {
+      picture.labelled_png = report::encode_png(
+          with_words(report::PictureFrame{report::picture_words(settings_.texts, part, picture)}));
+    }
+    pictures.list.push_back(std::move(picture));
+  };
   for (std::size_t v = 0; v < views.size(); ++v) {
     const View& view = views[v];
     gpu::PictureScene picture = surfaces_of(lit, sides.is_shown[v]);
     picture.lift_m = kLift * scene.extent_m;
     gpu::add_edges(picture, scene, view.cutaway, kScale);
-    add_planes(picture, part, scene.origin_m, view, scale);
+    add_planes(picture, part, scene.origin_m, view);
     gpu::add_luminaires(picture, scene, kScale);
     report::DrawnRoom drawn = cropped(drawn_room(gpu::draw_picture(
         *device, picture, view.camera, drawn_width(view.width), std::move(recycled_))));
     const report::Raster raster = report::paint_room(drawn, report::band_palette(scale));
-    report::RoomPicture& made = pictures.list.emplace_back();
-    made.name = view.name;
-    made.title = view.title;
-    made.width = raster.width;
-    made.height = raster.height;
-    made.png = report::encode_png(raster);
+    report::RoomPicture made = as_picture(raster, view.name);
     if (settings_.has_files) {
-      made.labelled_png = report::encode_png(report::with_legend(raster, scale));
       made.exr = report::render_room_exr(project_path, space.id, view.title, raster.width,
                                          raster.height, report::mean_values(drawn));
     }
@@ -286,10 +321,22 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
         std::max(pictures.highest_lx,
                  static_cast<double>(*std::max_element(drawn.lx.begin(), drawn.lx.end())));
     recycled_ = memory_of(std::move(drawn));
+    add(std::move(made), view, [&](const report::PictureFrame& frame) {
+      return report::with_legend(raster, scale, frame);
+    });
+    if (v != kRenderedView) continue;
+    const report::Raster rendered =
+        render(*device, luminance_of(lit, sides, v, scene), scene, view.camera,
+               static_cast<int>(kRenderedShare * view.width));
+    made = as_picture(rendered, "rendered");
+    made.is_rendered = true;
+    add(std::move(made), view,
+        [&](const report::PictureFrame& frame) { return report::with_frame(rendered, frame); });
   }
   pictures.low_lx = scale.low;
   pictures.step_lx = scale.step;
   pictures.bands = scale.bands;
+  pictures.map = scale.map;
   pictures.error_share = lit.error_share;
   pictures.device = device->device().name();
   part.pictures = std::move(pictures);

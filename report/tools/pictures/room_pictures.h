@@ -1,5 +1,6 @@
 #pragma once
-// Pictures of rooms for reports: light on their surfaces, drawn by OpenGL.
+// Pictures of rooms for reports: light on their surfaces in false colours and as a rendered view,
+// drawn by OpenGL.
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
@@ -11,6 +12,7 @@
 #include "report/document/document.h"
 #include "report/images/room_picture.h"
 #include "report/shell/output/output_options.h"
+#include "report/text/texts.h"
 
 #include <glm/glm.hpp>
 
@@ -31,6 +33,8 @@ struct PictureSettings {
   std::uint64_t seed = 1;
   int jobs = 0;
   check::PictureDevice::Request device;
+  report::ColourMap map = report::ColourMap::cividis;
+  report::Texts texts;  // of files
 };
 
 // Of all rooms of these projects that are drawn.
@@ -48,6 +52,9 @@ class PictureMaker {
                     const calc::PreparedScene& scene, report::SpacePart& part);
 
  private:
+  // picture: of luminances, without lift.
+  report::Raster render(gpu::DeviceThread& device, gpu::PictureScene picture,
+                        const calc::PreparedScene& scene, const gpu::Camera& camera, int width);
   std::string draw(const std::string& project_path, const calc::Space& space,
                    const calc::PreparedScene& scene, report::SpacePart& part);
 

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,43 @@ TEST(Cividis, GetsLighterAllTheWay) {
 TEST(Cividis, TextColourFollowsTheBackground) {
   EXPECT_FALSE(needs_dark_text(cividis(0)));
   EXPECT_TRUE(needs_dark_text(cividis(1)));
+}
+
+TEST(FalseColour, GoesFromBlueToMagenta) {
+  EXPECT_EQ(hex_colour(false_colour(0)), "#1428b4");
+  EXPECT_EQ(hex_colour(false_colour(0.6)), "#ffe600");
+  EXPECT_EQ(hex_colour(false_colour(1)), "#dc00c8");
+  EXPECT_EQ(hex_colour(false_colour(7)), "#dc00c8");
+}
+
+// Of values on cells: 4.5 is the AA of WCAG 2.2.
+TEST(ColourMap, NumbersCanBeReadOnEveryColour) {
+  const auto linear = [](int channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  for (const ColourMap map : {ColourMap::cividis, ColourMap::false_colour}) {
+    for (int bands = 1; bands <= 12; ++bands) {
+      const ColourScale scale{0.0, 1.0, bands, {}, map};
+      for (int band = 0; band < bands; ++band) {
+        const Rgb c = band_colour(scale, band);
+        const double luminance = 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+        const double contrast =
+            needs_dark_text(c) ? (luminance + 0.05) / 0.05 : 1.05 / (luminance + 0.05);
+        EXPECT_GE(contrast, 4.5) << hex_colour(c);
+      }
+    }
+  }
+}
+
+TEST(ColourMap, NeighboursDiffer) {
+  for (const ColourMap map : {ColourMap::cividis, ColourMap::false_colour}) {
+    const ColourScale scale{0.0, 1.0, 12, {}, map};
+    for (int band = 1; band < 12; ++band) {
+      const Rgb a = band_colour(scale, band - 1), b = band_colour(scale, band);
+      EXPECT_GT(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 20) << band;
+    }
+  }
 }
 
 TEST(ColourScale, HasRoundStepsThatCoverTheValues) {

@@ -76,14 +76,6 @@ TEST(PolarDiagram, HasRoundRings) {
   }
 }
 
-TEST(PolarDiagram, UsesOnlyLettersThatThePngHas) {
-  const std::string known = kPolarCharacters;
-  for (const PolarLabel& label : spot_towards(0).labels) {
-    if (label.is_title) continue;
-    for (const char c : label.text) EXPECT_NE(known.find(c), std::string::npos) << label.text;
-  }
-}
-
 TEST(PolarSvg, IsWellFormedWhateverTheNameHolds) {
   PolarDrawing drawing = draw_polar_diagram(
       make_web({0}, {0, 90}, [](double, double) { return 1.0; }), "<b>&\"\x1b[1m\xff");

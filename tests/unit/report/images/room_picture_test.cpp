@@ -12,6 +12,7 @@ namespace room_picture_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Two pixels beside each other: one with a surface of 150 lx, one of which a quarter is covered.
 report::DrawnRoom drawn() {
@@ -40,8 +41,7 @@ TEST(RoomPicture, MeanValuesLeaveOutWhatIsNotThere) {
 TEST(RoomPicture, ScaleBeginsAtZeroAndLeavesOutTheBrightestFew) {
   report::DrawnRoom room{100, 2, std::vector<float>(200, 400.0F), {}};
   room.lx[7] = 9000.0F;
-  const std::array<double, 3> values{10.0, 20.0, 30.0};
-  const report::ColourScale scale = report::room_scale({&room, 1}, values);
+  const report::ColourScale scale = report::room_scale({&room, 1});
   EXPECT_EQ(scale.low, 0.0);
   EXPECT_EQ(scale.high(), 400.0);
   EXPECT_EQ(scale.step, 50.0);
@@ -64,6 +64,47 @@ TEST(RoomPicture, LegendIsBelow) {
   EXPECT_EQ(at(24, 24), (std::array<int, 4>{1, 2, 3, 255}));
   const report::Rgb first = report::band_colour({0.0, 100.0, 4}, 0);
   EXPECT_EQ(at(40, plain.height + 52), (std::array<int, 4>{first.r, first.g, first.b, 255}));
+}
+
+// A title above and a note below move the picture and make room; outlines lie on it.
+TEST(RoomPicture, FramesHaveTitleNoteAndOutlines) {
+  report::Raster plain{400, 200, {}};
+  plain.rgba.assign(std::size_t{4} * 400 * 200, 200);
+  for (std::size_t k = 3; k < plain.rgba.size(); k += 4) plain.rgba[k] = 255;
+  report::PictureFrame frame;
+  const report::Raster bare = report::with_frame(plain, frame);
+  EXPECT_EQ(bare.height, 200 + 2 * 24);
+  frame.title = "Büro – Fläche";
+  frame.note = "a note";
+  frame.outlines = {{{100, 50}, {300, 50}, {300, 150}, {100, 150}}};
+  const report::Raster framed = report::with_frame(plain, frame);
+  EXPECT_GT(framed.height, bare.height + 50);
+  EXPECT_EQ(framed.height - bare.height,
+            report::with_legend(plain, {}, frame).height - report::with_legend(plain, {}).height);
+  const auto dark = [&](int left, int top, int width, int height) {
+    int count = 0;
+    for (int y = top; y < top + height; ++y) {
+      for (int x = left; x < left + width; ++x) {
+        if (framed.rgba[4 * static_cast<std::size_t>(y * framed.width + x)] < 100) ++count;
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(dark(0, 0, framed.width, 55), 100);                    // the title
+  EXPECT_GT(dark(0, 270, framed.width, framed.height - 270), 50);  // the note
+  const int top = 24 + 36;
+  EXPECT_GT(dark(24 + 110, top + 48, 180, 4), 300);  // upper side of the outline
+  EXPECT_EQ(dark(24 + 110, top + 60, 180, 80), 0);   // inside
+}
+
+TEST(RoomPicture, LongTitlesAreCut) {
+  const report::Raster raster = report::with_frame({}, {std::string(300, 'W'), {}, "lx", {}});
+  EXPECT_EQ(raster.width, 480 + 48);
+  for (int y = 0; y < raster.height; ++y) {
+    for (int x = raster.width - 20; x < raster.width; ++x) {
+      EXPECT_EQ(raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x)], 255);
+    }
+  }
 }
 
 // Of a scale with long numbers as many as have room, with blanks between them.
@@ -115,6 +156,15 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   EXPECT_THAT(html, HasSubstr("base64,YWJj\" width=\"10\" height=\"20\" alt=\"r&lt;1&gt; seen"));
   EXPECT_THAT(html, HasSubstr("reach 1234 lx"));
   EXPECT_THAT(html, HasSubstr("Colour scale from 0 to 500 lx"));
+  EXPECT_THAT(html, HasSubstr("fill=\"#00204d\""));
+  EXPECT_THAT(html, Not(HasSubstr("Rendered view")));
+  picture.is_rendered = true;
+  space.pictures.list.push_back(picture);
+  space.pictures.map = report::ColourMap::false_colour;
+  const std::string both = report::html_room({}, space);
+  EXPECT_THAT(both, HasSubstr("r&lt;1&gt; seen from above, rendered view\""));
+  EXPECT_THAT(both, HasSubstr("Rendered view: the same light as luminance of matt grey surfaces"));
+  EXPECT_THAT(both, HasSubstr("fill=\"#1428b4\""));
 }
 
 }  // namespace

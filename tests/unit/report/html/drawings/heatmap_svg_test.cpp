@@ -55,6 +55,15 @@ TEST(HeatmapSvg, HoldsACellForEachPointAndTheColourBar) {
   EXPECT_EQ(svg.select_nodes("//path[@class='min-mark']").size(), 1u);
 }
 
+TEST(HeatmapSvg, SaysAmongWhomItsScaleIsShared) {
+  const Document document = small_document();
+  const SpacePart& space = document.projects[0].spaces[0];
+  EXPECT_THAT(svg_of(document), HasSubstr(">The colour scale belongs to this plane alone.</text>"));
+  EXPECT_THAT(render_heatmap_svg({}, space, space.planes[0],
+                                 {own_scale(space.planes[0]), ScaleSharing::room}),
+              HasSubstr(">One colour scale for all planes of this room or area.</text>"));
+}
+
 // Each limit takes a line above the bar.
 TEST(HeatmapSvg, HasRoomForManyLimits) {
   Document document = small_document();

@@ -74,7 +74,7 @@ struct Printed {
 Printed print(const Case& c, Paper paper) {
   const SpacePart space = room_of(c);
   Printed printed;
-  printed.html = html_plan({}, space, space.planes[0], {own_scale(space.planes[0]), false}, "x",
+  printed.html = html_plan({}, space, space.planes[0], {own_scale(space.planes[0])}, "x",
                            place_beside_tables(paper));
   pugi::xml_document tree;
   EXPECT_TRUE(tree.load_string(printed.html.c_str()));
@@ -144,7 +144,7 @@ TEST(PlanOnPaper, SaysWhereValuesAreLeftOut) {
 TEST(PlanInPieces, ALongPlaneIsCutUntilItsValuesAreReadAndAllAreThere) {
   const SpacePart space = room_of({24.2, 2.2, 1.0, 48, 4, 100});
   const auto drawn = [&](int pieces) {
-    return html_plan({}, space, space.planes[0], {own_scale(space.planes[0]), false}, "x",
+    return html_plan({}, space, space.planes[0], {own_scale(space.planes[0])}, "x",
                      {{180, 92}, pieces});
   };
   const auto count = [](const std::string& html, const std::string& words) {
@@ -166,8 +166,8 @@ TEST(PlanInPieces, ALongPlaneIsCutUntilItsValuesAreReadAndAllAreThere) {
 
 TEST(PlanInPieces, ASquareOneStaysWhole) {
   const SpacePart space = room_of({5.2, 5.2, 1.0, 10, 10, 100});
-  const std::string html = html_plan({}, space, space.planes[0],
-                                     {own_scale(space.planes[0]), false}, "x", {{180, 92}, 1});
+  const std::string html =
+      html_plan({}, space, space.planes[0], {own_scale(space.planes[0])}, "x", {{180, 92}, 1});
   EXPECT_THAT(html, Not(HasSubstr("<use ")));
 }
 

@@ -43,8 +43,8 @@ TEST(ColourScales, OfAProjectAreOneButForWhatIsFarBelow) {
   EXPECT_TRUE(is_same(of(0, 0).scale, all));
   EXPECT_TRUE(is_same(of(0, 1).scale, all));
   EXPECT_TRUE(is_same(of(1, 0).scale, all));
-  EXPECT_TRUE(of(0, 1).is_shared);
-  EXPECT_FALSE(of(1, 1).is_shared);
+  EXPECT_EQ(of(0, 1).among, ScaleSharing::project);
+  EXPECT_EQ(of(1, 1).among, ScaleSharing::plane);
   EXPECT_TRUE(is_same(of(1, 1).scale, make_colour_scale(0.5, 4.0)));
 }
 
@@ -58,11 +58,33 @@ TEST(ColourScales, OfARoomAreItsOwn) {
                       make_colour_scale(150, 350)));
 }
 
+TEST(ColourScales, HaveTheColoursAskedFor) {
+  const ProjectPart project = project_of();
+  for (const ScaleSharing sharing : {ScaleSharing::project, ScaleSharing::plane}) {
+    const ColourScales scales(project, sharing, ColourMap::false_colour);
+    for (const PlanePart& plane : project.spaces[1].planes) {
+      EXPECT_EQ(scales.of(project.spaces[1], plane).scale.map, ColourMap::false_colour);
+    }
+    EXPECT_EQ(
+        ColourScales(project, sharing).of(project.spaces[0], project.spaces[0].planes[0]).scale.map,
+        ColourMap::cividis);
+  }
+}
+
+TEST(ColourScales, SayAmongWhomTheyAreShared) {
+  EXPECT_EQ(sharing_words({}, ScaleSharing::project),
+            "One colour scale for all planes of the project.");
+  EXPECT_EQ(sharing_words({}, ScaleSharing::room),
+            "One colour scale for all planes of this room or area.");
+  EXPECT_EQ(sharing_words({}, ScaleSharing::plane),
+            "The colour scale belongs to this plane alone.");
+}
+
 TEST(ColourScales, OfPlanesAreTheirOwn) {
   const ProjectPart project = project_of();
   for (const ColourScales& scales : {ColourScales(), ColourScales(project, ScaleSharing::plane)}) {
     const PlaneScale scale = scales.of(project.spaces[0], project.spaces[0].planes[0]);
-    EXPECT_FALSE(scale.is_shared);
+    EXPECT_EQ(scale.among, ScaleSharing::plane);
     EXPECT_TRUE(is_same(scale.scale, make_colour_scale(400, 700)));
   }
 }
@@ -73,7 +95,7 @@ TEST(ColourScales, RatingsAreNoIlluminance) {
   ugr.derived = calc::DerivedQuantity::ugr;
   project.spaces[0].planes.push_back(ugr);
   const ColourScales scales(project, ScaleSharing::project);
-  EXPECT_FALSE(scales.of(project.spaces[0], project.spaces[0].planes[2]).is_shared);
+  EXPECT_EQ(scales.of(project.spaces[0], project.spaces[0].planes[2]).among, ScaleSharing::plane);
   EXPECT_TRUE(is_same(scales.of(project.spaces[0], project.spaces[0].planes[0]).scale,
                       make_colour_scale(100, 700)));
 }
@@ -86,7 +108,7 @@ TEST(ColourScales, AreClassesWhereAPlaneWouldBeOfOneColour) {
   const ColourScales scales(project, ScaleSharing::project);
   const PlaneScale desk = scales.of(project.spaces[0], project.spaces[0].planes[0]);
   const PlaneScale corridor = scales.of(project.spaces[1], project.spaces[1].planes[0]);
-  EXPECT_TRUE(corridor.is_shared);
+  EXPECT_NE(corridor.among, ScaleSharing::plane);
   EXPECT_TRUE(is_same(desk.scale, corridor.scale));
   EXPECT_TRUE(is_same(corridor.scale, make_class_scale(102, 900)));
   EXPECT_EQ(band_of(make_colour_scale(102, 900), 102), band_of(make_colour_scale(102, 900), 190));
@@ -105,7 +127,7 @@ TEST(ColourScales, AreFineClassesWhereOthersGiveOneColour) {
   project.spaces[1].planes = {plane_of("corridor", 112, 149)};
   const ColourScales finer(project, ScaleSharing::project);
   const PlaneScale corridor = finer.of(project.spaces[1], project.spaces[1].planes[0]);
-  EXPECT_TRUE(corridor.is_shared);
+  EXPECT_NE(corridor.among, ScaleSharing::plane);
   EXPECT_TRUE(is_same(corridor.scale, make_class_scale(112, 1200, ClassSeries::fine)));
   EXPECT_EQ(band_of(make_class_scale(112, 1200), 112), band_of(make_class_scale(112, 1200), 149));
   EXPECT_LT(band_of(corridor.scale, 112), band_of(corridor.scale, 149));

@@ -51,8 +51,8 @@ TEST(RoomPictures, AreTheSameBytesAgain) {
   once.draw();
   again.draw();
   ASSERT_EQ(once.part.pictures.problem, "");
-  ASSERT_EQ(once.part.pictures.list.size(), 2u);
-  for (std::size_t k = 0; k < 2; ++k) {
+  ASSERT_EQ(once.part.pictures.list.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
     const report::RoomPicture &a = once.part.pictures.list[k], &b = again.part.pictures.list[k];
     EXPECT_GT(a.png.size(), 1000u);
     EXPECT_EQ(a.png, b.png);
@@ -119,9 +119,61 @@ TEST(RoomPictures, MakeImagesOnlyIfAskedFor) {
   Room room;
   room.settings.has_files = false;
   room.draw();
-  ASSERT_EQ(room.part.pictures.list.size(), 2u);
+  ASSERT_EQ(room.part.pictures.list.size(), 3u);
   EXPECT_EQ(room.part.pictures.list[0].labelled_png, "");
   EXPECT_EQ(room.part.pictures.list[0].exr, "");
+}
+
+TEST(RoomPictures, HaveARenderedViewBesideTheFalseColours) {
+  LUXGATE_NEEDS_OPENGL();
+  Room room;
+  room.draw();
+  ASSERT_EQ(room.part.pictures.problem, "");
+  const std::vector<report::RoomPicture>& list = room.part.pictures.list;
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].name, "corner");
+  EXPECT_EQ(list[1].name, "rendered");
+  EXPECT_EQ(list[2].name, "plan");
+  EXPECT_FALSE(list[0].is_rendered);
+  EXPECT_TRUE(list[1].is_rendered);
+  EXPECT_EQ(list[1].title, list[0].title);
+  // The same view, and smaller.
+  EXPECT_LT(list[1].width, list[0].width);
+  EXPECT_NEAR(static_cast<double>(list[1].width) / list[1].height,
+              static_cast<double>(list[0].width) / list[0].height, 0.01);
+  EXPECT_GT(list[1].labelled_png.size(), list[1].png.size() / 2);
+  EXPECT_EQ(list[1].exr, "");
+}
+
+// Light and luminaires make it, not what planes there are.
+TEST(RoomPictures, ShowNoPoints) {
+  LUXGATE_NEEDS_OPENGL();
+  Room few, many;
+  for (int k = 1; k < 20; ++k) {
+    report::PointRow& point = many.part.planes[0].points.emplace_back();
+    point.position_m = {0.1 * k, 0.7, 0.0};
+    point.measured = {900.0, 900.0, 900.0};
+  }
+  few.draw();
+  many.draw();
+  ASSERT_EQ(few.part.pictures.list.size(), 3u);
+  ASSERT_EQ(many.part.pictures.list.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(few.part.pictures.list[k].png, many.part.pictures.list[k].png) << k;
+  }
+}
+
+TEST(RoomPictures, HaveTheColoursAskedFor) {
+  LUXGATE_NEEDS_OPENGL();
+  Room safe, trade;
+  trade.settings.map = report::ColourMap::false_colour;
+  safe.draw();
+  trade.draw();
+  ASSERT_EQ(trade.part.pictures.list.size(), 3u);
+  EXPECT_EQ(trade.part.pictures.map, report::ColourMap::false_colour);
+  EXPECT_NE(safe.part.pictures.list[0].png, trade.part.pictures.list[0].png);
+  EXPECT_EQ(safe.part.pictures.list[1].png, trade.part.pictures.list[1].png);
+  EXPECT_EQ(safe.part.pictures.list[0].exr, trade.part.pictures.list[0].exr);
 }
 
 TEST(RoomPictures, SayWhyThereAreNone) {
