@@ -130,6 +130,19 @@ foreach(script completions tutorial selection config datasheets streams revision
   set_tests_properties(cli.${script} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 endforeach()
 
+# Of results that other tests have left, too, if they ran.
+if(LUXGATE_PYTHON)
+  add_test(NAME cli.luminaire_totals COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/luminaire_totals.py
+    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/luminaire_totals ${PROJECT_SOURCE_DIR}/examples
+    ${CMAKE_CURRENT_BINARY_DIR}/examples ${CMAKE_CURRENT_BINARY_DIR}/results_are_read)
+  set(made_before cli.results_are_read)
+  foreach(example IN LISTS examples)
+    get_filename_component(name ${example} NAME)
+    list(APPEND made_before example.${name})
+  endforeach()
+  set_tests_properties(cli.luminaire_totals PROPERTIES DEPENDS "${made_before}" TIMEOUT 120)
+endif()
+
 # The same, read by openpyxl, too.
 if(LUXGATE_PYTHON AND EXISTS /usr/lib/python3/dist-packages/openpyxl)
   add_test(NAME cli.xlsx_openpyxl COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/xlsx.py

@@ -2,6 +2,7 @@ luxgate_test(photometry_tests
   SOURCES
     unit/calc/photometry/read/eulumdat_test.cpp
     unit/calc/photometry/full_circle_test.cpp
+    unit/calc/photometry/stated_colour_test.cpp
     unit/calc/photometry/read/gldf_choice_test.cpp
     unit/calc/photometry/read/gldf_test.cpp
     unit/calc/photometry/read/gldf_together_test.cpp

@@ -9,6 +9,7 @@ luxgate_test(report_tests
     unit/report/formats/csv_test.cpp
     unit/report/formats/dxf_test.cpp
     unit/report/document/document_test.cpp
+    unit/report/document/luminaire_schedule_test.cpp
     unit/report/document/room_summary_test.cpp
     unit/report/document/row_uses_test.cpp
     unit/report/images/exr_test.cpp

@@ -25,6 +25,7 @@ std::optional<double> InstalledPower::density_w_m2() const {
 
 InstalledPower installed_power(const Project& project, const Space& space) {
   InstalledPower power;
+  power.is_of_spacing = space.road.has_value();
   // Each row has one luminaire for each field.
   for (const Luminaire& luminaire : space.road ? space.road->rows : space.luminaires) {
     const LuminaireType& type = project.luminaire_types[luminaire.type];

@@ -22,6 +22,8 @@ struct InstalledPower {
   // Of these: their photometry states a power, but for another flux than the project's. Results do
   // not have it.
   int of_other_flux = 0;
+  // Of a road: one spacing of it, where more luminaires are drawn.
+  bool is_of_spacing = false;
   // How many there are, by dimming group ("" = none) and type id. Results do not have it.
   std::map<std::pair<std::string, std::string>, std::size_t> luminaires_of = {};
 

@@ -1,16 +1,51 @@
 #include "report/document/luminaire_totals.h"
 
+#include <algorithm>
+
 namespace report {
+namespace {
+
+void add(const LuminaireRow& type, int count, LuminaireTotals& totals) {
+  totals.count += count;
+  totals.flux_lm += count * type.flux_lm;
+  totals.power_w += count * type.power_w;
+  if (count > 0 && !(type.power_w > 0.0)) totals.is_power_known = false;
+}
+
+int count_in(const SpacePart& space, const LuminaireRow& type) {
+  return static_cast<int>(
+      std::count_if(space.luminaires.begin(), space.luminaires.end(),
+                    [&](const LuminaireMark& mark) { return mark.type_id == type.type_id; }));
+}
+
+}  // namespace
 
 LuminaireTotals totals_of(const std::vector<LuminaireRow>& luminaires) {
   LuminaireTotals totals;
-  for (const LuminaireRow& row : luminaires) {
-    totals.count += row.count;
-    totals.flux_lm += row.count * row.flux_lm;
-    totals.power_w += row.count * row.power_w;
-    if (row.count > 0 && !(row.power_w > 0.0)) totals.is_power_known = false;
+  for (const LuminaireRow& row : luminaires) add(row, row.count, totals);
+  return totals;
+}
+
+LuminaireTotals totals_in(const ProjectPart& project, const SpacePart& space) {
+  LuminaireTotals totals;
+  for (const LuminaireRow& row : project.luminaires) add(row, count_in(space, row), totals);
+  return totals;
+}
+
+LuminaireTotals totals_elsewhere(const ProjectPart& project) {
+  LuminaireTotals totals;
+  for (const LuminaireRow& row : project.luminaires) {
+    int rest = row.count;
+    for (const SpacePart& space : project.spaces) rest -= count_in(space, row);
+    add(row, std::max(rest, 0), totals);
   }
   return totals;
+}
+
+bool is_power_of_spacing(const SpacePart& space) {
+  const auto drawn = static_cast<int>(space.luminaires.size());
+  return space.power.is_of_spacing || (space.power.luminaires > 0 && space.footprint_m.empty() &&
+                                       space.power.luminaires < drawn);
 }
 
 std::string position_letter(std::size_t row) {

@@ -1,5 +1,6 @@
 #pragma once
-// What a schedule of luminaires adds up to.
+// What luminaires add up to: in a schedule, in a room, in a project. All formats tell these numbers
+// and no others. What counts is what the model holds: every luminaire that is drawn.
 
 #include "report/document/document.h"
 
@@ -8,14 +9,26 @@
 
 namespace report {
 
-// Of all types of a project together.
+// Of several luminaires together.
 struct LuminaireTotals {
   int count = 0;
-  double flux_lm = 0, power_w = 0;
-  bool is_power_known = true;  // of every type that is used
+  double flux_lm = 0, power_w = 0;  // of those that state it
+  bool is_power_known = true;       // of each of them
 };
 
+// Of all types of a project.
 LuminaireTotals totals_of(const std::vector<LuminaireRow>& luminaires);
+
+// Of a space of the project. Of a road these are all that are drawn, where SpacePart::power has
+// those of one spacing alone.
+LuminaireTotals totals_in(const ProjectPart& project, const SpacePart& space);
+
+// Of the project, without those of its spaces: a report of a run that was cut short lacks spaces.
+LuminaireTotals totals_elsewhere(const ProjectPart& project);
+
+// Whether SpacePart::power is that of one spacing of a road. Results of earlier versions say it by
+// their numbers alone.
+bool is_power_of_spacing(const SpacePart& space);
 
 // By which schedules and plans name a type: "A" to "Z", then "AA" and so on, in the order of the
 // schedule.

@@ -1,5 +1,6 @@
 #include "report/formats/xlsx.h"
 
+#include "report/document/luminaire_schedule.h"
 #include "report/document/luminaire_totals.h"
 #include "report/document/room_summary.h"
 #include "report/formats/ci_finding.h"
@@ -10,6 +11,7 @@
 #include "report/text/notices.h"
 #include "report/text/number_format.h"
 #include "report/text/room_causes.h"
+#include "report/text/schedule_words.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 
@@ -167,21 +169,24 @@ std::vector<TableCell> room_row(const ProjectPart& project, const RoomSummary& r
 
 std::vector<SheetColumn> type_columns() {
   return {{"Project", 18},
+          {"Position", 9},
           {"Type", 16},
-          {"Name", 24},
           {"Maker", 18},
+          {"Name", 24},
           {"Article number", 18},
-          {"Lamp", 18},
-          {"Colour temperature", 12},
-          {"Colour rendering", 12},
-          {"Count", 8},
           {"Luminous flux of one, new (lm)", 14},
           {"Power of one (W)", 12},
           {"Efficacy (lm/W)", 11, 0},
+          {"Colour temperature (K)", 12},
+          {"Ra", 8},
+          {"Mounting height of the opening", 18},
+          {"Count", 8},
+          {"Rooms", 30, kOfColumn, true},
+          {"Maintenance factor", 13},
           {"Luminous flux of all, new (lm)", 14},
           {"Power of all (W)", 12},
+          {"Lamp", 18},
           {"Highest intensity (cd)", 12, 0},
-          {"Maintenance factor", 13},
           {"Material of the housing", 16},
           {"Depth of the housing (m)", 12, 3},
           {"Photometry file", 24},
@@ -193,24 +198,28 @@ TableCell stated(double value, bool is_stated) {
   return is_stated ? TableCell(TableNumber{value}) : TableCell();
 }
 
-std::vector<TableCell> type_row(const ProjectPart& project, const LuminaireRow& row) {
+std::vector<TableCell> type_row(const ProjectPart& project, const ScheduleRow& of) {
+  const LuminaireRow& row = *of.type;
   const bool has_power = row.power_w > 0.0;
   return {project.path,
+          of.position,
           row.type_id,
-          row.name,
           row.maker,
+          row.name,
           row.article(),
-          row.lamp,
-          row.colour_temperature,
-          row.colour_rendering,
-          count_cell(row.count),
           TableNumber{row.flux_lm},
           stated(row.power_w, has_power),
           stated(row.flux_lm / row.power_w, has_power),
-          TableNumber{row.count * row.flux_lm},
-          stated(row.count * row.power_w, has_power || row.count == 0),
-          TableNumber{row.max_intensity_cd},
+          colour_temperature_words(row),
+          colour_rendering_words({}, row),
+          mounting_words({}, of),
+          count_cell(row.count),
+          rooms_words({}, of),
           TableNumber{row.maintenance_factor},
+          TableNumber{row.count * row.flux_lm},
+          stated(row.count * row.power_w, has_power),
+          row.lamp,
+          TableNumber{row.max_intensity_cd},
           row.housing_material,
           stated(row.housing_depth_m, !row.housing_material.empty()),
           row.photometry_file,
@@ -218,15 +227,32 @@ std::vector<TableCell> type_row(const ProjectPart& project, const LuminaireRow& 
           row.sha256};
 }
 
-std::vector<TableCell> type_totals(const ProjectPart& project) {
-  const LuminaireTotals totals = totals_of(project.luminaires);
+// A line of words under the types that they are about.
+std::vector<TableCell> type_remark(const ProjectPart& project, const std::string& words) {
   std::vector<TableCell> row(type_columns().size());
   row[0] = project.path;
-  row[1] = std::string("All luminaires");
-  row[8] = count_cell(totals.count);
-  row[12] = TableNumber{totals.flux_lm};
-  row[13] = stated(totals.power_w, totals.is_power_known);
+  row[2] = words;
   return row;
+}
+
+std::vector<TableCell> type_totals(const ProjectPart& project, const LuminaireTotals& totals) {
+  std::vector<TableCell> row = type_remark(project, "All luminaires");
+  row[12] = count_cell(totals.count);
+  row[15] = TableNumber{totals.flux_lm};
+  row[16] = stated(totals.power_w, totals.is_power_known);
+  return row;
+}
+
+// The types that are used, what they add up to and what must be read with it.
+std::vector<std::vector<TableCell>> type_rows(const ProjectPart& project) {
+  std::vector<std::vector<TableCell>> rows;
+  if (project.luminaires.empty()) return rows;
+  const LuminaireSchedule schedule = schedule_of(project);
+  for (const ScheduleRow& row : schedule.used) rows.push_back(type_row(project, row));
+  rows.push_back(type_totals(project, schedule.totals));
+  for (const std::string& words : schedule_remarks({}, schedule))
+    rows.push_back(type_remark(project, words));
+  return rows;
 }
 
 // --- Warnings ------------------------------------------------------------------------------------
@@ -383,8 +409,7 @@ void XlsxWriter::add(const ProjectPart& project) {
       project, [&](std::span<const TableCell> row) { requirements_.add(results_order_.row(row)); });
   points_table().rows(project, [&](std::span<const TableCell> row) { points_.add(row); });
   luminaires_table().rows(project, [&](std::span<const TableCell> row) { luminaires_.add(row); });
-  for (const LuminaireRow& row : project.luminaires) types_.add(type_row(project, row));
-  if (!project.luminaires.empty()) types_.add(type_totals(project));
+  for (const std::vector<TableCell>& row : type_rows(project)) types_.add(row);
   add_remarks(project);
   if (frame_.paths.size() > 1) return;
   title_ = project.name;

@@ -170,7 +170,7 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
           {.words = "Article of the lamp package that the project takes in place of the file's "
                     "flux and power; \"\" = none.",
            .presence = kSinceLater});
-  v.field("count", row.count);
+  v.field("count", row.count, {.words = "Of `luminaires` of all spaces: what the model holds."});
   v.field("flux_lm", or_null(row.flux_lm), {.words = "Of one luminaire, new, after any override."});
   v.field("power_w", or_null(row.power_w, 0.0), {.words = "null: not stated."});
   v.field("file_flux_lm", or_null(row.file_flux_lm, 0.0),
@@ -247,6 +247,11 @@ void describe(auto& v, Is<calc::InstalledPower> auto& power) {
   v.field("area_m2", power.area_m2);
   v.field("luminaires", power.luminaires);
   v.field("without_power", power.without_power);
+  v.field("of_spacing", power.is_of_spacing,
+          {.words = "There of a road: all this is of one spacing of it. `luminaires` of the space "
+                    "are all that are drawn, and those count in `count` of their types.",
+           .presence = only_if(power.is_of_spacing),
+           .is_mark = true});
 }
 
 void describe(auto& v, Is<calc::LightingEnergy> auto& energy) {

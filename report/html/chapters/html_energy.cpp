@@ -1,5 +1,6 @@
 #include "report/html/chapters/html_energy.h"
 
+#include "report/document/luminaire_totals.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
 #include "report/text/room_power.h"
@@ -17,9 +18,8 @@ namespace {
 
 std::string number_cell(const std::string& text) { return "<td class=\"num\">" + text + "</td>"; }
 
-std::string power_words(const Texts& t, const calc::InstalledPower& power) {
-  if (power.without_power > 0) return t[Text::not_stated];
-  return format_watts(t, power.power_w) + " W";
+std::string power_words(const Texts& t, const LuminaireTotals& drawn) {
+  return drawn.is_power_known ? format_watts(t, drawn.power_w) + " W" : t[Text::not_stated];
 }
 
 // Of a year, with the parasitic part; empty: not stated or not known.
@@ -36,8 +36,9 @@ std::string energy_cells(const Texts& t, const SpacePart& space) {
          number_cell(format_fixed(t, space.energy->leni_kwh_m2, 1) + " kWh/m²");
 }
 
-std::string energy_row(const Texts& t, const SpacePart& space) {
+std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePart& space) {
   const calc::InstalledPower& power = space.power;
+  const LuminaireTotals drawn = totals_in(project, space);
   const std::optional<double> density = power.density_w_m2();
   const std::optional<PowerByLight> by_light = power_by_light(space);
   std::string note;
@@ -50,36 +51,52 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
         space.energy->problem.empty() ? space.energy->words : space.energy->problem;
     if (!remark.empty()) words += "<span class=\"note\">" + sentence_html(t, remark) + "</span>";
   }
+  if (is_power_of_spacing(space)) {
+    const std::string watts =
+        power.without_power > 0 ? t[Text::not_stated] : format_watts(t, power.power_w) + " W";
+    words += "<span class=\"note\">" + t.say<Text::energy_of_spacing>(power.luminaires, watts) +
+             "</span>";
+  }
   return "<tr><th scope=\"row\">" + words + "</th>" +
          number_cell(power.area_m2 > 0.0 ? format_fixed(t, power.area_m2, 2) + " m²" : "") +
-         number_cell(fmt::format("{}", power.luminaires)) + number_cell(power_words(t, power)) +
+         number_cell(fmt::format("{}", drawn.count)) + number_cell(power_words(t, drawn)) +
          number_cell(density ? format_fixed(t, *density, 2) + " W/m²" : "") +
          number_cell(by_light ? format_measured(t, by_light->w_m2, "W/m²") + note : "") +
          energy_cells(t, space) + "</tr>\n";
 }
 
-// Sums of what is known of every room, and of the open space; a cell says where it is not.
+// "" = none: every luminaire of the schedule is in a row.
+std::string elsewhere_row(const Texts& t, const LuminaireTotals& elsewhere) {
+  if (elsewhere.count == 0) return {};
+  return std::string("<tr><th scope=\"row\">") + t[Text::luminaires_elsewhere] + "</th>" +
+         number_cell("") + number_cell(fmt::format("{}", elsewhere.count)) +
+         number_cell(power_words(t, elsewhere)) + number_cell("") + number_cell("") +
+         number_cell("") + number_cell("") + "</tr>\n";
+}
+
+// Sums of what is known of every room, and of the open space; a cell says where it is not. Count
+// and power are those of the schedule.
 std::string sums_row(const Texts& t, const ProjectPart& project) {
-  double area_m2 = 0.0, power_w = 0.0, all_kwh = 0.0;
-  int luminaires = 0;
-  bool has_areas = true, has_power = true, has_energy = true;
+  double area_m2 = 0.0, all_kwh = 0.0;
+  bool has_areas = true, has_energy = true;
   for (const SpacePart& space : project.spaces) {
     area_m2 += space.power.area_m2;
-    power_w += space.power.power_w;
-    luminaires += space.power.luminaires;
     has_areas &= space.power.area_m2 > 0.0;
-    has_power &= space.power.without_power == 0;
     const std::optional<double> energy = energy_kwh(space);
     has_energy &= energy.has_value();
     all_kwh += energy.value_or(0.0);
   }
+  const LuminaireTotals all = totals_of(project.luminaires);
+  if (totals_elsewhere(project).count > 0) has_areas = has_energy = false;
   return std::string("<tfoot><tr class=\"total\"><th scope=\"row\">") + t[Text::whole_project] +
          "</th>" +
          number_cell(has_areas ? format_fixed(t, area_m2, 2) + " m²" : t[Text::not_known]) +
-         number_cell(fmt::format("{}", luminaires)) +
-         number_cell(has_power ? format_watts(t, power_w) + " W" : t[Text::not_known]) +
-         number_cell(has_areas && has_power ? format_fixed(t, power_w / area_m2, 2) + " W/m²"
-                                            : t[Text::not_known]) +
+         number_cell(fmt::format("{}", all.count)) +
+         number_cell(all.is_power_known ? format_watts(t, all.power_w) + " W"
+                                        : t[Text::not_known]) +
+         number_cell(has_areas && all.is_power_known
+                         ? format_fixed(t, all.power_w / area_m2, 2) + " W/m²"
+                         : t[Text::not_known]) +
          number_cell("") +
          number_cell(has_energy ? format_fixed(t, all_kwh, 0) + " kWh" : t[Text::not_known]) +
          number_cell("") + "</tr></tfoot>";
@@ -90,23 +107,27 @@ std::string sums_row(const Texts& t, const ProjectPart& project) {
 std::string html_energy(const Texts& t, const ProjectPart& project, std::size_t index) {
   const bool has_light =
       std::any_of(project.spaces.begin(), project.spaces.end(),
-                  [](const SpacePart& space) { return space.power.luminaires > 0; });
+                  [](const SpacePart& space) { return !space.luminaires.empty(); });
   if (!has_light) return {};
   std::string rows;
-  for (const SpacePart& space : project.spaces) rows += energy_row(t, space);
+  for (const SpacePart& space : project.spaces) rows += energy_row(t, project, space);
+  const LuminaireTotals elsewhere = totals_elsewhere(project);
+  rows += elsewhere_row(t, elsewhere);
   const auto head = [](const char* words) {
     return std::string("<th scope=\"col\" class=\"num\">") + words + "</th>";
   };
   const char* title = t[Text::energy];
   return fmt::format("<h3 id=\"energy{}\">{}</h3>\n", index + 1, title) +
-         scroll_box(title,
-                    std::string("<table class=\"energy\"><caption>") + t[Text::energy_caption] +
-                        "</caption><thead><tr><th scope=\"col\">" + t[Text::space] + "</th>" +
-                        head(t[Text::floor_area]) + head(t[Text::luminaires]) +
-                        head(t[Text::power]) + head(t[Text::power_by_area]) +
-                        head(t[Text::power_by_light]) + head(t[Text::energy_of_year]) +
-                        head("LENI") + "</tr></thead><tbody>\n" + rows + "</tbody>" +
-                        (project.spaces.size() > 1 ? sums_row(t, project) : "") + "</table>");
+         scroll_box(
+             title,
+             std::string("<table class=\"energy\"><caption>") + t[Text::energy_caption] +
+                 "</caption><thead><tr><th scope=\"col\">" + t[Text::space] + "</th>" +
+                 head(t[Text::floor_area]) + head(t[Text::luminaires]) + head(t[Text::power]) +
+                 head(t[Text::power_by_area]) + head(t[Text::power_by_light]) +
+                 head(t[Text::energy_of_year]) + head("LENI") + "</tr></thead><tbody>\n" + rows +
+                 "</tbody>" +
+                 (project.spaces.size() > 1 || elsewhere.count > 0 ? sums_row(t, project) : "") +
+                 "</table>");
 }
 
 }  // namespace report

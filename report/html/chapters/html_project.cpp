@@ -1,15 +1,20 @@
 #include "report/html/chapters/html_project.h"
 
+#include "report/document/luminaire_schedule.h"
 #include "report/document/luminaire_totals.h"
 #include "report/html/drawings/html_polar.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/room/html_convergence.h"
 #include "report/text/factor_words.h"
 #include "report/text/markup.h"
+#include "report/text/schedule_words.h"
+#include "report/text/svg.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <utility>
@@ -42,51 +47,81 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 
-// Maker, article and lamp as the photometry file has them, and the housing; "" where nothing is
-// said of them.
-std::string product_note(const Texts& t, const LuminaireRow& row) {
+// Maker, name, article and lamp as the photometry file has them, the opening and the housing; the
+// project's own id where nothing is said of them.
+std::string product_html(const Texts& t, const ScheduleRow& row) {
+  const LuminaireRow& type = *row.type;
   std::string words;
   const auto add = [&](const std::string& text) {
     if (!text.empty()) words += (words.empty() ? "" : ", ") + text;
   };
-  add(escape_html(row.maker));
-  if (!row.article().empty() && row.article() != row.name)
-    add(t.say<Text::article>(escape_html(row.article())));
-  add(escape_html(row.lamp));
-  add(escape_html(row.colour_temperature));
-  if (!row.colour_rendering.empty())
-    add(t.say<Text::colour_rendering>(escape_html(row.colour_rendering)));
-  if (!row.housing_material.empty()) {
-    add(row.housing_depth_m > 0.0 ? t.say<Text::housing_deep>(escape_html(row.housing_material),
-                                                              format_metres(t, row.housing_depth_m))
-                                  : t.say<Text::housing_face>(escape_html(row.housing_material)));
+  if (!type.article().empty() && type.article() != type.name)
+    add(t.say<Text::article>(escape_html(type.article())));
+  add(escape_html(type.lamp));
+  add(opening_words(t, row));
+  if (!type.housing_material.empty()) {
+    add(type.housing_depth_m > 0.0
+            ? t.say<Text::housing_deep>(escape_html(type.housing_material),
+                                        format_metres(t, type.housing_depth_m))
+            : t.say<Text::housing_face>(escape_html(type.housing_material)));
   }
-  return words.empty() ? "" : "<span class=\"note\">" + words + "</span>";
+  std::string title = escape_html(type.maker);
+  if (!type.name.empty()) title += (title.empty() ? "" : " · ") + escape_html(type.name);
+  if (title.empty()) title = escape_html(type.type_id);
+  const std::string note = "<span class=\"note\">";
+  return title + (words.empty() ? "" : note + words + "</span>") + note +
+         t.say<Text::type_and_file>(escape_html(type.type_id), escape_html(type.photometry_file)) +
+         "</span>";
 }
 
-std::string luminaire_row(const Texts& t, const LuminaireRow& row) {
-  const bool has_power = row.power_w > 0.0;
+// The luminous opening from above, C0 to the right; "" where it is a point or not known.
+std::string outline_svg(const Texts& t, const ScheduleRow& row) {
+  constexpr double kSize = 72, kEdge = 4;
+  const double longest_m = std::max(row.opening_m.x, row.opening_m.y);
+  const std::string words = opening_words(t, row);
+  if (words.empty() || !(longest_m > 0.0)) return {};
+  const double scale = (kSize - 2 * kEdge) / longest_m;
+  const glm::dvec2 size = scale * row.opening_m + 2 * kEdge;
+  glm::dvec2 low_m = row.outline_m.front();
+  for (const glm::dvec2& corner : row.outline_m) low_m = glm::min(low_m, corner);
+  std::string path;
+  for (const glm::dvec2& corner : row.outline_m) {
+    const glm::dvec2 at = scale * (corner - low_m) + kEdge;
+    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(at.x),
+                        svg_number(size.y - at.y));
+  }
   return fmt::format(
-      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span>{}{}</th>"
-      "<td>{}<span class=\"note\">{}</span><span class=\"hash\">{}</span></td>"
-      "<td class=\"num\">{}</td><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
-      "class=\"num\">{}</td>"
-      "<td class=\"num\">{} cd</td><td class=\"num\">{}</td></tr>\n",
-      escape_html(row.type_id), escape_html(row.name), product_note(t, row), html_polar(t, row),
-      escape_html(row.photometry_file), escape_html(row.format), escape_html(row.sha256), row.count,
-      format_lumens(t, row.flux_lm),
-      has_power ? format_watts(t, row.power_w) + " W" : t[Text::not_stated],
-      has_power ? format_fixed(row.flux_lm / row.power_w, 0) + " lm/W" : "",
-      format_lumens(t, row.max_intensity_cd), maintenance_html(t, row));
+      "<svg class=\"outline\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+      "aria-label=\"{2}\"><path d=\"{3}Z\"/></svg>",
+      svg_number(size.x), svg_number(size.y), words, path);
 }
 
-std::string total_row(const Texts& t, const ProjectPart& project) {
-  const LuminaireTotals totals = totals_of(project.luminaires);
+std::string schedule_cell(const std::string& text) {
+  return "<td class=\"num\">" + (text.empty() ? "–" : text) + "</td>";
+}
+
+std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
+  const LuminaireRow& type = *row.type;
+  const bool has_power = type.power_w > 0.0;
+  return "<tr><th scope=\"row\">" + row.position + "</th><td>" + product_html(t, row) +
+         html_polar(t, type) + outline_svg(t, row) + "</td>" +
+         schedule_cell(format_lumens(t, type.flux_lm)) +
+         schedule_cell(has_power ? format_watts(t, type.power_w) : "") +
+         schedule_cell(has_power ? format_fixed(type.flux_lm / type.power_w, 0) : "") +
+         schedule_cell(escape_html(colour_temperature_words(type))) +
+         schedule_cell(escape_html(colour_rendering_words(t, type))) + "<td>" +
+         mounting_words(t, row) + "</td>" + schedule_cell(fmt::format("{}", type.count)) +
+         schedule_cell(maintenance_html(t, type)) + "<td>" + escape_html(rooms_words(t, row)) +
+         "</td></tr>\n";
+}
+
+std::string total_row(const Texts& t, const LuminaireTotals& totals) {
   return fmt::format(
-      "<tr class=\"total\"><th scope=\"row\">{}</th><td></td><td class=\"num\">{}</td>"
-      "<td class=\"num\">{} lm</td><td class=\"num\">{}</td><td></td><td></td><td></td></tr>\n",
-      t[Text::all_luminaires], totals.count, format_lumens(t, totals.flux_lm),
-      totals.is_power_known ? format_watts(t, totals.power_w) + " W" : "");
+      "<tr class=\"total\"><th scope=\"row\" colspan=\"2\">{}</th><td class=\"num\">{}</td>"
+      "<td class=\"num\">{}</td><td></td><td></td><td></td><td></td><td class=\"num\">{}</td>"
+      "<td></td><td></td></tr>\n",
+      t[Text::all_luminaires], format_lumens(t, totals.flux_lm),
+      totals.is_power_known ? format_watts(t, totals.power_w) : t[Text::not_stated], totals.count);
 }
 
 std::string balance_row(const Texts& t, const SpacePart& space) {
@@ -168,17 +203,30 @@ std::string html_messages(const Texts& t, const ProjectPart& project) {
 
 std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index) {
   if (project.luminaires.empty()) return {};
-  std::string rows;
-  for (const LuminaireRow& row : project.luminaires) rows += luminaire_row(t, row);
+  const LuminaireSchedule schedule = schedule_of(project);
+  std::string rows, remarks;
+  for (const ScheduleRow& row : schedule.used) rows += luminaire_row(t, row);
+  for (const std::string& remark : schedule_remarks(t, schedule))
+    remarks += "<p class=\"quiet\">" + escape_html(remark) + "</p>\n";
+  const auto head = [](const std::string& words, const char* kind) {
+    return "<th scope=\"col\"" + std::string(kind) + ">" + words + "</th>";
+  };
+  constexpr const char* kNumber = " class=\"num\"";
+  const std::string heads =
+      head(t[Text::schedule_position], "") + head(t[Text::sheet_product], "") +
+      head(std::string(t[Text::flux]) + " lm", kNumber) +
+      head(std::string(t[Text::power]) + " W", kNumber) + head("lm/W", kNumber) +
+      head("K", kNumber) + head("Ra", kNumber) + head(t[Text::mounting], "") +
+      number_heads(t, {Text::count, Text::maintenance_factor}) + head(t[Text::rooms], "");
   return fmt::format("<h3 id=\"luminaires{}\">{}</h3>\n", index + 1, t[Text::luminaires]) +
-         scroll_box(t[Text::luminaire_schedule],
-                    fmt::format("<table class=\"schedule\"><caption>{}</caption><thead><tr>"
-                                "<th scope=\"col\">{}</th><th scope=\"col\">{}</th>",
-                                t[Text::schedule_caption], t[Text::type], t[Text::photometry]) +
-                        number_heads(t, {Text::count, Text::flux, Text::power, Text::efficacy,
-                                         Text::peak, Text::maintenance_factor}) +
-                        "</tr></thead><tbody>\n" + rows + "</tbody><tfoot>" +
-                        total_row(t, project) + "</tfoot></table>");
+         (rows.empty()
+              ? ""
+              : scroll_box(t[Text::luminaire_schedule],
+                           std::string("<table class=\"schedule\"><caption>") +
+                               t[Text::schedule_caption] + "</caption><thead><tr>" + heads +
+                               "</tr></thead><tbody>\n" + rows + "</tbody><tfoot>" +
+                               total_row(t, schedule.totals) + "</tfoot></table>")) +
+         remarks;
 }
 
 std::string html_calculation(const Texts& t, const Provenance& provenance,

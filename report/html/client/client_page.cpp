@@ -121,7 +121,7 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
 
 void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomSummary>& rooms,
                              std::vector<ClientChapter>& chapters) const {
-  const ColourScales scales(project, style_.scale);
+  const ColourScales scales(project, style_.scale, style_.palette);
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
     const auto summary = std::find_if(rooms.begin(), rooms.end(),

@@ -2,6 +2,7 @@
 
 #include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
+#include "report/document/luminaire_totals.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/luminaire_aim.h"
 #include "report/text/markup.h"
@@ -102,14 +103,19 @@ std::string surface_facts(const Texts& t, const ProjectPart& project, const Spac
   return html;
 }
 
-std::string power_facts(const Texts& t, const SpacePart& space) {
+std::string power_facts(const Texts& t, const ProjectPart& project, const SpacePart& space) {
   const calc::InstalledPower& power = space.power;
   if (power.luminaires == 0) return {};
   if (power.without_power > 0) {
     return fact(t[Text::power],
                 t.say<Text::power_not_stated>(power.without_power, power.luminaires));
   }
-  std::string html = fact(t[Text::power], format_watts(t, power.power_w) + " W");
+  const std::string watts = format_watts(t, power.power_w) + " W";
+  std::string html =
+      fact(t[Text::power], is_power_of_spacing(space)
+                               ? format_watts(t, totals_in(project, space).power_w) + " W, " +
+                                     t.say<Text::energy_of_spacing>(power.luminaires, watts)
+                               : watts);
   const std::optional<double> density = power.density_w_m2();
   if (!density) return html;
   html += fact(t[Text::power_by_area], format_fixed(t, *density, 2) + " W/m²");
@@ -186,7 +192,7 @@ std::string html_room_facts(const Texts& t, const ProjectPart& project, const Sp
   if (space.power.area_m2 > 0.0)
     rows += fact(t[Text::floor_area], square_metres(t, space.power.area_m2));
   return rows + surface_facts(t, project, space) + luminaire_facts(t, space) +
-         power_facts(t, space);
+         power_facts(t, project, space);
 }
 
 std::string html_room_data(const Texts& t, const ProjectPart& project, const SpacePart& space) {

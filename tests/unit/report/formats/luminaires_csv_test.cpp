@@ -43,6 +43,9 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   type.flux_lm = 3600;
   type.power_w = 30;
   type.maintenance_factor = 0.8;
+  type.name = "Panel";
+  type.colour_temperature = "4000K";
+  type.colour_rendering = "80";
   project.luminaires = {type};
   SpacePart& space = project.spaces[0];
   space.footprint_m = {{0, 0}, {5, 0}, {5, 4}};
@@ -55,10 +58,10 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   const std::string csv = rendered("luminaires-csv", document);
   const std::string at = project.path + "," + space.id;
   EXPECT_THAT(csv, testing::StartsWith("project,space,number,id,type,maker,article,group,x_m,"));
-  EXPECT_THAT(csv,
-              testing::HasSubstr(
-                  at + ",1,L.1,panel,\"Maker, Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8\r\n"));
-  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,\r\n"));
+  EXPECT_THAT(csv, testing::HasSubstr(
+                       at + ",1,L.1,panel,\"Maker, "
+                            "Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8,A,Panel,120,4000,80\r\n"));
+  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,,,,,,\r\n"));
   // What to order where the project takes a package.
   project.luminaires[0].package = "warm-900";
   EXPECT_THAT(rendered("luminaires-csv", document),

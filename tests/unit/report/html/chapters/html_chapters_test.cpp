@@ -5,6 +5,7 @@
 #include "report/html/chapters/html_findings.h"
 #include "report/html/chapters/html_maintenance.h"
 #include "report/html/chapters/html_method.h"
+#include "report/html/chapters/html_project.h"
 #include "report/html/room/html_values.h"
 #include "report/text/room_power.h"
 #include "tests/support/sample_document.h"
@@ -124,6 +125,16 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   ProjectPart& project = document.projects[0];
   project.spaces.push_back(project.spaces[0]);
   project.spaces[0].power = {60.0, 20.0, 2, 0};
+  LuminaireRow ceiling, wall;
+  ceiling.type_id = "ceiling";
+  ceiling.count = 2;
+  ceiling.power_w = 30.0;
+  wall.type_id = "wall";
+  wall.count = 1;
+  wall.power_w = 40.0;
+  project.luminaires = {ceiling, wall};
+  project.spaces[0].luminaires = {{{1, 1, 2}, "ceiling"}, {{2, 1, 2}, "ceiling"}};
+  project.spaces[1].luminaires = {{{1, 1, 2}, "wall"}};
   project.spaces[0].energy = calc::LightingEnergy{150.0, 8.0, {}, calc::Message::words("2500 h")};
   project.spaces[1].name = "Store";
   project.spaces[1].power = {40.0, 30.0, 1, 0};
@@ -138,6 +149,7 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   EXPECT_THAT(html,
               Not(HasSubstr("<td class=\"num\">160 kWh</td><td class=\"num\"></td></tr></tfoot>")));
   project.spaces[1].power.without_power = 1;
+  project.luminaires[1].power_w = 0.0;
   html = html_energy({}, project, 0);
   EXPECT_THAT(html, Not(HasSubstr("100.0 W")));
   EXPECT_THAT(rows_of_table(html)[1], HasSubstr("not stated"));
@@ -145,6 +157,62 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
       calc::LightingEnergy{0, 0, calc::Message::words("power is not known"), {}};
   EXPECT_THAT(rows_of_table(html_energy({}, project, 0))[1], HasSubstr("not known"));
   EXPECT_THAT(html, Not(HasSubstr("<td class=\"num\">0 kWh")));
+}
+
+// A road's power is that of one spacing; what counts is what is drawn, as in the schedule.
+TEST(HtmlEnergy, ARoadHasAllThatIsDrawnAndSaysWhatASpacingHas) {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  LuminaireRow pole;
+  pole.type_id = "pole";
+  pole.count = 5;
+  pole.power_w = 57.0;
+  project.luminaires = {pole};
+  SpacePart& road = project.spaces[0];
+  road.luminaires.assign(4, {{0, 0, 8}, "pole"});
+  road.power = {57.0, 0.0, 1, 0};
+  road.power.is_of_spacing = true;
+  const std::vector<std::string> rows = rows_of_table(html_energy({}, project, 0));
+  EXPECT_THAT(rows[0], HasSubstr("for each spacing of the road: 1 × luminaire, 57.0 W"));
+  EXPECT_THAT(rows[0], HasSubstr("| 4 | 228.0 W |"));
+  EXPECT_THAT(rows[1], HasSubstr("not in this report |  | 1 | 57.0 W |"));  // cut short
+  EXPECT_THAT(html_energy({}, project, 0), HasSubstr("<td class=\"num\">285.0 W</td>"));
+}
+
+TEST(HtmlLuminaires, OneRowForEachTypeThatIsUsedAndTheOthersByName) {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  LuminaireRow spare, panel;
+  spare.type_id = "spare";
+  panel.type_id = "p600";
+  panel.maker = "Maker & Co";
+  panel.name = "Panel 600";
+  panel.article_number = "4711";
+  panel.count = 2;
+  panel.flux_lm = 3600;
+  panel.power_w = 30;
+  panel.colour_temperature = "4000 K";
+  panel.colour_rendering = "1B";
+  project.luminaires = {spare, panel};
+  SpacePart& room = project.spaces[0];
+  room.name = "1.01 <Office>";
+  room.floor_z_m = 4.0;
+  room.footprint_m = {{0, 0}, {5, 0}, {5, 4}};
+  room.luminaires = {{{1, 1, 6.8}, "p600"}, {{3, 1, 7.2}, "p600"}};
+  LuminaireMark& mark = room.luminaires[0];
+  mark.axis = {0, 0, -1};
+  mark.c0 = {0, 1, 0};
+  mark.outline_m = {{0.85, 0.4}, {1.15, 0.4}, {1.15, 1.6}, {0.85, 1.6}};
+  const std::string html = html_luminaires({}, project, 0);
+  const std::vector<std::string> rows = rows_of_table(html);
+  ASSERT_EQ(rows.size(), 1u) << testing::PrintToString(rows);
+  EXPECT_THAT(rows[0], testing::StartsWith("B | Maker & Co · Panel 600 Article 4711, luminous "
+                                           "opening 1.20 m × 0.30 m"));
+  EXPECT_THAT(rows[0], HasSubstr("| 3600 | 30.0 | 120 | 4000 | 80–89 | 2.80 m, 3.20 m | 2 |"));
+  EXPECT_THAT(rows[0], HasSubstr("| 1.01 <Office>"));
+  EXPECT_THAT(html, HasSubstr("All luminaires</th><td class=\"num\">7200</td>"
+                              "<td class=\"num\">60.0</td>"));
+  EXPECT_THAT(html, HasSubstr("not used, so not counted: A (spare)."));
 }
 
 // Those that face up; of equal ones the first.
