@@ -42,6 +42,7 @@ luxgate_test(rules_tests
     unit/rules/verdict/waiver_test.cpp
     unit/rules/binding/waiver_xml_test.cpp
     unit/rules/binding/field_glare_test.cpp
+    unit/rules/binding/colour_rendering_test.cpp
     unit/rules/binding/luminaire_values_test.cpp
     unit/rules/binding/glare_method_test.cpp
     unit/rules/binding/buildings_test.cpp

@@ -196,9 +196,11 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("energy", requirement.stated_words,
           {.words = "From which hours and factors: also in requirement_note.",
            .presence = only_if(is_energy && !requirement.stated_words.empty())});
-  v.field("stated", requirement.stated_words,
-          {.words = "What the project states of a road or a field, in words.",
-           .presence = only_if(!is_energy && !requirement.stated_words.empty())});
+  v.field(
+      "stated", requirement.stated_words,
+      {.words = "What the project states of a road or a field, or the makers of their luminaires, "
+                "in words: the value rests on it and is not calculated.",
+       .presence = only_if(!is_energy && !requirement.stated_words.empty())});
   argument<rules::LitField>(requirement, [&](rules::LitField& field) {
     v.field("field_reflectance", field.reflectance,
             {.words = "Stated, of the field that GR is rated on.",

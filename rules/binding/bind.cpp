@@ -13,6 +13,7 @@
 #include "calc/scene/plane_place.h"
 #include "calc/scene/scene_level.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/binding/colour_rendering.h"
 #include "rules/binding/luminaire_values.h"
 #include "rules/binding/requirement_ids.h"
 #include "rules/binding/requirement_reader.h"
@@ -152,6 +153,9 @@ class SpaceValues {
          },
          [&]() -> const PlanePoints& { return points_of(plane); }},
         requirement);
+  }
+  void set_colour_rendering(Requirement& requirement) const {
+    rules::set_colour_rendering(project_, space_, scene_named(requirement.scene), requirement);
   }
   // Requirement::missing_light and unsure_light, of a plane of the space.
   OtherLight other_light_on(const calc::CalcPlane& plane, const std::string& scene) {
@@ -345,6 +349,8 @@ void set_space_value(SpaceValues& of_space, const calc::CalcPlane& plane,
     of_space.set_luminaires(plane, requirement);
   } else if (is_of_road(requirement.metric)) {
     set_road(of_space.road(requirement.scene), requirement);
+  } else if (requirement.metric == Metric::colour_rendering) {
+    of_space.set_colour_rendering(requirement);
   } else {
     set_power(of_space, requirement);
   }
@@ -364,6 +370,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
       }
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
       if (is_about_space(requirement.metric)) set_space_value(of_space, plane, requirement);
+      if (requirement.is_optional && !requirement.problem.empty()) continue;
       if (is_of_light(requirement.metric)) {
         OtherLight other = of_space.other_light_on(plane, requirement.scene);
         requirement.missing_light = std::move(other.missing);

@@ -265,6 +265,24 @@ std::string roles_words(const Reference& reference) {
   return roles.empty() ? "" : "; it does of " + calc::join_choices(roles);
 }
 
+// Asked of the room together with the pack's own role, since no plane is of it: whoever asks for
+// the task of a row asks for the colour rendering of its luminaires, too.
+bool is_asked_along(const RuleCheck& check, const std::string& role, const LimitScope& scope) {
+  return scope.row != nullptr && role == scope.pack.role && check.role != role &&
+         check.quantity->of_space == Metric::colour_rendering &&
+         evaluate_limit(check, scope).status != LimitStatus::not_applicable;
+}
+
+void add_asked_along(const std::string& role, const Reference& reference,
+                     const calc::SourceLocation& where, std::vector<Requirement>& requirements) {
+  for (const RuleCheck& check : reference.pack.checks) {
+    if (!is_asked_along(check, role, reference.scope)) continue;
+    requirements.push_back(
+        requirement_of(check, evaluate_limit(check, reference.scope), reference, where));
+    requirements.back().is_optional = true;
+  }
+}
+
 std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::string& role,
                                               const Reference& reference) {
   std::vector<Requirement> requirements;
@@ -280,7 +298,9 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
     reader.report(DiagnosticId::rule_requires_nothing, reader.where(), reference.pack.full_id(),
                   reference.row == nullptr ? "" : fmt::format(" row '{}'", reference.row->ref),
                   role, roles_words(reference));
+    return {};
   }
+  add_asked_along(role, reference, reader.where(), requirements);
   return requirements;
 }
 
@@ -289,9 +309,9 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
 std::vector<std::string> asked_checks(const std::string& role, const LimitScope& scope) {
   std::vector<std::string> ids;
   for (const RuleCheck& check : scope.pack.checks) {
-    if (check.role != role) continue;
-    if (evaluate_limit(check, scope).status == LimitStatus::not_applicable) continue;
-    ids.push_back(check.id);
+    const bool is_own =
+        check.role == role && evaluate_limit(check, scope).status != LimitStatus::not_applicable;
+    if (is_own || is_asked_along(check, role, scope)) ids.push_back(check.id);
   }
   return ids;
 }

@@ -387,6 +387,8 @@ class WorkplaceMaker {
     if (const auto other = instead_.find(role); other != instead_.end()) {
       return leave_unmade(role, other->second);
     }
+    // It is asked along with the task, where the makers state it.
+    if (find_quantity(role)->of_space == Metric::colour_rendering) return;
     const RulePlane* plane = pack_.find_plane(role);
     if (is_advice_without_place(role, plane)) return;
     if (const calc::Message reason = reason_against(role, plane); !reason.empty()) {

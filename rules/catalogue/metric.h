@@ -41,6 +41,7 @@ enum class Metric {
   glare_intensity,      // the greatest of one luminaire 60 to 90 degrees from the vertical
   peak_intensity,       // the greatest of one luminaire in any direction
   luminaire_distance,   // in plan, from a point of the plane to the nearest luminaire
+  colour_rendering,     // least Ra of the space's luminaires, as their makers state it
 };
 
 // What it is computed from.
@@ -110,6 +111,7 @@ inline constexpr std::array kMetrics = [] {
       MetricRow{peak_intensity, "peak-intensity", "cd", luminaires, all, true, kNone,
                 HeightRange{}},
       MetricRow{luminaire_distance, "luminaire-distance", "m", luminaires, all, false},
+      MetricRow{colour_rendering, "Ra", "", space, all, false},
   };
 }();
 
@@ -133,7 +135,8 @@ std::vector<std::string_view> all_metric_names();
 // "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a", "cd", ...; of illuminances.
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);  // of two values of one plane
-// Power, energy or glare of the plane's space, its luminaires as such, or a road's luminance.
+// Power, energy, glare or colour rendering of the plane's space, its luminaires as such, or a
+// road's luminance.
 bool is_about_space(Metric metric);
 // It is in calc::unit_of() the points' quantity, as their values are.
 bool has_unit_of_values(Metric metric);

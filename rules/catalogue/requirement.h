@@ -83,6 +83,8 @@ struct Requirement {
   // The same of light that may be less, or more or less: nothing passes at all.
   calc::Message unsure_light{};
   calc::Message problem;  // why it cannot be judged, whatever the light; "" = it can
+  // Nobody asks for it by name: it is dropped where it has a problem. Results do not have it.
+  bool is_optional = false;
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
   std::vector<StatedDeviation> stated_deviations;  // each aspect once

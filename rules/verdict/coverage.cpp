@@ -360,10 +360,13 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   if (coverage.state == RoleState::not_made && is_for_project) {
     coverage.state = RoleState::never_asked;
   }
+  const bool is_of_makers = needed->quantity->of_space == Metric::colour_rendering;
   const bool is_measured = needed->quantity->kernel || needed->quantity->of_space;
-  if (!is_asked && !is_measured) {
+  if (!is_asked && (is_of_makers || !is_measured)) {
     coverage.state = RoleState::not_possible;
-    coverage.words = calc::say<calc::Sentence::not_on_planes>(needed->quantity->name);
+    coverage.words = is_of_makers
+                         ? calc::say<calc::Sentence::rendering_not_stated>(needed->quantity->name)
+                         : calc::say<calc::Sentence::not_on_planes>(needed->quantity->name);
   }
   return coverage;
 }

@@ -83,6 +83,10 @@ std::string measured_on(const rules::Quantity& quantity) {
     return "on any plane of the room: energy of its luminaires in a year by its floor area, of the "
            "hours and factors that <energy> of the room or the project states";
   }
+  if (quantity.of_space == rules::Metric::colour_rendering) {
+    return "together with the row's own role: the least of the room's luminaires, where the files "
+           "of all state it; not calculated";
+  }
   if (quantity.of_space == rules::Metric::ugr_table) {
     return "on any plane of the room: by the tabular method, for a rectangular room with "
            "luminaires "

@@ -541,7 +541,7 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
                           "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
                           "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
                           "road-Ul, TI, REI, ULR, intensity, glare-intensity, "
-                          "peak-intensity or luminaire-distance"));
+                          "peak-intensity, luminaire-distance or Ra"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -598,8 +598,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
                           "Uo, Ud, percentile, value, share, gradient, power-density, "
                           "power-per-100-lx, LENI, UGR-table, road-luminance, road-Uo, road-Ul, "
-                          "TI, REI, GR, ULR, intensity, glare-intensity, peak-intensity or "
-                          "luminaire-distance; "
+                          "TI, REI, GR, ULR, intensity, glare-intensity, peak-intensity, "
+                          "luminaire-distance or Ra; "
                           "did you mean 'average'?"));
 }
 
