@@ -3,6 +3,7 @@
 #include "report/document/luminaire_totals.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/room_causes.h"
 #include "report/text/room_power.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -36,7 +39,30 @@ std::string energy_cells(const Texts& t, const SpacePart& space) {
          number_cell(format_fixed(t, space.energy->leni_kwh_m2, 1) + " kWh/m²");
 }
 
-std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePart& space) {
+// What is said of the energy of several rooms alike stands once below the table.
+class EnergyNotes {
+ public:
+  void add(const SpacePart& space, std::string html) {
+    const std::string room(title_of(space.name, space.id));
+    const auto known = std::find_if(notes_.begin(), notes_.end(),
+                                    [&](const auto& note) { return note.first == html; });
+    if (known != notes_.end()) return known->second.push_back(room);
+    notes_.push_back({std::move(html), {room}});
+  }
+  std::string html(const Texts& t) const {
+    std::string list;
+    for (const auto& [words, rooms] : notes_) {
+      list += "<li>" + escape_html(some_names(t, rooms)) + t[Text::colon] + words + "</li>\n";
+    }
+    return list.empty() ? list : "<ul class=\"quiet table-notes\">\n" + list + "</ul>\n";
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes_;
+};
+
+std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePart& space,
+                       EnergyNotes& notes) {
   const calc::InstalledPower& power = space.power;
   const LuminaireTotals drawn = totals_in(project, space);
   const std::optional<double> density = power.density_w_m2();
@@ -49,13 +75,12 @@ std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePa
   if (space.energy) {
     const calc::Message& remark =
         space.energy->problem.empty() ? space.energy->words : space.energy->problem;
-    if (!remark.empty()) words += "<span class=\"note\">" + sentence_html(t, remark) + "</span>";
+    if (!remark.empty()) notes.add(space, sentence_html(t, remark));
   }
   if (is_power_of_spacing(space)) {
     const std::string watts =
         power.without_power > 0 ? t[Text::not_stated] : format_watts(t, power.power_w) + " W";
-    words += "<span class=\"note\">" + t.say<Text::energy_of_spacing>(power.luminaires, watts) +
-             "</span>";
+    notes.add(space, t.say<Text::energy_of_spacing>(power.luminaires, watts));
   }
   return "<tr><th scope=\"row\">" + words + "</th>" +
          number_cell(power.area_m2 > 0.0 ? format_fixed(t, power.area_m2, 2) + " m²" : "") +
@@ -110,7 +135,8 @@ std::string html_energy(const Texts& t, const ProjectPart& project, std::size_t 
                   [](const SpacePart& space) { return !space.luminaires.empty(); });
   if (!has_light) return {};
   std::string rows;
-  for (const SpacePart& space : project.spaces) rows += energy_row(t, project, space);
+  EnergyNotes notes;
+  for (const SpacePart& space : project.spaces) rows += energy_row(t, project, space, notes);
   const LuminaireTotals elsewhere = totals_elsewhere(project);
   rows += elsewhere_row(t, elsewhere);
   const auto head = [](const char* words) {
@@ -127,7 +153,8 @@ std::string html_energy(const Texts& t, const ProjectPart& project, std::size_t 
                  head(t[Text::energy_of_year]) + head("LENI") + "</tr></thead><tbody>\n" + rows +
                  "</tbody>" +
                  (project.spaces.size() > 1 || elsewhere.count > 0 ? sums_row(t, project) : "") +
-                 "</table>");
+                 "</table>") +
+         notes.html(t);
 }
 
 }  // namespace report

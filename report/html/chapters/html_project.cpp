@@ -91,7 +91,7 @@ std::string outline_svg(const Texts& t, const ScheduleRow& row) {
                         svg_number(size.y - at.y));
   }
   return fmt::format(
-      "<svg class=\"outline\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+      "<svg class=\"opening\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\"><path d=\"{3}Z\"/></svg>",
       svg_number(size.x), svg_number(size.y), words, path);
 }
