@@ -3,6 +3,7 @@ luxgate_test(report_tests
     unit/report/build/build_evidence_test.cpp
     unit/report/text/base64_test.cpp
     unit/report/build/build_plan_marks_test.cpp
+    unit/report/build/build_road_test.cpp
     unit/report/formats/luminaires_csv_test.cpp
     unit/report/formats/ci_formats_test.cpp
     unit/report/formats/console_test.cpp
@@ -10,6 +11,7 @@ luxgate_test(report_tests
     unit/report/formats/dxf_test.cpp
     unit/report/document/document_test.cpp
     unit/report/document/luminaire_schedule_test.cpp
+    unit/report/document/road_facts_test.cpp
     unit/report/document/room_summary_test.cpp
     unit/report/document/row_uses_test.cpp
     unit/report/images/exr_test.cpp

@@ -12,6 +12,7 @@
 #include "report/build/build_evidence.h"
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
+#include "report/build/build_road.h"
 #include "report/check/between_points_warning.h"
 #include "report/check/in_order.h"
 #include "report/check/load_judged_project.h"
@@ -390,6 +391,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   part.power = calc::installed_power(loaded.project, space);
   if (space.energy) part.energy = calc::lighting_energy(loaded.project, space, part.power);
   part.price = calc::installed_price(loaded.project, space);
+  part.road = report::build_road(loaded.project, space, part.planes);
   const std::string& day = context.settings.today;
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
   // Of a part nobody can tell what is asked of a whole row, and met.

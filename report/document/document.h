@@ -16,6 +16,7 @@
 #include "calc/scene/sensor_grid.h"
 #include "report/document/level_advice.h"
 #include "report/document/revision.h"
+#include "report/document/road_part.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/goal.h"
 #include "rules/verdict/coverage.h"
@@ -280,6 +281,7 @@ struct SpacePart {
   std::vector<PlanePart> planes;
   std::vector<calc::Message> notes;          // zones of workplaces that were not made, and why
   std::vector<rules::RowCoverage> coverage;  // what is asked of which rows
+  std::optional<RoadPart> road;              // of a street, else nothing
   RoomPictures pictures;
 };
 

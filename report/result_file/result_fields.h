@@ -11,6 +11,7 @@
 #include "calc/project/objects/maintenance_plan_xml.h"
 #include "calc/project/reading/logo.h"
 #include "report/document/document.h"
+#include "report/document/road_facts.h"
 #include "report/document/room_summary.h"
 #include "report/document/row_uses.h"
 #include "report/result_file/describe.h"
@@ -19,6 +20,8 @@
 #include "report/result_file/revision_fields.h"
 #include "report/text/base64.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -278,6 +281,88 @@ void describe(auto& v, Is<SceneRow> auto& scene) {
          [](auto& row, auto& level) { row(level.first, level.second); });
 }
 
+void describe(auto& v, Is<RoadRowPart> auto& row) {
+  v.field("id", row.id);
+  v.field("type", row.type_id);
+  v.field("group", row.group, {.presence = only_if(!row.group.empty())});
+  v.field("height_m", row.height_m, {.above = 0.0});
+  v.field("y_m", row.y_m, {.words = "From the right edge of the carriageway to the left."});
+  v.field("shift_m", row.shift_m, {.least = 0.0});
+  v.field("tilt_deg", row.tilt_deg, {.words = "Above 0: the left side is lifted."});
+  v.field("power_w", or_null(row.power_w, 0.0), {.words = "Of one. null: not stated."});
+  v.field("maintenance_factor", row.maintenance_factor, {.above = 0.0});
+}
+
+void describe(auto& v, Is<RoadAreaPart> auto& area) {
+  v.field("plane", area.plane_id);
+  v.field("name", area.name);
+  v.field("from_y_m", area.from_y_m);
+  v.field("to_y_m", area.to_y_m);
+  v.refuse_if(!(area.from_y_m < area.to_y_m), "to_y_m", "it must be above from_y_m");
+}
+
+void describe(auto& v, Is<calc::RoadObserver> auto& observer) {
+  v.field("lane", observer.lane, {.words = "From 0, at the right edge."});
+  v.field("oncoming", observer.is_oncoming, {.words = "true: looks to -x."});
+  v.field("eye_m", observer.eye_m, {.words = "In the frame of the road."});
+  v.field("average_cd_m2", observer.average_cd_m2);
+  v.field("uo", observer.uo, {.presence = only_if(observer.uo.has_value())});
+  v.field("ul", observer.ul, {.presence = only_if(observer.ul.has_value())});
+  v.field("veiling_cd_m2", observer.veiling_cd_m2);
+  v.field("ti_percent", observer.ti_percent,
+          {.presence = only_if(observer.ti_percent.has_value())});
+  v.field("cd_m2", observer.cd_m2, {.words = "Maintained, row by row of y_m."});
+}
+
+// Pictures rely on it: as many points as the lanes and the spacing want at most.
+inline bool is_whole(const calc::RoadLight& light) {
+  constexpr std::size_t kMostAlong = 1000, kMostLanes = 100;
+  const std::vector<calc::RoadObserver>& observers = light.observers;
+  if (observers.empty() || observers.size() > kMostLanes) return false;
+  if (light.grid.along() == 0 || light.grid.along() > kMostAlong) return false;
+  if (light.grid.across() != observers.size() * calc::kRoadRowsPerLane) return false;
+  int lane = 0;
+  return std::all_of(observers.begin(), observers.end(), [&](const calc::RoadObserver& observer) {
+    return observer.lane == lane++ &&
+           observer.cd_m2.size() == light.grid.along() * light.grid.across();
+  });
+}
+
+void describe(auto& v, Is<RoadPart> auto& road) {
+  v.is("road",
+       "In its own frame: x along the road from a luminaire of the first row, in the direction of "
+       "traffic that is not oncoming, y across it from the right edge of the carriageway.");
+  v.field("spacing_m", road.spacing_m, {.words = "Of the luminaires of a row.", .above = 0.0});
+  v.field("width_m", road.width_m, {.words = "Of the carriageway.", .above = 0.0});
+  v.field("surface", road.surface, {.words = "Table of reduced luminance coefficients."});
+  v.field("q0", road.q0);
+  v.field("rows", road.rows, {.words = "Of luminaires."});
+  v.field("areas", road.areas, {.words = "The carriageway first."});
+  v.field("scene", road.scene, {.words = "Whose luminance this is; \"\": full output."});
+  v.field("x_m", road.light.grid.x_m, {.words = "Of the points of luminance."});
+  v.field("y_m", road.light.grid.y_m);
+  v.field("observers", road.light.observers, {.words = "One for each lane, from the right edge."});
+  v.refuse_if(!is_whole(road.light), "observers",
+              "each lane needs an observer with a luminance at each point");
+  v.field("right_edge_ratio", road.light.right_ratio,
+          {.presence = only_if(road.light.right_ratio.has_value())});
+  v.field("left_edge_ratio", road.light.left_ratio,
+          {.presence = only_if(road.light.left_ratio.has_value())});
+}
+
+// Written only: it follows from the road and its planes.
+void describe(auto& v, Is<RoadFacts> auto& facts) {
+  v.is("road_energy", "By EN 13201-5, at full output.");
+  v.field("luminaires", facts.luminaires, {.words = "In one spacing."});
+  v.field("power_w", facts.power_w, {.words = "Of these. null: of one it is not stated."});
+  v.field("area_m2", facts.m2, {.words = "Of carriageway and footways over one spacing."});
+  const std::optional<calc::Estimate>& density = facts.power_density_w_lx_m2;
+  v.field("power_density_w_lx_m2", density,
+          {.words = "Power density indicator: power by average illuminance and area. Not there: "
+                    "power or an average is not known.",
+           .presence = only_if(density.has_value())});
+}
+
 void describe(auto& v, Is<SpacePart> auto& space) {
   v.is("space");
   v.field("id", space.id);
@@ -324,6 +409,10 @@ void describe(auto& v, Is<SpacePart> auto& space) {
   v.field("coverage", space.coverage,
           {.words = "What is asked of which rows of rule packs.",
            .presence = only_if(!space.coverage.empty())});
+  v.field("road", space.road,
+          {.words = "Of a street.", .presence = only_if(space.road.has_value())});
+  v.written("road_energy", [&] { return road_facts(space); },
+            {.words = "Of a street, by EN 13201-5.", .presence = only_if(space.road.has_value())});
   v.field("notes", space.notes,
           {.words = "Zones of workplaces that were not made, and why.",
            .presence = only_if(!space.notes.empty())});

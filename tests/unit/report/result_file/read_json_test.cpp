@@ -5,6 +5,7 @@
 #include "report/images/png.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
+#include "tests/support/sample_road.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,6 +38,7 @@ Document rich_document() {
   project.maintenance_plan = {"clean office", "by the house", 12.0, 36.0, 50000.0, 2500.0};
   project.spaces[0].energy =
       calc::LightingEnergy{150.0, 8.0, {}, calc::Message::words("2500 h by day")};
+  project.spaces[0].road = sample_road().road;
   project.about.logo = {"logo.svg", calc::LogoFormat::svg,
                         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h1v1z\"/></svg>"};
   project.spaces[0].balance.untraced_lm = 12.5;
@@ -443,6 +445,15 @@ TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
   }
   EXPECT_THAT(problem_with("maintenance_plan/use_h", 8761), HasSubstr("/use_h: a number from 0"));
   EXPECT_THAT(problem_with("spaces/0/energy/leni_kwh_m2", -1), HasSubstr("/leni_kwh_m2"));
+  EXPECT_THAT(problem_with("spaces/0/road/spacing_m", 0),
+              HasSubstr("/spacing_m: a number above 0"));
+  EXPECT_THAT(problem_with("spaces/0/road/areas/1/to_y_m", -9), HasSubstr("above from_y_m"));
+  for (const char* key : {"observers/1/lane", "observers/0/cd_m2", "observers", "x_m", "y_m"}) {
+    const json wrong = key == std::string("observers/1/lane") ? json(2) : json::array();
+    EXPECT_THAT(problem_with("spaces/0/road/" + std::string(key), wrong),
+                HasSubstr("each lane needs an observer"));
+  }
+  EXPECT_THAT(problem_with("spaces/0/road_energy/area_m2", 1), HasSubstr("follows from the rest"));
 }
 
 TEST(ReadJson, EveryLookIsOfEveryFinding) {
