@@ -13,6 +13,7 @@
 #include "report/html/chapters/html_method.h"
 #include "report/html/chapters/html_project.h"
 #include "report/html/chapters/html_revision.h"
+#include "report/html/chapters/html_roads.h"
 #include "report/html/drawings/html_layout.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/html_pages.h"
@@ -350,6 +351,7 @@ std::vector<HtmlWriter::Chapter> HtmlWriter::chapters_of(const ProjectPart& proj
       {html_aggregates(t_, project, project_), "", {}},
       {html_advice(t_, project, project_), "advice", Text::advice_title},
       {html_emergency(t_, project, project_, folder_), "emergency", Text::emergency},
+      {html_roads(t_, project, project_), "roads", Text::roads},
       {html_luminaires(t_, project, project_), "luminaires", Text::luminaires},
       {html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan},
       {html_energy(t_, project, project_), "energy", Text::energy},
