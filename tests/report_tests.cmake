@@ -14,6 +14,7 @@ luxgate_test(report_tests
     unit/report/document/road_facts_test.cpp
     unit/report/document/room_summary_test.cpp
     unit/report/document/row_uses_test.cpp
+    unit/report/document/storeys_test.cpp
     unit/report/images/exr_test.cpp
     unit/report/formats/german_report_test.cpp
     unit/report/html/drawings/heatmap_svg_test.cpp
@@ -32,6 +33,7 @@ luxgate_test(report_tests
     unit/report/html/client/client_page_test.cpp
     unit/report/html/page/html_test.cpp
     unit/report/html/drawings/isolux_test.cpp
+    unit/report/html/drawings/label_places_test.cpp
     unit/report/result_file/json_test.cpp
     unit/report/text/ifc_guid_test.cpp
     unit/report/text/number_format_test.cpp

@@ -33,8 +33,8 @@ bool reads_alike(double value, double limit) {
 
 // "503.0 ±9.0": by the wider side, where that does not reach beyond a limit which the interval
 // itself does not reach; else both ends.
-std::string with_interval(const Texts& t, const rules::Finding& finding,
-                          const Threshold& threshold) {
+std::string value_and_interval(const Texts& t, const rules::Finding& finding,
+                               const Threshold& threshold) {
   const calc::Estimate& measured = finding.measured;
   const double wider = std::max(measured.high - measured.value, measured.value - measured.low);
   const auto holds_limit = [&](double low, double high) {
@@ -48,22 +48,6 @@ std::string with_interval(const Texts& t, const rules::Finding& finding,
   return t.number(fmt::format("{} ±{}", text.value, text.spread));
 }
 
-// "412 ≥ 500": what was calculated, and what is required. "503.0 ±9.0 ≥ 500" near the limit.
-std::string value_cell(const Texts& t, const rules::Finding* finding) {
-  if (finding == nullptr) return "";
-  const rules::Requirement& requirement = finding->requirement;
-  const Threshold threshold{requirement.limit, requirement.comparison};
-  const std::string required = format_required(t, threshold, "");
-  if (finding->verdict == rules::Verdict::not_judged) return "– " + required;
-  const bool is_open = finding->measured.low < finding->measured.high;
-  if (calc::is_nothing(finding->measured) && !is_open) return t[Text::none] + (" " + required);
-  const double value = finding->measured.value;
-  if (is_near_limit(*finding)) return with_interval(t, *finding, threshold) + " " + required;
-  if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
-    return format_fixed(t, value, kRatioDigits) + " " + required;
-  return format_cell(t, value, threshold) + " " + required;
-}
-
 std::string power_cell(const Texts& t, const SpacePart& space) {
   const calc::InstalledPower& power = space.power;
   if (!(power.power_w > 0.0) || !(power.area_m2 > 0.0) || power.without_power > 0) return "";
@@ -74,9 +58,9 @@ std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room) {
   return {std::string(outcome_symbol(room.outcome)) + " " + outcome_words(t, room.outcome),
           std::string(title_of(room.space->name, room.space->id)),
           t.say<Text::overview_of>(room.met, room.required),
-          value_cell(t, room.average),
-          value_cell(t, room.uniformity),
-          value_cell(t, room.glare),
+          overview_cell(t, room.average),
+          overview_cell(t, room.uniformity),
+          overview_cell(t, room.glare),
           power_cell(t, *room.space)};
 }
 
@@ -89,6 +73,26 @@ void drop_empty_columns(RoomOverview& table) {
 }
 
 }  // namespace
+
+std::string overview_value(const Texts& t, const rules::Finding& finding, bool with_interval) {
+  const rules::Requirement& requirement = finding.requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  if (finding.verdict == rules::Verdict::not_judged) return "–";
+  const bool is_open = finding.measured.low < finding.measured.high;
+  if (calc::is_nothing(finding.measured) && !is_open) return t[Text::none];
+  const double value = finding.measured.value;
+  if (with_interval && is_near_limit(finding)) return value_and_interval(t, finding, threshold);
+  if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
+    return format_fixed(t, value, kRatioDigits);
+  return format_cell(t, value, threshold);
+}
+
+std::string overview_cell(const Texts& t, const rules::Finding* finding) {
+  if (finding == nullptr) return "";
+  const rules::Requirement& requirement = finding->requirement;
+  return overview_value(t, *finding) + " " +
+         format_required(t, {requirement.limit, requirement.comparison}, "");
+}
 
 void RoomOverview::drop(Column column) {
   const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();

@@ -29,4 +29,11 @@ struct RoomOverview {
 // room has anything in are left out.
 RoomOverview room_overview(const Texts& t, const ProjectPart& project);
 
+// What a room came to: "412", or "503.0 ±9.0" near the limit; "–" where it is not judged.
+// with_interval: false where there is no room for it.
+std::string overview_value(const Texts& t, const rules::Finding& finding,
+                           bool with_interval = true);
+// With what is required: "412 ≥ 500". "" without a finding.
+std::string overview_cell(const Texts& t, const rules::Finding* finding);
+
 }  // namespace report

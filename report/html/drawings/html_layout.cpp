@@ -189,7 +189,6 @@ std::string corner_words(const Texts& t, const DrawingView& view, double below_m
 
 std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sight sight,
                             DrawingLabels& labels) {
-  constexpr double kRadius_mm = 1.1, kCross_mm = 1.5;
   const bool has_numbers = sight == Sight::plan && space.luminaires.size() <= kMostNumbers;
   std::string signs, numbers;
   std::vector<FlatBox> signs_mm;
@@ -199,12 +198,9 @@ std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sig
     FlatBox sign;
     for (const glm::dvec2& corner : outline) sign.add(view.at(corner));
     if (outline.empty()) {
-      signs += circle_path(p, kRadius_mm) +
-               fmt::format("M{} {}l{} {}m0 -{}l-{} {}", svg_number(p.x - 0.5 * kCross_mm),
-                           svg_number(p.y - 0.5 * kCross_mm), kCross_mm, kCross_mm, kCross_mm,
-                           kCross_mm, kCross_mm);
-      sign.add(p - glm::dvec2(kRadius_mm));
-      sign.add(p + glm::dvec2(kRadius_mm));
+      signs += point_sign(p);
+      sign.add(p - glm::dvec2(kPointSign_mm));
+      sign.add(p + glm::dvec2(kPointSign_mm));
     } else {
       signs += view.path(outline);
     }

@@ -63,6 +63,13 @@ std::string circle_path(const glm::dvec2& p, double radius_mm) {
                      svg_number(2 * radius_mm));
 }
 
+std::string point_sign(const glm::dvec2& p) {
+  constexpr double kCross_mm = 1.5;
+  return circle_path(p, kPointSign_mm) + fmt::format("M{0} {1}l{2} {2}m0 -{2}l-{2} {2}",
+                                                     svg_number(p.x - 0.5 * kCross_mm),
+                                                     svg_number(p.y - 0.5 * kCross_mm), kCross_mm);
+}
+
 std::string level_dimension(double from_mm, double to_mm, double y_mm, const std::string& words) {
   std::string svg = drawing_path("dimension", fmt::format("M{} {}H{}", svg_number(from_mm),
                                                           svg_number(y_mm), svg_number(to_mm)) +

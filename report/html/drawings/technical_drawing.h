@@ -47,6 +47,10 @@ double drawing_width_mm(std::string_view words);
 // As data of a path.
 std::string circle_path(const glm::dvec2& p, double radius_mm);
 
+// As data of a path: a circle with a cross, of a luminaire whose outline is not known.
+inline constexpr double kPointSign_mm = 1.1;  // its radius
+std::string point_sign(const glm::dvec2& p);
+
 // A tick stands at each end; the words above their line, if there is room.
 std::string level_dimension(double from_mm, double to_mm, double y_mm, const std::string& words);
 std::string upright_dimension(double from_mm, double to_mm, double x_mm, const std::string& words);

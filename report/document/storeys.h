@@ -1,0 +1,31 @@
+#pragma once
+// Which rooms of a project share a floor plan.
+
+#include "report/document/document.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace report {
+
+// Rooms whose floors differ by less than kStoreyStep_m and that do not overlap in plan. Rooms are
+// places in ProjectPart::spaces, ascending.
+struct Storey {
+  double floor_z_m = 0;  // the lowest of its floors
+  std::vector<std::size_t> rooms;
+};
+inline constexpr double kStoreyStep_m = 1.2;
+
+struct Storeys {
+  std::vector<Storey> list;                  // lowest first
+  std::vector<std::size_t> overlapping;      // rooms that would cover others of their height
+  std::vector<std::size_t> without_outline;  // rooms from mesh files, or with unusable outlines
+  std::vector<std::size_t> outdoors;         // open spaces and roads, which have no outline
+};
+
+// A storey may lie beside another of the same height where their rooms overlap, as in projects that
+// are alternatives of each other; a room that is alone there is `overlapping`, because most such
+// rooms are described around an origin of their own.
+Storeys storeys_of(const ProjectPart& project);
+
+}  // namespace report

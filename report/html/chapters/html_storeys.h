@@ -1,0 +1,22 @@
+#pragma once
+// Floor plans of a project's storeys, and site plans of roads and outdoor areas.
+
+#include "report/document/document.h"
+#include "report/html/page/print_pages.h"
+#include "report/text/texts.h"
+
+#include <cstddef>
+#include <string>
+
+namespace report {
+
+// Headings (h3) and figures to scale: for each storey its installation and its results; for each
+// outdoor space a plan with both. "" where no storey has two rooms and no outdoor space is larger
+// than its own plan shows well. index: of the project.
+std::string html_storeys(const Texts& t, const ProjectPart& project, std::size_t index,
+                         Paper paper);
+
+// Of the section: "Floor plans", or "Site plan: School" where there is no storey; escaped.
+std::string storeys_title(const Texts& t, const ProjectPart& project);
+
+}  // namespace report
