@@ -27,6 +27,7 @@ luxgate_test(report_tests
     unit/report/html/chapters/data_sheets_test.cpp
     unit/report/html/chapters/html_chapters_test.cpp
     unit/report/html/chapters/html_roads_test.cpp
+    unit/report/html/chapters/html_storeys_test.cpp
     unit/report/html/drawings/html_layout_test.cpp
     unit/report/html/drawings/html_plan_test.cpp
     unit/report/html/room/html_room_data_test.cpp

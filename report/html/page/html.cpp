@@ -14,6 +14,7 @@
 #include "report/html/chapters/html_project.h"
 #include "report/html/chapters/html_revision.h"
 #include "report/html/chapters/html_roads.h"
+#include "report/html/chapters/html_storeys.h"
 #include "report/html/drawings/html_layout.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/html_pages.h"
@@ -192,6 +193,7 @@ class HtmlWriter : public FormatWriter {
   std::map<std::string, int> titles_;     // how many projects have each
   std::string only_title_;                // of the first one
   std::string about_, on_cover_, rooms_;  // of the only one
+  std::string storeys_, storeys_title_;   // likewise
   bool says_whose_ = false;               // the only one
   std::vector<ContentsEntry> sections_;   // of the first ones
   Spill paths_;
@@ -286,8 +288,10 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
     html += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n";
   }
-  if (!is_only())
-    html += html_about(t_, project.about) + html_rooms(t_, project, project_, folder_);
+  if (!is_only()) {
+    html += html_about(t_, project.about) + html_rooms(t_, project, project_, folder_) +
+            html_storeys(t_, project, project_, style_.paper);
+  }
   html += messages;
   for (const RoomRun& run : runs) {
     if (run.first > 0 || !is_first_run_open) html += run_start(run);
@@ -316,6 +320,12 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
     rooms_ =
         fmt::format("<section aria-labelledby=\"rooms\"><h2 id=\"rooms\">{}</h2>\n{}</section>\n",
                     t_[Text::overview_title], rooms);
+  }
+  if (const std::string plans = html_storeys(t_, project, project_, style_.paper); !plans.empty()) {
+    storeys_title_ = storeys_title(t_, project);
+    storeys_ = regions_.with_unique_regions(fmt::format(
+        "<section aria-labelledby=\"storeys\"><h2 id=\"storeys\">{}</h2>\n{}</section>\n",
+        storeys_title_, plans));
   }
   says_whose_ = says_whose(project.about);
   if (has_cover()) on_cover_ = html_cover_picture(t_, project);
@@ -392,6 +402,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   if (frame_.revised != nullptr)
     sections.push_back({"#revision", html_revision_title(t_, *frame_.revised)});
   if (!rooms_.empty()) sections.push_back({"#rooms", t_[Text::overview_title]});
+  if (!storeys_.empty()) sections.push_back({"#storeys", storeys_title_});
   if (!attention_.is_empty()) sections.push_back({"#attention", t_[Text::needs_attention]});
   sections.push_back({"#summary", t_[Text::summary]});
   sections.insert(sections.end(), sections_.begin(), sections_.end());
@@ -412,7 +423,7 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);
-  sink.write(kMainStart + revision_ + rooms_);
+  sink.write(kMainStart + revision_ + rooms_ + storeys_);
   attention_.copy_to(sink);
   sink.write(summary_start_);
   summary_rows_.copy_to(sink);
