@@ -48,11 +48,14 @@ int decimals_for(double value, int digits) {
 }
 
 int plain_decimals(double value, double spread, std::string_view unit) {
-  // Ratios have three at most, ratings such as a UGR of 24 one unless their interval asks for more.
+  // Three significant digits; ratios have two decimals, or two digits where they are small, and
+  // ratings such as a UGR of 24 have one.
   constexpr double kLeastRating = 10.0;
-  const bool is_ratio = unit.empty(), is_rating = is_ratio && std::abs(value) >= kLeastRating;
-  const int most = is_ratio && !is_rating ? 3 : std::max(1, decimals_for(value, 4));
-  if (!(spread > 0.0)) return is_rating ? 1 : most;
+  const bool is_rating = std::abs(value) >= kLeastRating;
+  const int most = !unit.empty() ? decimals_for(value, 3)
+                   : is_rating   ? 1
+                                 : std::max(2, decimals_for(value, 2));
+  if (!(spread > 0.0)) return most;
   int decimals = decimals_for(spread, 2);
   if (rounded(spread, decimals) >= 10.0 * calc::pow(10.0, 1 - decimals) && decimals > 0) --decimals;
   return std::min(decimals, most);
@@ -106,7 +109,10 @@ std::string with_ends(const calc::Estimate& estimate, std::string_view unit,
 }
 
 std::string with_unit(std::string text, std::string_view unit) {
-  if (!unit.empty() && text != kNoNumber) text.append(" ").append(unit);
+  if (unit.empty() || text == kNoNumber) return text;
+  text.append(" ").append(unit);
+  // "cd/m2", as data have it
+  if (const std::size_t at = text.find("m2"); at != std::string::npos) text.replace(at, 2, "m²");
   return text;
 }
 

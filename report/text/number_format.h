@@ -44,11 +44,11 @@ struct Thresholds {
   }
 };
 
-// "512.3" and "4.1"; `spread` is empty for exact values. The half width has two significant digits
-// and the value ends at the same place (at most four significant digits, at most three decimals for
-// a ratio; a rating, which is one of 10 or more, is like a value with a unit, and exact it has
-// one). With thresholds, digits are added until value and interval ends are on their true side
-// of all of them. spread is the larger of high - value and value - low.
+// "512" and "4"; `spread` is empty for exact values. The half width has two significant digits and
+// the value ends at the same place, with at most three significant digits, or whole; a ratio has
+// two decimals at most, or two digits where it is small, and a rating, which is one of 10 or more,
+// one. With thresholds, digits are added until value and interval ends are on their true side of
+// all of them. spread is the larger of high - value and value - low.
 struct EstimateText {
   std::string value, spread;
 };
@@ -56,7 +56,7 @@ struct EstimateText {
 EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
                              const Thresholds& thresholds = {});
 
-// "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact; "21.35 (20.90 to 21.40)" where one side
+// "512 ± 4 lx", "0.61 ± 0.01", "512 lx" when exact; "21.4 (20.9 to 21.4)" where one side
 // of the interval is wider than the other in the digits shown; "≥ 17.2 lx" where the other end is
 // open, and "none" of what is_nothing(). to: the word between the ends.
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,

@@ -17,10 +17,16 @@ Threshold at_least(double limit) { return {limit, rules::Comparison::at_least}; 
 Threshold at_most(double limit) { return {limit, rules::Comparison::at_most}; }
 
 TEST(NumberFormat, DigitsFollowTheInterval) {
-  EXPECT_EQ(format_measured(plus_minus(512.345, 4.1), "lx"), "512.3 ± 4.1 lx");
+  EXPECT_EQ(format_measured(plus_minus(512.345, 4.1), "lx"), "512 ± 4 lx");
   EXPECT_EQ(format_measured(plus_minus(512.345, 41), "lx"), "512 ± 41 lx");
-  EXPECT_EQ(format_measured(plus_minus(51.2345, 0.412), "lx"), "51.23 ± 0.41 lx");
+  EXPECT_EQ(format_measured(plus_minus(51.2345, 0.412), "lx"), "51.2 ± 0.4 lx");
   EXPECT_EQ(format_measured(plus_minus(5123.4, 410), "lx"), "5123 ± 410 lx");
+}
+
+// Data have units in ASCII.
+TEST(NumberFormat, UnitsAreAsPeopleWriteThem) {
+  EXPECT_EQ(format_measured(plus_minus(0.7512, 0), "cd/m2"), "0.751 cd/m²");
+  EXPECT_EQ(format_required(at_most(7.5), "kWh/m2/a"), "≤ 7.5 kWh/m²/a");
 }
 
 TEST(NumberFormat, RoundedUpHalfWidthLosesADigit) {
@@ -28,38 +34,39 @@ TEST(NumberFormat, RoundedUpHalfWidthLosesADigit) {
 }
 
 TEST(NumberFormat, TinyHalfWidthIsNotShownAsZero) {
-  EXPECT_EQ(format_measured(plus_minus(512.345, 0.0004), "lx"), "512.3 ± 0.1 lx");
-  EXPECT_EQ(format_measured(plus_minus(0.612, 0.00002), ""), "0.612 ± 0.001");
+  EXPECT_EQ(format_measured(plus_minus(512.345, 0.0004), "lx"), "512 ± 1 lx");
+  EXPECT_EQ(format_measured(plus_minus(0.612, 0.00002), ""), "0.61 ± 0.01");
 }
 
 TEST(NumberFormat, ExactValuesHaveNoHalfWidth) {
-  EXPECT_EQ(format_measured(plus_minus(512.345, 0), "lx"), "512.3 lx");
+  EXPECT_EQ(format_measured(plus_minus(512.345, 0), "lx"), "512 lx");
   EXPECT_EQ(format_measured(plus_minus(0, 0), "lx"), "0.0 lx");
   EXPECT_EQ(format_interval(plus_minus(5, 0), "lx"), "exact");
 }
 
-TEST(NumberFormat, RatiosHaveThreeDecimals) {
-  EXPECT_EQ(format_measured(plus_minus(0.61234, 0), ""), "0.612");
-  EXPECT_EQ(format_measured(plus_minus(0.61234, 0.0041), ""), "0.612 ± 0.004");
+TEST(NumberFormat, RatiosHaveTwoDecimals) {
+  EXPECT_EQ(format_measured(plus_minus(0.61234, 0), ""), "0.61");
+  EXPECT_EQ(format_measured(plus_minus(0.025123, 0), ""), "0.025");
+  EXPECT_EQ(format_measured(plus_minus(0.61234, 0.0041), ""), "0.61 ± 0.01");
   // A UGR is no ratio.
   EXPECT_EQ(format_measured(plus_minus(24.302, 0), ""), "24.3");
-  EXPECT_EQ(format_measured(plus_minus(24.302, 0.012), ""), "24.30 ± 0.01");
+  EXPECT_EQ(format_measured(plus_minus(24.302, 0.012), ""), "24.3 ± 0.1");
   EXPECT_EQ(format_measured(plus_minus(24.302, 0), "", at_most(24.3)), "24.302");
 }
 
-// "21.35 ± 0.68" would say that 22 may be passed, and the interval ends before.
+// "21.4 ± 0.7" would say that 22 may be passed, and the interval ends before.
 TEST(NumberFormat, ALopsidedIntervalIsShownByItsEnds) {
   EXPECT_EQ(format_measured({21.35, 20.67, 21.95}, "", Threshold{22, rules::Comparison::at_most}),
-            "21.35 (20.67 to 21.95)");
-  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx"), "100.0 (95.0 to 101.0) lx");
-  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx", {}, "bis"), "100.0 (95.0 bis 101.0) lx");
+            "21.4 (20.7 to 21.9)");
+  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx"), "100 (95 to 101) lx");
+  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx", {}, "bis"), "100 (95 bis 101) lx");
   EXPECT_EQ(format_measured({0.5, 0.5, 0.6}, ""), "0.50 (0.50 to 0.60)");
   // Both ends stay on their side of the limit, as all digits do.
   EXPECT_EQ(format_measured({505.0, 499.96, 520.0}, "lx", at_least(500)),
             "505.00 (499.96 to 520.00) lx");
   // Not seen in these digits.
-  EXPECT_EQ(format_measured({512.3, 508.2004, 516.4}, "lx"), "512.3 ± 4.1 lx");
-  EXPECT_EQ(format_interval({100.0, 95.0, 101.0}, "lx"), "95.0 – 101.0 lx");
+  EXPECT_EQ(format_measured({512.3, 508.2004, 516.4}, "lx"), "512 ± 4 lx");
+  EXPECT_EQ(format_interval({100.0, 95.0, 101.0}, "lx"), "95 – 101 lx");
 }
 
 TEST(NumberFormat, ShownValueStaysOnItsSideOfTheLimit) {
@@ -71,8 +78,8 @@ TEST(NumberFormat, ShownValueStaysOnItsSideOfTheLimit) {
 }
 
 TEST(NumberFormat, ValueOnTheLimitNeedsNoMoreDigits) {
-  EXPECT_EQ(format_measured(plus_minus(500, 0), "lx", at_least(500)), "500.0 lx");
-  EXPECT_EQ(format_measured(plus_minus(500.04, 0), "lx", at_least(500)), "500.0 lx");
+  EXPECT_EQ(format_measured(plus_minus(500, 0), "lx", at_least(500)), "500 lx");
+  EXPECT_EQ(format_measured(plus_minus(500.04, 0), "lx", at_least(500)), "500 lx");
 }
 
 TEST(NumberFormat, ShownIntervalStaysOnItsSideOfTheLimit) {
@@ -89,7 +96,7 @@ TEST(NumberFormat, MissesBelowNineDecimalsAreStillShown) {
 TEST(NumberFormat, NotANumberIsADash) {
   EXPECT_EQ(format_fixed(kNan, 2), "–");
   EXPECT_EQ(format_measured({kNan, kNan, kNan}, "lx"), "–");
-  EXPECT_EQ(format_measured({5.0, -kInfinity, kInfinity}, "lx"), "5.000 ± – lx");
+  EXPECT_EQ(format_measured({5.0, -kInfinity, kInfinity}, "lx"), "5.00 ± – lx");
   EXPECT_EQ(format_interval({5.0, kNan, kNan}, "lx"), "–");
   EXPECT_EQ(format_margin(kInfinity), "–");
   EXPECT_EQ(format_cell(kNan), "–");
@@ -118,7 +125,7 @@ TEST(NumberFormat, LimitsKeepTheirDigits) {
 
 TEST(NumberFormat, LimitsInFootCandlesAndUnknownOnes) {
   EXPECT_EQ(format_limit(10.763910416709722, "lx"), "10.7639104 lx");
-  EXPECT_EQ(format_limit(6.5659853541929305, "W/m2"), "6.56598535 W/m2");  // 0.61 W/ft2
+  EXPECT_EQ(format_limit(6.5659853541929305, "W/m2"), "6.56598535 W/m²");  // 0.61 W/ft2
   EXPECT_EQ(format_required(at_most(19), ""), "≤ 19");                     // a rating, no ratio
   EXPECT_EQ(format_required({kNan, rules::Comparison::at_least}, "lx"), "unknown limit");
 }
@@ -197,7 +204,7 @@ struct CommaPoint : std::numpunct<char> {
 
 TEST(NumberFormat, LocaleDoesNotMatter) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaPoint));
-  EXPECT_EQ(format_measured(plus_minus(1512.345, 4.1), "lx"), "1512.3 ± 4.1 lx");
+  EXPECT_EQ(format_measured(plus_minus(1512.345, 4.1), "lx"), "1512 ± 4 lx");
   EXPECT_EQ(format_shortest(1512.345), "1512.345");
   std::locale::global(before);
 }
