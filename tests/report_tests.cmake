@@ -12,6 +12,7 @@ luxgate_test(report_tests
     unit/report/document/document_test.cpp
     unit/report/document/luminaire_schedule_test.cpp
     unit/report/document/road_facts_test.cpp
+    unit/report/document/looked_at_wall_test.cpp
     unit/report/document/room_summary_test.cpp
     unit/report/document/row_uses_test.cpp
     unit/report/document/storeys_test.cpp
@@ -28,6 +29,7 @@ luxgate_test(report_tests
     unit/report/html/chapters/html_chapters_test.cpp
     unit/report/html/chapters/html_roads_test.cpp
     unit/report/html/chapters/html_storeys_test.cpp
+    unit/report/html/page/html_footnotes_test.cpp
     unit/report/html/drawings/html_layout_test.cpp
     unit/report/html/drawings/html_plan_test.cpp
     unit/report/html/room/html_room_data_test.cpp
@@ -42,6 +44,7 @@ luxgate_test(report_tests
     unit/report/html/page/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/text/notices_test.cpp
+    unit/report/text/plane_names_test.cpp
     unit/report/text/sentences_test.cpp
     unit/report/html/drawings/plan_layout_test.cpp
     unit/report/html/drawings/shared_scale_test.cpp

@@ -11,6 +11,7 @@
 #include "report/text/decides.h"
 #include "report/text/notices.h"
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"

@@ -10,6 +10,7 @@
 #include "report/html/drawings/plan_layout.h"
 #include "report/images/heatmap.h"
 #include "report/text/luminaire_aim.h"
+#include "report/text/plane_names.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -86,12 +87,18 @@ bool is_level(const PlanePart& plane) {
 }
 
 std::string title_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  return fmt::format("{} / {}", title_of(space.name, space.id), plane_title(t, plane));
+  return fmt::format("{} / {}", title_of(space.name, space.id), plane_name(t, space, plane));
 }
 
-std::string plane_label(const Texts& t, const PlanePart& plane) {
-  std::string words =
-      fmt::format("{}: {}", plane_title(t, plane), outcome_words(t, outcome_of_plane(plane)));
+std::string plane_label(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  const bool is_outside =
+      std::any_of(plane.findings.begin(), plane.findings.end(),
+                  [](const auto& finding) { return is_outside_advice(finding); });
+  const rules::Outcome outcome = outcome_of_plane(plane);
+  std::string words = fmt::format("{}: {}", plane_name(t, space, plane),
+                                  is_outside && outcome == rules::Outcome::nothing_asked
+                                      ? t[Text::advice_outside]
+                                      : outcome_words(t, outcome));
   if (!plane.is_computed) words += std::string(", ") + t[Text::not_computed];
   if (!doubt_words(t, plane).empty()) words += fmt::format(" ({})", t[Text::doubt]);
   return words;
@@ -583,7 +590,7 @@ void DxfWriter::draw_level(const SpacePart& space, const PlanePart& plane,
   const Placing placing = Placing::world(shift_m);
   draw_outlines(plane, placing);
   FlatBox box = box_of(plane);
-  const std::string label = dxf_text(dxf_signs(plane_label(t_, plane)));
+  const std::string label = dxf_text(dxf_signs(plane_label(t_, space, plane)));
   if (box.is_empty()) {
     // A plane of which nothing is known is at least named in its room.
     for (const glm::dvec2& corner : space.footprint_m) box.add(corner);
@@ -630,7 +637,7 @@ void DxfWriter::draw_beside(const SpacePart& space, const PlanePart& plane, doub
   if (box.is_empty()) box.add({0.0, 0.0});
   const std::vector<std::string> lines{
       dxf_text(dxf_signs(title_of_plane(t_, space, plane))),
-      dxf_text(dxf_signs(plane_label(t_, plane))),
+      dxf_text(dxf_signs(plane_label(t_, space, plane))),
       dxf_text(dxf_signs(orientation_words(t_, glm::cross(grid.u, grid.v)))),
       dxf_text(dxf_signs(values_words(t_, plane)))};
   double width = box.size().x;

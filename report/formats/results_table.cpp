@@ -53,13 +53,17 @@ constexpr std::array kResultColumns{
     TableColumn{"source", "Who says the limit", 14},
     TableColumn{"required", "Required", 14, kOfColumn, false},
     TableColumn{"counts", "Counts", 12, kOfColumn, false},
-    TableColumn{"close", "Close to the limit", 30, kOfColumn, false}};
+    TableColumn{"close", "Close to the limit", 30, kOfColumn, false},
+    TableColumn{"shown", "Verdict", 15, kOfColumn, false}};
 
 // What is not set is not there.
 class ResultRow {
  public:
   // column: a name of kResultColumns, or else std::logic_error.
-  void set(std::string_view column, std::string_view text) { put(column, std::string(text)); }
+  void set(std::string_view column, std::string_view text) {
+    if (column == "verdict") put("shown", std::string(text));  // for people, unless said otherwise
+    put(column, std::string(text));
+  }
   void set(std::string_view column, double value) { put(column, TableNumber{value}); }
   void set(std::string_view column, const TableNumber& number) { put(column, number); }
   void visit_with(const VisitRow& visit) const { visit(cells_); }
@@ -150,6 +154,8 @@ void add_finding(ResultRow row, const rules::Finding& finding, const VisitRow& v
                                       rules::unit_of(requirement)));
   row.set("counts", counts_words(finding));
   row.set("close", close_words(finding));
+  // No failure, for people.
+  if (is_outside_advice(finding)) row.set("shown", english_text(Text::advice_outside));
   row.visit_with(visit);
 }
 

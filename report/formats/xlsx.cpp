@@ -35,17 +35,20 @@ namespace {
 constexpr int kWrapFrom = 30;  // columns as wide as that hold sentences
 
 ColumnRole role_of(std::string_view name) {
-  if (name == "verdict") return ColumnRole::verdict;
+  if (name == "shown") return ColumnRole::verdict;
   return name == "counts" ? ColumnRole::counts : ColumnRole::other;
 }
 
-// Of a table, in an order for people: `first`, and after them all others as they come.
+// Of a table, in an order for people: `first`, and after them all others as they come, without a
+// verdict for data beside the one that people are shown.
 class SheetOrder {
  public:
   SheetOrder(std::span<const TableColumn> columns, std::span<const std::string_view> first) {
     for (const std::string_view name : first) places_.push_back(column_of(columns, name));
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (std::find(places_.begin(), places_.end(), i) == places_.end()) places_.push_back(i);
+      const bool is_for_data = columns[i].name == "verdict";
+      if (!is_for_data && std::find(places_.begin(), places_.end(), i) == places_.end())
+        places_.push_back(i);
     }
     for (const std::size_t place : places_) {
       const TableColumn& column = columns[place];
@@ -69,7 +72,7 @@ class SheetOrder {
 };
 
 constexpr std::array<std::string_view, 18> kResultsFirst{
-    "verdict",  "project", "space",  "plane",  "requirement", "quantity",
+    "shown",    "project", "space",  "plane",  "requirement", "quantity",
     "required", "value",   "low",    "high",   "unit",        "margin",
     "counts",   "reason",  "clause", "source", "waiver",      "note"};
 

@@ -1,6 +1,7 @@
 #include "report/text/advice_words.h"
 
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -36,7 +37,7 @@ std::string requirement_words(const Texts& t, const ProjectPart& project,
         if (requirement.id != name.requirement) continue;
         const Threshold threshold{requirement.limit, requirement.comparison};
         return fmt::format("{}, {}{}{} {}", printable(title_of(space.name, space.id)),
-                           printable(plane_title(t, plane)), t[Text::colon],
+                           printable(plane_in_room(t, space, plane)), t[Text::colon],
                            quantity_words(t, requirement, plane.kernel),
                            format_required(t, threshold, rules::unit_of(requirement)));
       }

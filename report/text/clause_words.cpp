@@ -1,12 +1,40 @@
 #include "report/text/clause_words.h"
 
 #include "report/text/sentences.h"
+#include "rules/catalogue/row_level.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
 
 namespace report {
+namespace {
+
+std::string words_of(const Texts& t, const rules::RowLevel& level) {
+  if (level.is_modified) return t[Text::level_modified];
+  const std::string steps = fmt::format("{:+}", level.steps);
+  const bool is_one = level.steps == 1 || level.steps == -1;
+  return is_one ? t.say<Text::level_step>(steps) : t.say<Text::level_steps>(steps);
+}
+
+// Of "EN 12464-1:2021 34.2 (+2 steps)", as clauses of rule packs have it.
+std::string with_level(const Texts& t, std::string words) {
+  if (t.language() == Language::english) return words;
+  for (const std::string_view name : rules::level_names()) {
+    const rules::RowLevel level = rules::level_named(name);
+    if (level == rules::RowLevel::required) continue;
+    const std::string english = " (" + rules::level_words(level) + ")";
+    if (const std::size_t at = words.find(english); at != std::string::npos)
+      return words.replace(at, english.size(), " (" + words_of(t, level) + ")");
+  }
+  return words;
+}
+
+}  // namespace
 
 std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source) {
   if (clause.empty()) return {};
-  const std::string words = sentence(t, clause);
+  const std::string words = with_level(t, sentence(t, clause));
   switch (source) {
     case rules::LimitSource::pack:
       return words;
@@ -16,6 +44,15 @@ std::string clause_words(const Texts& t, const calc::Message& clause, rules::Lim
       break;
   }
   return t.say<Text::clause_and_source>(words, t[Text::source_user_pack]);
+}
+
+std::string level_words(const Texts& t, std::string_view english) {
+  for (const std::string_view name : rules::level_names()) {
+    const rules::RowLevel level = rules::level_named(name);
+    if (level != rules::RowLevel::required && rules::level_words(level) == english)
+      return words_of(t, level);
+  }
+  return std::string(english);
 }
 
 std::string clause_words(const Texts& t, const rules::Requirement& requirement) {

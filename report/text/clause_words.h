@@ -5,6 +5,7 @@
 #include "report/text/texts.h"
 
 #include <string>
+#include <string_view>
 
 namespace report {
 
@@ -16,5 +17,9 @@ std::string clause_words(const Texts& t, const rules::Requirement& requirement);
 std::string clause_words(const Texts& t, const rules::AggregateFinding& finding);
 // For formats that show no clauses: "" of packs that come with luxgate.
 std::string foreign_clause_words(const Texts& t, const rules::Requirement& requirement);
+
+// What rules::level_words() says of a row's level, in the reader's language; other words as they
+// are.
+std::string level_words(const Texts& t, std::string_view english);
 
 }  // namespace report

@@ -2,6 +2,7 @@
 
 #include "report/text/clause_words.h"
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
@@ -63,9 +64,10 @@ std::string notice_words(const Texts& t, const Notice& notice) {
       return coverage_words(t, *notice.row);
     case NoticeKind::left_out:
       return printable(fmt::format(
-          "{}, {}: left out: {} ({})", notice.row->workplace,
-          clause_words({}, notice.row->clause, rules::source_of_pack(notice.row->is_user_supplied)),
-          notice.left_out->zone, rules::waiver_words(notice.left_out->by).english()));
+          "{}, {}{}{} ({})", notice.row->workplace,
+          clause_words(t, notice.row->clause, rules::source_of_pack(notice.row->is_user_supplied)),
+          t[Text::colon], t.say<Text::roles_left_out>(role_words(t, notice.left_out->zone)),
+          sentence(t, rules::waiver_words(notice.left_out->by))));
     case NoticeKind::doubt:
       break;
   }
@@ -74,13 +76,15 @@ std::string notice_words(const Texts& t, const Notice& notice) {
 
 std::string notice_place(const Texts& t, const Notice& notice) {
   const std::string room = printable(title_of(notice.space->name, notice.space->id));
-  return notice.plane == nullptr ? room : room + " / " + printable(plane_title(t, *notice.plane));
+  return notice.plane == nullptr
+             ? room
+             : room + " / " + printable(plane_in_room(t, *notice.space, *notice.plane));
 }
 
 std::string notice_line(const Texts& t, const Notice& notice) {
   const std::string place = notice_place(t, notice), words = notice_words(t, notice);
   if (notice.kind == NoticeKind::changed) return t.say<Text::changed_note>(place, words);
-  return place + (notice.plane == nullptr ? ": " : t[Text::colon]) + words;
+  return place + t[Text::colon] + words;
 }
 
 }  // namespace report

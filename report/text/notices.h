@@ -35,7 +35,7 @@ struct Notice {
 std::vector<Notice> notices_of(const ProjectPart& project);
 std::vector<Notice> notices_of(const SpacePart& space);
 
-// Without its place; printable(). Of `left_out` English, as in every language.
+// Without its place; printable().
 std::string notice_words(const Texts& t, const Notice& notice);
 // "Room" or "Room / Plane"; printable().
 std::string notice_place(const Texts& t, const Notice& notice);

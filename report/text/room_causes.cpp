@@ -2,7 +2,7 @@
 
 #include "report/text/aggregate_words.h"
 #include "report/text/pass_factor.h"
-#include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -16,15 +16,6 @@
 
 namespace report {
 namespace {
-
-// "Desk [0,0]" of "Desk [0,0]: task"; "" of a plane that no workplace has made, or that several
-// share.
-std::string place_of(const Texts& t, const PlanePart& plane) {
-  if (plane.made_by.empty()) return {};
-  const std::string title = plane_title(t, plane);
-  const std::size_t colon = title.rfind(": ");
-  return colon == std::string::npos ? std::string() : title.substr(0, colon);
-}
 
 void add_new(std::vector<std::string>& list, std::string text) {
   if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
@@ -53,18 +44,6 @@ std::string some_names(const Texts& t, std::vector<std::string> names) {
   names.resize(names.size() - more);
   const std::string named = fmt::format("{}", fmt::join(names, ", "));
   return more == 0 ? named : t.say<Text::names_and_more>(named, more);
-}
-
-std::string plane_in_room(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  const std::string own = place_of(t, plane);
-  const bool is_only_one =
-      !own.empty() &&
-      std::all_of(space.planes.begin(), space.planes.end(), [&](const PlanePart& other) {
-        const std::string place = place_of(t, other);
-        return place.empty() || place == own;
-      });
-  const std::string title = plane_title(t, plane);
-  return is_only_one ? title.substr(own.size() + 2) : title;
 }
 
 CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause& cause) {

@@ -2,6 +2,7 @@
 // Why rooms do not pass, in words: the same for every format.
 
 #include "report/document/room_summary.h"
+#include "report/text/plane_names.h"
 #include "report/text/texts.h"
 
 #include <string>
@@ -16,10 +17,6 @@ struct CauseWords {
 
 // room: it is one of its causes.
 CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause& cause);
-
-// "wall 2" of "Desk: wall 2" where all planes of the room that a workplace has made are of one
-// place; else the whole title.
-std::string plane_in_room(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
 // "a, b, c and 3 more", in the report's language.
 std::string some_names(const Texts& t, std::vector<std::string> names);

@@ -2,6 +2,7 @@
 
 #include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
+#include "report/text/plane_names.h"
 #include "report/text/words.h"
 
 #include <glm/glm.hpp>
@@ -58,8 +59,9 @@ std::optional<PowerByLight> power_by_light(const SpacePart& space) {
   return PowerByLight{plane, {at(average.value), at(average.high), at(average.low)}};
 }
 
-std::string power_plane_words(const Texts& t, const PowerByLight& by_light) {
-  const std::string title(plane_title(t, *by_light.plane));
+std::string power_plane_words(const Texts& t, const SpacePart& space,
+                              const PowerByLight& by_light) {
+  const std::string title = plane_in_room(t, space, *by_light.plane);
   return by_light.plane->asked_light ? t.say<Text::at_full_output>(title) : title;
 }
 

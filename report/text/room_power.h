@@ -20,6 +20,6 @@ struct PowerByLight {
 // are not known, or no such plane has light.
 std::optional<PowerByLight> power_by_light(const SpacePart& space);
 // "Desk"; of a plane that is shown in another light also of which the average is.
-std::string power_plane_words(const Texts& t, const PowerByLight& by_light);
+std::string power_plane_words(const Texts& t, const SpacePart& space, const PowerByLight& by_light);
 
 }  // namespace report

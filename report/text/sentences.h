@@ -5,11 +5,16 @@
 #include "calc/base/message.h"
 #include "report/text/texts.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace report {
+
+// A remark of a rule pack that comes with luxgate, word for word, in the reader's language; nothing
+// of all other words.
+std::optional<std::string> pack_note_words(const Texts& t, std::string_view english);
 
 // All of a language, in the order of calc::Sentence; English: their templates.
 struct SentenceEntry {

@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "report/text/clause_words.h"
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 
@@ -352,28 +353,118 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   return words;
 }
 
+namespace {
+
+const char* rounding_words(const Texts& t, rules::Rounding rounding) {
+  switch (rounding) {
+    case rules::Rounding::half_up:
+      return t[Text::policy_half_up];
+    case rules::Rounding::half_even:
+      return t[Text::policy_half_even];
+    case rules::Rounding::down:
+      break;
+  }
+  return t[Text::policy_down];
+}
+
+// As rules::policy_text(), in the reader's language.
+std::string policy_words(const Texts& t, const rules::DecisionPolicy& policy) {
+  const auto percent = [&t](double share) { return t.number(fmt::format("{:g}", 100.0 * share)); };
+  std::string text = policy.compares_rounded
+                         ? t.say<Text::policy_rounded>(rounding_words(t, policy.rounding),
+                                                       policy.illuminance_digits,
+                                                       policy.ratio_digits, policy.other_digits)
+                         : t[Text::policy_unrounded];
+  text += ", ";
+  text += policy.tolerance == 0.0
+              ? t[Text::policy_no_tolerance]
+              : t.say<Text::policy_tolerance>(percent(policy.tolerance), policy.tolerance_reason);
+  if (policy.guard > 0.0) text += ", " + t.say<Text::policy_guard>(percent(policy.guard));
+  return text;
+}
+
+const char* aspect_words(const Texts& t, rules::FitAspect aspect) {
+  switch (aspect) {
+    case rules::FitAspect::orientation:
+      return t[Text::aspect_orientation];
+    case rules::FitAspect::place:
+      return t[Text::aspect_place];
+    case rules::FitAspect::height:
+      return t[Text::aspect_height];
+    case rules::FitAspect::grid:
+      return t[Text::aspect_grid];
+    case rules::FitAspect::margin:
+      return t[Text::aspect_margin];
+    case rules::FitAspect::points:
+      break;
+  }
+  return t[Text::aspect_points];
+}
+
+}  // namespace
+
+bool is_outside_advice(const rules::Requirement& requirement, rules::Verdict verdict) {
+  return requirement.severity == rules::Severity::advice && verdict == rules::Verdict::fail;
+}
+
+std::string advice_range_words(const Texts& t, const PlanePart& plane,
+                               const rules::Finding& finding) {
+  const rules::Requirement& own = finding.requirement;
+  const char* unit = rules::unit_of(own);
+  const auto is_lower = [](const rules::Requirement& of) {
+    return rules::is_lower_limit(of.comparison);
+  };
+  const auto other =
+      std::find_if(plane.findings.begin(), plane.findings.end(), [&](const auto& candidate) {
+        const rules::Requirement& of = candidate.requirement;
+        return of.severity == rules::Severity::advice && of.derived == own.derived &&
+               of.clause == own.clause && of.scene == own.scene && of.state == own.state &&
+               is_lower(of) != is_lower(own) && is_lower(of) == (of.limit < own.limit);
+      });
+  if (other == plane.findings.end()) {
+    return t.say<Text::advice_limit>(format_required(t, {own.limit, own.comparison}, unit));
+  }
+  const double limit = other->requirement.limit;
+  return t.say<Text::advice_range>(format_limit(t, std::min(limit, own.limit), ""),
+                                   format_limit(t, std::max(limit, own.limit), unit));
+}
+
+std::string mask_name(const Texts& t, std::string_view id) {
+  constexpr std::pair<std::string_view, Text> kMasks[] = {{"edge", Text::mask_edge},
+                                                          {"wall-zone", Text::mask_wall_zone},
+                                                          {"core", Text::mask_core},
+                                                          {"width", Text::mask_width},
+                                                          {"middle-line", Text::mask_middle_line},
+                                                          {"middle-half", Text::mask_middle_half}};
+  const auto* const row = std::find_if(std::begin(kMasks), std::end(kMasks),
+                                       [&](const auto& known) { return known.first == id; });
+  return row == std::end(kMasks) ? std::string(id) : t[row->second];
+}
+
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
   std::vector<NotePart> parts;
   const rules::Requirement& requirement = finding.requirement;
   if (!requirement.note.empty()) parts.push_back({requirement.note, ""});
   const auto add = [&parts](std::string text) { parts.push_back({{}, std::move(text)}); };
   const auto add_method = [&parts](std::string text) {
-    parts.push_back({{}, std::move(text), true});
+    parts.push_back({{}, std::move(text), false, true});
   };
   if (requirement.severity == rules::Severity::advice) add_method(t[Text::note_advice]);
   if (requirement.severity == rules::Severity::in_aggregate) add_method(t[Text::note_in_aggregate]);
   if (requirement.direct_only) add_method(t[Text::note_direct_only]);
   if (!requirement.mask.id.empty()) {
-    add_method(finding.points_used == 0
-                   ? t.say<Text::note_mask>(requirement.mask.id)
-                   : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
+    const std::string name = mask_name(t, requirement.mask.id);
+    const std::size_t points = finding.points_used;
+    add_method(points == 0   ? t.say<Text::note_mask>(name)
+               : points == 1 ? t.say<Text::note_mask_point>(name, points)
+                             : t.say<Text::note_mask_points>(name, points));
+    parts.back().is_mask = true;
   }
-  if (!requirement.policy.is_default())
-    parts.push_back({calc::Message::words(rules::policy_text(requirement.policy)), ""});
+  if (!requirement.policy.is_default()) add(policy_words(t, requirement.policy));
   if (finding.by_tolerance) add(t[Text::note_tolerance]);
   for (const rules::Deviation& deviation : requirement.deviations) {
     if (!deviation.is_accepted || !deviation.stated) continue;
-    add(t.say<Text::note_deviation>(calc::name_of(deviation.aspect), sentence(t, deviation.words),
+    add(t.say<Text::note_deviation>(aspect_words(t, deviation.aspect), sentence(t, deviation.words),
                                     printable(deviation.stated->owner), deviation.stated->until,
                                     printable(deviation.stated->reason)));
   }
@@ -394,51 +485,13 @@ std::string_view title_of(std::string_view name, std::string_view id) {
 }
 
 std::string role_words(const Texts& t, std::string_view role) {
-  constexpr std::pair<std::string_view, Text> kRoles[] = {{"task", Text::role_task},
-                                                          {"surround", Text::role_surround},
-                                                          {"background", Text::role_background},
-                                                          {"wall", Text::role_wall},
-                                                          {"ceiling", Text::role_ceiling},
-                                                          {"cylinder", Text::role_cylinder},
-                                                          {"modelling", Text::role_modelling},
-                                                          {"observer", Text::role_observer},
-                                                          {"lamp", Text::role_lamp},
-                                                          {"glare", Text::role_glare},
-                                                          {"room", Text::role_room},
-                                                          {"floor", Text::role_floor},
-                                                          {"window", Text::role_window},
-                                                          {"vertical", Text::role_vertical},
-                                                          {"route", Text::role_route},
-                                                          {"open-area", Text::role_open_area},
-                                                          {"high-risk", Text::role_high_risk},
-                                                          {"safety-item", Text::role_safety_item},
-                                                          {"carriageway", Text::role_carriageway},
-                                                          {"footway", Text::role_footway},
-                                                          {"luminaire", Text::role_luminaire},
-                                                          {"shelf", Text::role_shelf}};
-  const std::size_t dot = role.find('.');
-  const auto* const row =
-      std::find_if(std::begin(kRoles), std::end(kRoles),
-                   [&](const auto& known) { return known.first == role.substr(0, dot); });
-  if (t.language() == Language::english || row == std::end(kRoles)) return std::string(role);
-  const std::string part = dot == role.npos ? "" : " " + std::string(role.substr(dot + 1));
-  return t[row->second] + part;
+  return t.language() == Language::english ? std::string(role) : role_name(t, role);
 }
 
 std::string plane_title(const Texts& t, const PlanePart& plane) {
-  const std::string title(title_of(plane.name, plane.id));
-  if (t.language() == Language::english || plane.made_by.empty()) return title;
-  // "desk.wall.2" is "Desk: wall 2", or "wall 2" where workplaces share it. A workplace's id may
-  // have dots of its own.
-  const std::string_view id = plane.id;
-  for (std::size_t dot = id.find('.'); dot != id.npos; dot = id.find('.', dot + 1)) {
-    const std::string_view role = id.substr(dot + 1);
-    std::string english(role);
-    std::replace(english.begin(), english.end(), '.', ' ');
-    if (title != english && !title.ends_with(": " + english)) continue;
-    return title.substr(0, title.size() - english.size()) + role_words(t, role);
-  }
-  return title;
+  const std::string title(title_of(plane.name, plane.id)), role = made_role(plane);
+  if (t.language() == Language::english || role.empty()) return title;
+  return title.substr(0, title.size() - role.size()) + role_name(t, role);
 }
 
 const char* stop_words(const Texts& t, calc::StopReason stop) {

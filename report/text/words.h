@@ -66,11 +66,23 @@ inline std::string quantity_words(const rules::Requirement& requirement,
 
 // "≥", "≤", ">" or "<".
 const char* comparison_sign(rules::Comparison comparison);
+// Advice that is not kept to, which is no failure.
+bool is_outside_advice(const rules::Requirement& requirement, rules::Verdict verdict);
+inline bool is_outside_advice(const rules::Finding& finding) {
+  return is_outside_advice(finding.requirement, finding.verdict);
+}
+// "recommended: 0.30 to 0.60", or the limit alone where no advice of the plane is the other end.
+std::string advice_range_words(const Texts& t, const PlanePart& plane,
+                               const rules::Finding& finding);
+// A mask of a rule pack as it is called; in English, and of one that is not known here, its id.
+std::string mask_name(const Texts& t, std::string_view id);
+
 // What must be read with a finding: trust in the requirement, its mask, its decision policy; empty
 // if there is nothing to say.
 struct NotePart {
   calc::Message message;
   std::string text;        // without a message, in the reader's language
+  bool is_mask = false;    // which points count, and how many
   bool is_method = false;  // how it is judged, which weakens nothing
 };
 // ", initial, scene night": what a requirement looks at beyond maintained full output; "" =

@@ -103,10 +103,8 @@ def own_words(project):
 
 
 # Names for files, commands and rule packs, which are the same in every language: options, ids with dots, what
-# stands in quotes, masks, and roles where a workplace says what it makes and leaves out.
-NAMES = re.compile(r"""--[\w-]+|\b\w[\w\[\],-]*\.[\w.-]*[A-Za-z][\w.-]*|„[^“]*“|«[^»]*»|[Aa]ttribut\ scene
-  |(?:Maske|masque)\ [\w-]+|(?:(?<=,\ )|(?<=,\ \ ))[\w.-]+(?=\s?:)
-  |(?:weggelassen|nicht\ erzeugt|retiré|non\ généré)\s?:.*""", re.VERBOSE)
+# stands in quotes, roles of packs that are no part of a row's usual ones.
+NAMES = re.compile(r"""--[\w-]+|\b\w[\w\[\],-]*\.[\w.-]*[A-Za-z][\w.-]*|„[^“]*“|«[^»]*»|[Aa]ttribut\ scene""", re.VERBOSE)
 
 
 def words_left(text, own, language):

@@ -3,6 +3,7 @@
 #include "report/html/page/html_markup.h"
 #include "report/text/clause_words.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 
@@ -33,7 +34,8 @@ std::string asked_words(const Texts& t, const PlanePart& plane, const rules::Fin
   if (finding.verdict != rules::Verdict::not_judged) {
     words += ", " + t.say<Text::measured_is>(format_measured(t, finding.measured, unit, threshold));
   }
-  words += std::string(t[Text::colon]) + verdict_words(t, finding.verdict);
+  words += t[Text::colon];
+  words += is_outside_advice(finding) ? t[Text::advice_outside] : verdict_words(t, finding.verdict);
   if (!requirement.clause.empty())
     words += "<span class=\"note\">" + escape_html(clause_words(t, requirement)) + "</span>";
   return words;
@@ -69,6 +71,8 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
   return rows;
 }
 
+// Zones that the project leaves out of a row. What of a row is not asked for other reasons is no
+// deviation; the room says it.
 std::string role_rows(const Texts& t, const std::string& where, const rules::RowCoverage& row,
                       const rules::RoleCoverage& role) {
   std::string rows;
@@ -78,15 +82,8 @@ std::string role_rows(const Texts& t, const std::string& where, const rules::Row
       "</span>";
   for (const rules::LeftOutZone& zone : role.left_out) {
     rows += row_html(t[zone.has_ended ? Text::left_out_ended : Text::left_out_of_row], where,
-                     escape_html(zone.zone) + clause, escape_html(zone.by.reason),
+                     escape_html(role_name(t, zone.zone)) + clause, escape_html(zone.by.reason),
                      by_words(t, zone.by));
-  }
-  using enum rules::RoleState;
-  if (role.state == never_asked || role.state == asked_in_part || role.state == not_made ||
-      role.state == not_possible) {
-    rows +=
-        row_html(t[role.state == asked_in_part ? Text::asked_in_part : Text::not_asked], where,
-                 escape_html(role_words(t, role.role)) + clause, sentence_html(t, role.words), "");
   }
   return rows;
 }
@@ -102,9 +99,9 @@ std::string html_deviations(const Texts& t, const ProjectPart& project, std::siz
     const std::string room = escape_html(title_of(space.name, space.id));
     for (std::size_t k = 0; k < space.planes.size(); ++k) {
       const PlanePart& plane = space.planes[k];
-      const std::string where =
-          fmt::format("<a href=\"{}\">{}</a> <span class=\"quiet\">{}</span>",
-                      plane_href({index, s, k}, folder), escape_html(plane_title(t, plane)), room);
+      const std::string where = fmt::format("<a href=\"{}\">{}</a> <span class=\"quiet\">{}</span>",
+                                            plane_href({index, s, k}, folder),
+                                            escape_html(plane_name(t, space, plane)), room);
       for (const rules::Finding& finding : plane.findings) {
         is_anything_asked = true;
         rows += finding_rows(t, plane, where, finding);

@@ -1,6 +1,6 @@
 #pragma once
 // What a reader must know before relying on "all met": waivers, deviations from the standard,
-// limits that are weaker than their row, and what of a row is not asked.
+// limits that are weaker than their row, and zones that are left out of it.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"

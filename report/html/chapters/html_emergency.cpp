@@ -3,6 +3,7 @@
 #include "report/html/chapters/html_findings.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 
@@ -27,10 +28,10 @@ std::size_t lit_luminaires(const ProjectPart& project, const SpacePart& space,
 }
 
 // With everything that must be read with the verdict.
-std::string requirement_html(const Texts& t, const PlanePart& plane,
-                             const rules::Finding& finding) {
+std::string requirement_html(const Texts& t, const PlanePart& plane, const rules::Finding& finding,
+                             const Footnotes& footnotes) {
   std::string html = escape_html(quantity_words(t, finding.requirement, plane.kernel)) +
-                     html_finding_notes(t, finding);
+                     html_finding_notes(t, finding, footnotes);
   if (!finding.reason.empty())
     html += "<span class=\"note\">" + sentence_html(t, finding.reason) + "</span>";
   return html;
@@ -39,7 +40,7 @@ std::string requirement_html(const Texts& t, const PlanePart& plane,
 }  // namespace
 
 std::string html_emergency(const Texts& t, const ProjectPart& project, std::size_t index,
-                           const std::string& folder) {
+                           const std::string& folder, const Footnotes& footnotes) {
   std::string rows;
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
@@ -55,13 +56,14 @@ std::string html_emergency(const Texts& t, const ProjectPart& project, std::size
             "<tr><th scope=\"row\"><a href=\"{}\">{}</a><span class=\"note\">{}</span></th><td>{}"
             "</td><td>{}</td><td class=\"num\">{}</td><td "
             "class=\"num\">{}</td><td class=\"num strong\">{}</td><td>{}</td></tr>\n",
-            plane_href({index, s, k}, folder), escape_html(plane_title(t, plane)),
-            escape_html(title_of(space.name, space.id)), requirement_html(t, plane, finding),
+            plane_href({index, s, k}, folder), escape_html(plane_name(t, space, plane)),
+            escape_html(title_of(space.name, space.id)),
+            requirement_html(t, plane, finding, footnotes),
             asked.scene.empty() ? t[Text::full_output] : escape_html(asked.scene),
             lit_luminaires(project, space, asked.scene),
             escape_html(format_required(t, threshold, unit)),
             is_judged ? format_measured(t, finding.measured, unit, threshold) : "",
-            html_verdict(t, finding));
+            html_verdict(t, plane, finding));
       }
     }
   }

@@ -2,6 +2,7 @@
 // Emergency lighting in one table: what holds at the end of what its batteries last.
 
 #include "report/document/document.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/text/texts.h"
 
 #include <cstddef>
@@ -11,6 +12,6 @@ namespace report {
 
 // "" where nothing of the kind is asked. index: of the project. folder: see plane_href().
 std::string html_emergency(const Texts& t, const ProjectPart& project, std::size_t index,
-                           const std::string& folder);
+                           const std::string& folder, const Footnotes& footnotes);
 
 }  // namespace report

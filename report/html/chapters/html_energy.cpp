@@ -69,7 +69,8 @@ std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePa
   const std::optional<PowerByLight> by_light = power_by_light(space);
   std::string note;
   if (by_light) {
-    note += "<span class=\"note\">" + escape_html(power_plane_words(t, *by_light)) + "</span>";
+    note +=
+        "<span class=\"note\">" + escape_html(power_plane_words(t, space, *by_light)) + "</span>";
   }
   std::string words = escape_html(title_of(space.name, space.id));
   if (space.energy) {

@@ -7,6 +7,7 @@
 #include "report/text/decides.h"
 #include "report/text/markup.h"
 #include "report/text/pass_factor.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -65,12 +67,13 @@ std::string gauge(const rules::Finding& finding) {
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
-Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
+Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& finding,
+               const Footnotes& footnotes) {
   const rules::Requirement& requirement = finding.requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::unit_of(requirement);
   Cells cells;
-  cells.notes = html_finding_notes(t, finding);
+  cells.notes = html_finding_notes(t, finding, footnotes);
   cells.requirement = escape_html(quantity_words(t, requirement, plane.kernel)) + cells.notes;
   cells.required = escape_html(format_required(t, threshold, unit));
   if (finding.verdict == rules::Verdict::not_judged) return cells;
@@ -118,24 +121,35 @@ std::string head_cells(const Texts& t, bool is_sortable) {
       t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
 }
 
-std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
-  const Cells cells = cells_of(t, plane, finding);
+// For sorting, the gravest first; advice that is not kept to is none of them.
+int gravity_of(const rules::Finding& finding) {
+  return rules::gravity_rank(is_outside_advice(finding) ? rules::Verdict::pass : finding.verdict);
+}
+
+// Class of a row: the page's filter goes by it.
+std::string_view row_class(const rules::Finding& finding) {
+  return is_outside_advice(finding) ? "advice" : calc::name_of(finding.verdict);
+}
+
+std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding,
+                          const Footnotes& footnotes) {
+  const Cells cells = cells_of(t, plane, finding, footnotes);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   return fmt::format(
       "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
       "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
       "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
-      rules::gravity_rank(finding.verdict), html_verdict(t, finding),
+      gravity_of(finding), html_verdict(t, plane, finding),
       escape_html(quantity_words(t, finding.requirement)), cells.requirement,
       format_shortest(finding.requirement.limit), cells.required,
       is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
       is_judged ? format_shortest(finding.margin) : "", cells.margin, cells.place);
 }
 
-std::string plane_link(const Texts& t, PlaneIndex index, const PlanePart& plane,
-                       const std::string& folder) {
+std::string plane_link(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, const std::string& folder) {
   return fmt::format("<a href=\"{}\">{}</a>", plane_href(index, folder),
-                     escape_html(plane_title(t, plane)));
+                     escape_html(plane_name(t, space, plane)));
 }
 
 // The first cell of a row. Where a plane has several rows the further ones show its name only when
@@ -146,7 +160,8 @@ std::string row_head(const Texts& t, PlaneIndex index, const SpacePart& space,
       "<th scope=\"row\" data-v=\"{}\"><span class=\"{}\">{}</span><span class=\"note "
       "lone\">{}</span></th>",
       escape_html(title_of(plane.name, plane.id)), is_first ? "first" : "again",
-      is_first ? plane_link(t, index, plane, folder) : escape_html(plane_title(t, plane)),
+      is_first ? plane_link(t, index, space, plane, folder)
+               : escape_html(plane_name(t, space, plane)),
       escape_html(title_of(space.name, space.id)));
 }
 
@@ -182,13 +197,14 @@ std::string plain_row(const Texts& t, const std::string& head, const PlanePart& 
 }
 
 std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, const std::string& folder) {
+                       const PlanePart& plane, const std::string& folder,
+                       const Footnotes& footnotes) {
   std::string html;
   for (const rules::Finding& finding : plane.findings) {
     const bool is_first = &finding == &plane.findings.front();
-    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", calc::name_of(finding.verdict),
+    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", row_class(finding),
                         is_first ? "" : " same", row_head(t, index, space, plane, folder, is_first),
-                        finding_cells(t, plane, finding));
+                        finding_cells(t, plane, finding, footnotes));
   }
   return plane.findings.empty()
              ? plain_row(t, row_head(t, index, space, plane, folder, true), plane)
@@ -209,7 +225,7 @@ std::string room_words(const Texts& t, const SpacePart& space) {
 }
 
 std::string room_rows(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
-                      bool is_only, const std::string& folder) {
+                      bool is_only, const std::string& folder, const Footnotes& footnotes) {
   const SpacePart& space = project.spaces[s];
   const std::string building = is_only ? ""
                                        : escape_html(title_of(project.name, project.path)) +
@@ -219,14 +235,14 @@ std::string room_rows(const Texts& t, const ProjectPart& project, std::size_t p,
       "class=\"quiet\">{}</span></th></tr>\n",
       building, escape_html(title_of(space.name, space.id)), room_words(t, space));
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += plane_rows(t, {p, s, k}, space, space.planes[k], folder);
+    html += plane_rows(t, {p, s, k}, space, space.planes[k], folder, footnotes);
   return html + "</tbody>\n";
 }
 
 std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& space,
                            const PlanePart& plane, const rules::Finding& finding,
-                           const std::string& folder) {
-  const Cells cells = cells_of(t, plane, finding);
+                           const std::string& folder, const Footnotes& footnotes) {
+  const Cells cells = cells_of(t, plane, finding, footnotes);
   std::string told = escape_html(quantity_words(t, finding.requirement, plane.kernel)) + " " +
                      cells.required + " " + cells.notes;
   if (!cells.measured.empty()) {
@@ -239,7 +255,7 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
   const std::string remark = remarks(t, finding);
   return fmt::format(
       "<li><div>{}</div><div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
-      html_verdict(t, finding), plane_link(t, index, plane, folder),
+      html_verdict(t, plane, finding), plane_link(t, index, space, plane, folder),
       t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
       remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }
@@ -305,28 +321,37 @@ std::string banner_attributes(rules::Outcome outcome) {
 
 }  // namespace
 
-std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
+std::string html_finding_notes(const Texts& t, const rules::Finding& finding,
+                               const Footnotes& footnotes) {
   const rules::Requirement& requirement = finding.requirement;
+  const std::vector<NoteItem> items = note_items(t, finding);
   std::string notes;
   const auto note = [&notes](const std::string& text) {
-    notes += (notes.empty() ? "" : " · ") + text;
+    if (!text.empty()) notes += (notes.empty() ? "" : " · ") + text;
   };
-  if (!requirement.clause.empty()) note(escape_html(clause_words(t, requirement)));
+  // Behind the clause only where no remark says the same.
+  const bool is_told = std::any_of(items.begin(), items.end(),
+                                   [](const NoteItem& item) { return item.source.has_value(); });
+  note(
+      escape_html(clause_words(t, is_told ? without_source(requirement.clause) : requirement.clause,
+                               rules::source_of(requirement))));
   if (requirement.state != rules::LightState::maintained)
     note(light_state_words(t, requirement.state));
   if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
-  std::string words;
-  for (const NotePart& part : note_parts(t, finding)) {
-    words += words.empty() ? "" : "; ";
-    words += part.message.empty() ? escape_html(part.text) : sentence_html(t, part.message);
-  }
-  if (!words.empty()) note(words);
-  return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
+  note(footnotes.inline_html(items));
+  const std::string marks = footnotes.marks(items);
+  if (notes.empty() && marks.empty()) return {};
+  return "<span class=\"note\">" + notes + (notes.empty() ? "" : " ") + marks + "</span>";
 }
 
-std::string html_verdict(const Texts& t, const rules::Finding& finding) {
-  const std::string html = badge(t, finding.verdict, decides(finding));
-  return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
+std::string html_verdict(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
+  std::string html = badge_of(t, finding.requirement, finding.verdict, decides(finding));
+  const auto note = [&html](const std::string& words) {
+    html += "<span class=\"note\">" + words + "</span>";
+  };
+  if (is_outside_advice(finding)) note(escape_html(advice_range_words(t, plane, finding)));
+  if (finding.is_waived) note(t[Text::waived]);
+  return html;
 }
 
 std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame,
@@ -375,7 +400,7 @@ HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) 
 }
 
 void HtmlAttention::add_findings(const ProjectPart& project, std::size_t index,
-                                 rules::Verdict verdict, Items& items) {
+                                 rules::Verdict verdict, const Footnotes& footnotes, Items& items) {
   constexpr double kFurthest = -std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
@@ -386,18 +411,18 @@ void HtmlAttention::add_findings(const ProjectPart& project, std::size_t index,
           continue;
         const bool is_judged = verdict != rules::Verdict::not_judged;
         items.findings.push_back(
-            kept(attention_item(t_, {index, s, k}, space, plane, finding, folder_),
+            kept(attention_item(t_, {index, s, k}, space, plane, finding, folder_, footnotes),
                  is_judged ? rules::margin_or(finding, kFurthest) : 0.0));
       }
     }
   }
 }
 
-void HtmlAttention::add(const ProjectPart& project, std::size_t index) {
+void HtmlAttention::add(const ProjectPart& project, std::size_t index, const Footnotes& footnotes) {
   for (const rules::Verdict verdict : rules::kGravestFirst) {
     if (verdict == rules::Verdict::pass) continue;
     Items& items = by_verdict_[verdict];
-    add_findings(project, index, verdict, items);
+    add_findings(project, index, verdict, footnotes, items);
     for (const std::string& html : html_aggregate_items(t_, project, index, verdict)) {
       items.aggregates.push_back(kept(html));
     }
@@ -446,7 +471,7 @@ std::string html_summary_start(const Texts& t, const std::string& region, double
 }
 
 std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
-                              bool is_only, const std::string& folder) {
+                              bool is_only, const std::string& folder, const Footnotes& footnotes) {
   std::string rows;
   if (!project.is_judged) {
     rows += fmt::format(
@@ -456,23 +481,24 @@ std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::s
         t[Text::could_not_be_read]);
   }
   for (std::size_t s = 0; s < project.spaces.size(); ++s)
-    rows += room_rows(t, project, index, s, is_only, folder);
+    rows += room_rows(t, project, index, s, is_only, folder, footnotes);
   return rows;
 }
 
 std::string html_summary_end() { return std::string("</table>") + kScrollBoxEnd + "</section>\n"; }
 
-std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
+std::string html_plane_findings(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                                const Footnotes& footnotes) {
   if (plane.findings.empty()) return {};
   std::string rows, notes;
   for (const rules::Finding& finding : plane.findings) {
-    rows += fmt::format("<tr class=\"{}\">{}</tr>\n", calc::name_of(finding.verdict),
-                        finding_cells(t, plane, finding));
+    rows += fmt::format("<tr class=\"{}\">{}</tr>\n", row_class(finding),
+                        finding_cells(t, plane, finding, footnotes));
     const std::string remark = remarks(t, finding);
     if (remark.empty()) continue;
     rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);
   }
-  const std::string label = t.say<Text::requirements_of>(escape_html(plane_title(t, plane)));
+  const std::string label = t.say<Text::requirements_of>(escape_html(plane_name(t, space, plane)));
   return scroll_box(
       label,
       fmt::format(

@@ -3,6 +3,7 @@
 // one plane's table.
 
 #include "report/document/document.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/html/page/html_markup.h"
 #include "report/stream/spill.h"
 
@@ -20,9 +21,11 @@ std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, cons
 
 // What must be read with a finding's quantity: clause, state, scene, remarks; "" if there is
 // nothing.
-std::string html_finding_notes(const Texts& t, const rules::Finding& finding);
-// Its badge; of one that does not count with the words for that.
-std::string html_verdict(const Texts& t, const rules::Finding& finding);
+std::string html_finding_notes(const Texts& t, const rules::Finding& finding,
+                               const Footnotes& footnotes);
+// Its badge; of one that does not count with the words for that, of advice that is not kept to with
+// what is recommended. plane: it is one of its findings.
+std::string html_verdict(const Texts& t, const PlanePart& plane, const rules::Finding& finding);
 
 // Everything that does not pass, gravest first.
 class HtmlAttention {
@@ -32,7 +35,7 @@ class HtmlAttention {
       : t_(t), folder_(std::move(folder)), items_(place) {}
 
   // index: of the project.
-  void add(const ProjectPart& project, std::size_t index);
+  void add(const ProjectPart& project, std::size_t index, const Footnotes& footnotes);
   bool is_empty() const { return items_.is_empty(); }  // all is well
   void copy_to(Sink& sink) const;                      // nothing when it is empty
 
@@ -48,7 +51,7 @@ class HtmlAttention {
 
   Item kept(const std::string& html, double margin = 0.0);
   void add_findings(const ProjectPart& project, std::size_t index, rules::Verdict verdict,
-                    Items& items);
+                    const Footnotes& footnotes, Items& items);
 
   Texts t_;
   std::string folder_;
@@ -60,9 +63,10 @@ class HtmlAttention {
 // after the rows of projects.
 std::string html_summary_start(const Texts& t, const std::string& region, double confidence);
 std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
-                              bool is_only, const std::string& folder);
+                              bool is_only, const std::string& folder, const Footnotes& footnotes);
 std::string html_summary_end();
 // The requirements of one plane; "" when it has none.
-std::string html_plane_findings(const Texts& t, const PlanePart& plane);
+std::string html_plane_findings(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                                const Footnotes& footnotes);
 
 }  // namespace report

@@ -35,7 +35,7 @@ std::string list(const Texts& t, Text title, const Table& table) {
 
 }  // namespace
 
-std::string html_method(const Texts& t, double confidence) {
+std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes) {
   std::string html = fmt::format(
       "<section aria-labelledby=\"method\" class=\"method\"><h2 "
       "id=\"method\">{}</h2>\n",
@@ -44,7 +44,7 @@ std::string html_method(const Texts& t, double confidence) {
     html += fmt::format("<p>{}</p>\n", t[words]);
   html += fmt::format("<p>{}</p>\n", t.say<Text::method_interval>(format_percent(t, confidence)));
   return html + list(t, Text::method_verdicts, kVerdicts) + list(t, Text::method_terms, kTerms) +
-         "</section>\n";
+         footnotes.list() + "</section>\n";
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 // How the values were calculated and what the words mean, for readers who are no lighting
 // engineers.
 
+#include "report/html/page/html_footnotes.h"
 #include "report/text/texts.h"
 
 #include <string>
@@ -9,6 +10,6 @@
 namespace report {
 
 // A section. confidence: of intervals, (0, 1).
-std::string html_method(const Texts& t, double confidence);
+std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes);
 
 }  // namespace report

@@ -9,6 +9,7 @@
 #include "report/text/markup.h"
 #include "report/text/schedule_words.h"
 #include "report/text/svg.h"
+#include "report/text/plane_names.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -135,14 +136,14 @@ std::string balance_row(const Texts& t, const SpacePart& space) {
       format_count(space.triangles), format_count(space.degenerate_triangles));
 }
 
-std::string ray_row(const Texts& t, const PlanePart& plane) {
+std::string ray_row(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   if (!plane.is_computed) return {};
   const calc::SolveCounters& counters = plane.counters;
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
       "class=\"num\">{}</td>"
       "<td class=\"num\">{}</td><td>{}</td></tr>\n",
-      escape_html(plane_title(t, plane)), format_count(counters.paths),
+      escape_html(plane_name(t, space, plane)), format_count(counters.paths),
       format_count(counters.direct_rays), format_count(counters.connection_rays),
       format_count(counters.near_rays), stop_words(t, plane.stop));
 }
@@ -235,7 +236,7 @@ std::string html_calculation(const Texts& t, const Provenance& provenance,
   std::string balance, rays;
   for (const SpacePart& space : project.spaces) {
     balance += balance_row(t, space);
-    for (const PlanePart& plane : space.planes) rays += ray_row(t, plane);
+    for (const PlanePart& plane : space.planes) rays += ray_row(t, space, plane);
   }
   const std::string share = format_percent(t, provenance.confidence);
   return fmt::format("<h3 id=\"calculation{}\">{}</h3>\n", index + 1, t[Text::calculation]) +

@@ -3,6 +3,7 @@
 #include "report/html/drawings/html_plan.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
 

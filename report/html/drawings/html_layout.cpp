@@ -4,6 +4,7 @@
 #include "report/html/drawings/technical_drawing.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/svg.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -401,7 +402,7 @@ std::string key_of(const Texts& t, const SpacePart& space, const std::vector<Pla
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::string names;
     for (const PlanePart* plane : groups[i].planes) {
-      names += (names.empty() ? "" : ", ") + escape_html(plane_title(t, *plane)) +
+      names += (names.empty() ? "" : ", ") + escape_html(plane_name(t, space, *plane)) +
                height_words(t, space, *plane);
     }
     items += fmt::format("<li><b>{}</b> {}</li>\n", letter_of(i), names);

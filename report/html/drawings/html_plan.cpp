@@ -10,6 +10,7 @@
 #include "report/images/png.h"
 #include "report/text/base64.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
 
@@ -92,6 +93,7 @@ class Pieces {
 
 struct Drawing : PlanCells {
   const Texts& t;
+  std::string name;  // of the plane
   ColourScale scale;
   ScaleSharing sharing;
   std::vector<PlanLimit> limits;
@@ -408,10 +410,9 @@ std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
   return drawing.t.say<Text::heat_map_of>(
-      escape_html(plane_title(drawing.t, plane)), plane.points.size(),
-      plane_words(drawing.t, plane), cell_text(drawing, plane.minimum.value),
-      cell_text(drawing, plane.maximum.value), unit_words(plane),
-      format_position(drawing.t, lowest.position_m));
+      escape_html(drawing.name), plane.points.size(), plane_words(drawing.t, plane),
+      cell_text(drawing, plane.minimum.value), cell_text(drawing, plane.maximum.value),
+      unit_words(plane), format_position(drawing.t, lowest.position_m));
 }
 
 // Lengths in the drawing's pixels for the style sheet of paper.
@@ -564,6 +565,7 @@ Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& pl
   const std::vector<PlanLimit> limits = plan_limits(t, plane);
   Drawing drawing{plan_cells(space, plane, {640, 460}),
                   t,
+                  plane_name(t, space, plane),
                   scale.scale,
                   scale.among,
                   limits,

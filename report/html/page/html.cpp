@@ -16,6 +16,7 @@
 #include "report/html/chapters/html_roads.h"
 #include "report/html/chapters/html_storeys.h"
 #include "report/html/drawings/html_layout.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/html_pages.h"
 #include "report/html/page/html_script.h"
@@ -112,7 +113,8 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 }
 
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
-                       const ColourScales& scales, bool folds_passed, Paper paper) {
+                       const ColourScales& scales, bool folds_passed, Paper paper,
+                       const Footnotes& footnotes) {
   const SpacePart& space = project.spaces[s];
   const std::vector<std::string> groups = level_groups(space);
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
@@ -120,7 +122,8 @@ std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p
   html += html_room(t, space) + html_room_data(t, project, space) + html_layout(t, project, space) +
           notes_html(t, space) + html_levels(t, project, groups);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups, paper);
+    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups, paper,
+                       footnotes);
   return html + "</section>\n";
 }
 
@@ -188,6 +191,7 @@ class HtmlWriter : public FormatWriter {
   std::string folder_;
   const PageNumbers* numbers_;
   RegionNames regions_;
+  Footnotes footnotes_;
   std::size_t project_ = 0;               // the next one
   std::size_t sheets_ = 0;                // data sheets so far
   std::map<std::string, int> titles_;     // how many projects have each
@@ -215,6 +219,7 @@ HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, cons
       style_(style),
       folder_(std::move(folder)),
       numbers_(numbers),
+      footnotes_(t),
       paths_(place),
       room_rules_(place),
       attention_(t, folder_, place),
@@ -229,11 +234,12 @@ HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, cons
 }
 
 void HtmlWriter::add(const ProjectPart& project) {
+  footnotes_.add(planes_of(project));
   std::vector<Chapter> chapters = chapters_of(project);
   if (style_.sheets) add_data_sheets(project, chapters);
   add_to_masthead(project, chapters);
-  attention_.add(project, project_);
-  summary_rows_.write(html_summary_rows(t_, project, project_, is_only(), folder_));
+  attention_.add(project, project_, footnotes_);
+  summary_rows_.write(html_summary_rows(t_, project, project_, is_only(), folder_, footnotes_));
   add_project(project, chapters);
   ++project_;
 }
@@ -296,7 +302,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
   for (const RoomRun& run : runs) {
     if (run.first > 0 || !is_first_run_open) html += run_start(run);
     for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
-      html += space_html(t_, project, project_, s, scales, folds_passed, style_.paper);
+      html += space_html(t_, project, project_, s, scales, folds_passed, style_.paper, footnotes_);
     if (!run.is_all) html += "</div>\n";
   }
   if (!folder_.empty() && !project.spaces.empty()) {
@@ -360,7 +366,7 @@ std::vector<HtmlWriter::Chapter> HtmlWriter::chapters_of(const ProjectPart& proj
       {html_uses(t_, project, project_), "uses", Text::uses},
       {html_aggregates(t_, project, project_), "", {}},
       {html_advice(t_, project, project_), "advice", Text::advice_title},
-      {html_emergency(t_, project, project_, folder_), "emergency", Text::emergency},
+      {html_emergency(t_, project, project_, folder_, footnotes_), "emergency", Text::emergency},
       {html_roads(t_, project, project_), "roads", Text::roads},
       {html_luminaires(t_, project, project_), "luminaires", Text::luminaires},
       {html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan},
@@ -430,7 +436,7 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   sink.write(html_summary_end());
   (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
   RegionNames regions = regions_;
-  sink.write(html_method(t_, end.provenance.confidence) +
+  sink.write(html_method(t_, end.provenance.confidence, footnotes_) +
              regions.with_unique_regions(html_provenance(t_, end.provenance)) +
              page_end(t_, end.provenance));
 }
@@ -483,17 +489,22 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   }
   body += html_levels(t, project, groups);
   std::vector<AnnexPlane> annex;
+  std::vector<RoomPlane> planes;
+  for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k)
+    planes.push_back({&space, &space.planes[k]});
+  Footnotes footnotes(t);
+  footnotes.add(planes);
   const ColourScales scales(project, style.scale, style.palette);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true,
-                       groups, style.paper);
+                       groups, style.paper, footnotes);
     annex.push_back({&space, &space.planes[k]});
   }
   RegionNames regions;
   const PageWords words{head_words(t, project.about), std::string(title_of(space.name, space.id)),
                         foot_words(t, project)};
   return page_start(t, title, page_rules(t, style.paper, words)) + body_start(t) + head +
-         kMainStart + regions.with_unique_regions(body + "</section>\n") +
+         kMainStart + regions.with_unique_regions(body + footnotes.list() + "</section>\n") +
          html_annex(t, annex, style.annex, "annex") + page_end(t, provenance);
 }
 

@@ -22,6 +22,15 @@ std::string badge(const Texts& t, rules::Verdict verdict, bool counts) {
       verdict_words(t, verdict));
 }
 
+std::string badge_of(const Texts& t, const rules::Requirement& requirement, rules::Verdict verdict,
+                     bool counts) {
+  if (!is_outside_advice(requirement, verdict)) return badge(t, verdict, counts);
+  return fmt::format(
+      "<span class=\"badge free advice\"><span class=\"sign\" "
+      "aria-hidden=\"true\">{}</span>{}</span>",
+      outcome_symbol(rules::Outcome::nothing_asked), t[Text::advice_outside]);
+}
+
 std::string plane_anchor(PlaneIndex index) {
   return fmt::format("p{}s{}k{}", index.project + 1, index.space + 1, index.plane + 1);
 }

@@ -18,6 +18,10 @@ std::string with_minus(std::string text);
 // counts: false of advice and of what is waived, which must not look as if it decided.
 std::string badge(const Texts& t, rules::Verdict verdict, bool counts = true);
 
+// That of a requirement; of advice that is not kept to it is grey, with words of its own.
+std::string badge_of(const Texts& t, const rules::Requirement& requirement, rules::Verdict verdict,
+                     bool counts = true);
+
 // Link target of a plane: by position, since ids may hold anything.
 struct PlaneIndex {
   std::size_t project = 0, space = 0, plane = 0;

@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
 
@@ -48,10 +49,11 @@ std::optional<std::size_t> decided_at(const PlanePart& plane, std::size_t findin
   return look;
 }
 
-Curve curve_of(const Texts& t, const PlanePart& plane, std::optional<std::size_t> finding) {
+Curve curve_of(const Texts& t, const SpacePart& space, const PlanePart& plane,
+               std::optional<std::size_t> finding) {
   Curve curve;
   curve.words =
-      plane_title(t, plane) + ", " +
+      plane_in_room(t, space, plane) + ", " +
       (finding ? quantity_words(t, plane.findings[*finding].requirement) : t[Text::average]);
   if (finding) {
     curve.verdict = plane.looks.back().findings[*finding].verdict;
@@ -87,8 +89,8 @@ std::vector<Curve> curves_of(const Texts& t, const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
       if (!is_whole(plane)) continue;
-      for (std::size_t i = 0; i < plane.findings.size(); ++i) add(curve_of(t, plane, i));
-      if (plane.findings.empty()) add(curve_of(t, plane, std::nullopt));
+      for (std::size_t i = 0; i < plane.findings.size(); ++i) add(curve_of(t, space, plane, i));
+      if (plane.findings.empty()) add(curve_of(t, space, plane, std::nullopt));
     }
   }
   return curves;
@@ -188,7 +190,7 @@ std::string html_convergence(const Texts& t, const ProjectPart& project) {
       axes(t, frame), lines, t[Text::converge_caption], left_out);
 }
 
-std::string html_looks(const Texts& t, const PlanePart& plane) {
+std::string html_looks(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   if (!is_whole(plane)) return {};
   std::string head;
   for (const Text name : {Text::look, Text::light_paths, Text::rays, Text::points})
@@ -208,7 +210,7 @@ std::string html_looks(const Texts& t, const PlanePart& plane) {
       const rules::Requirement& requirement = plane.findings[f].requirement;
       const bool is_judged = finding.verdict != rules::Verdict::not_judged;
       rows += fmt::format(
-          "<td>{} {}</td>", badge(t, finding.verdict),
+          "<td>{} {}</td>", badge_of(t, requirement, finding.verdict),
           is_judged ? format_measured(t, finding.measured, rules::unit_of(requirement),
                                       Threshold{requirement.limit, requirement.comparison})
                     : "");
@@ -217,7 +219,7 @@ std::string html_looks(const Texts& t, const PlanePart& plane) {
       rows += "<td>" + format_measured(t, look.average, plane_unit(plane)) + "</td>";
     rows += "</tr>\n";
   }
-  const std::string name = escape_html(plane_title(t, plane));
+  const std::string name = escape_html(plane_name(t, space, plane));
   const std::string title = t.say<Text::looks_at>(name);
   const std::size_t looks = plane.looks.size();
   return fmt::format(

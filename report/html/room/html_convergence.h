@@ -13,6 +13,6 @@ namespace report {
 std::string html_convergence(const Texts& t, const ProjectPart& project);
 
 // One plane's looks as a folded table; "" where nothing was sampled.
-std::string html_looks(const Texts& t, const PlanePart& plane);
+std::string html_looks(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
 }  // namespace report

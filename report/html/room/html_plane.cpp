@@ -12,10 +12,12 @@
 #include "report/text/decides.h"
 #include "report/text/markup.h"
 #include "report/text/pass_factor.h"
+#include "report/text/plane_names.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -192,22 +194,58 @@ std::string calculated_fact(std::string_view name, std::string_view value) {
   return row.insert(std::string_view("<tr").size(), " class=\"calculated\"");
 }
 
-std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+// What of it no footnote tells, and the numbers of those that do.
+std::string noted(const std::string& html, const std::vector<NoteItem>& items,
+                  const Footnotes& footnotes) {
+  const std::string marks = footnotes.marks(items);
+  return html.empty() || marks.empty() ? html + marks : html + " " + marks;
+}
+
+std::string rule_words(const Texts& t, const calc::Message& rule, const Footnotes& footnotes) {
+  const std::vector<NoteItem> sources = source_items(t, rule);
+  const bool is_told = !sources.empty() &&
+                       std::all_of(sources.begin(), sources.end(),
+                                   [&](const NoteItem& source) { return footnotes.has(source); });
+  return is_told ? noted(sentence_html(t, without_source(rule)), sources, footnotes)
+                 : sentence_html(t, rule);
+}
+
+// "90: without a strip along the outline of 0.5 m", of each mask that requirements of it have.
+std::string counting_points(const Texts& t, const PlanePart& plane) {
+  std::vector<std::string> masks;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& of = finding.requirement;
+    if (of.mask.id.empty() || finding.points_used == 0) continue;
+    std::string words = fmt::format("{}", finding.points_used) + t[Text::colon] +
+                        (of.mask_words.empty() ? escape_html(mask_name(t, of.mask.id))
+                                               : sentence_html(t, of.mask_words));
+    if (std::find(masks.begin(), masks.end(), words) == masks.end())
+      masks.push_back(std::move(words));
+  }
+  return fmt::format("{}", fmt::join(masks, "; "));
+}
+
+std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                       const Footnotes& footnotes) {
   const calc::SensorGrid& grid = plane.grid;
   std::string rows = fact(t[Text::quantity], quantity_fact(t, plane));
   if (!plane.made_by.empty()) rows += fact(t[Text::made_by], sentence_html(t, plane.made_by));
   if (!plane.changed.empty())
     rows += fact(t[Text::changed], escape_html(sentence(t, plane.changed)));
-  rows += fact(t[Text::rule], escape_html(sentence(t, grid.rule)));
+  rows += fact(t[Text::rule], rule_words(t, grid.rule, footnotes));
   if (grid.columns > 0) {
     rows += fact(t[Text::cells], fmt::format("{} × {}", grid.columns, grid.rows));
     rows += fact(t[Text::spacing], fmt::format("{} × {} m", format_metres(t, grid.spacing_u_m),
                                                format_metres(t, grid.spacing_v_m)));
     rows += grid.route ? route_facts(t, *grid.route) : place_facts(t, space, grid);
   }
-  for (const calc::Message& remark : plane.remarks)
-    rows += calculated_fact(t[Text::method], sentence_html(t, remark));
+  for (const calc::Message& remark : plane.remarks) {
+    const std::vector<NoteItem> items = note_items(t, remark);
+    rows += calculated_fact(t[Text::method], noted(footnotes.inline_html(items), items, footnotes));
+  }
   rows += fact(t[Text::points], fmt::format("{}", plane.points.size()));
+  if (const std::string counting = counting_points(t, plane); !counting.empty())
+    rows += fact(t[Text::points_counting], counting);
   rows += fact(t[Text::left_out], dropped_words(t, grid));
   rows += calculated_fact(t[Text::sampling], stop_words(t, plane.stop));
   if (const std::string looks = looks_words(t, plane); !looks.empty())
@@ -238,7 +276,8 @@ std::string badges(const Texts& t, const PlanePart& plane) {
   const auto add = [&](rules::Verdict verdict, bool decides_something) {
     const auto count = std::count_if(
         plane.findings.begin(), plane.findings.end(), [&](const rules::Finding& finding) {
-          return finding.verdict == verdict && decides(finding) == decides_something;
+          return finding.verdict == verdict && decides(finding) == decides_something &&
+                 !is_outside_advice(finding);
         });
     if (count == 0) return;
     html += badge(t, verdict, decides_something) +
@@ -248,6 +287,11 @@ std::string badges(const Texts& t, const PlanePart& plane) {
     add(verdict, true);
     add(verdict, false);
   }
+  const auto outside =
+      std::find_if(plane.findings.begin(), plane.findings.end(),
+                   [](const rules::Finding& finding) { return is_outside_advice(finding); });
+  if (outside != plane.findings.end())
+    html += badge_of(t, outside->requirement, outside->verdict, false) + " ";
   if (!plane.is_computed) return html;
   const auto brief = [&](const calc::Estimate& estimate, const char* unit, rules::Metric metric) {
     return format_measured(t, estimate, unit, statistic_thresholds(plane, metric));
@@ -270,11 +314,12 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& own_plane, const ColourScales& scales, bool folds_passed,
-                       const std::vector<std::string>& groups, Paper paper) {
+                       const std::vector<std::string>& groups, Paper paper,
+                       const Footnotes& footnotes) {
   const ShownPlane shown(own_plane);
   const PlanePart& plane = *shown;
   const std::string anchor = plane_anchor(index);
-  const std::string title = escape_html(plane_title(t, plane));
+  const std::string title = escape_html(plane_name(t, space, plane));
   std::string html = fmt::format(
       "<article class=\"plane\" aria-labelledby=\"{0}-title\"><details class=\"card\"{3}>\n"
       "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> <span "
@@ -287,18 +332,18 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   if (!plane.is_computed) {
     html += "<p class=\"message\">" +
             t.say<Text::not_computed_because>(sentence_html(t, plane.reason)) + "</p>\n";
-    return html + html_plane_findings(t, plane) + "</div></details></article>\n";
+    return html + html_plane_findings(t, space, plane, footnotes) + "</div></details></article>\n";
   }
-  html += html_plane_findings(t, plane);
+  html += html_plane_findings(t, space, plane, footnotes);
   if (const std::string words = other_light_words(t, plane); !words.empty())
     html += "<div class=\"calculated\"><p class=\"message\">" + escape_html(words) + "</p></div>\n";
   html += "<div class=\"split\">\n";
   if (has_cells(plane) && has_all_values(plane))
     html += html_plan(t, space, plane, scales.of(space, plane), anchor, place_beside_tables(paper));
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
-          groups_table(t, own_plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
-  return html + html_contributions(t, own_plane) + html_looks(t, plane) + html_values(t, plane) +
-         "</div></details></article>\n";
+          groups_table(t, own_plane) + grid_table(t, space, plane, footnotes) + "</div>\n</div>\n";
+  return html + html_contributions(t, own_plane) + html_looks(t, space, plane) +
+         html_values(t, space, plane) + "</div></details></article>\n";
 }
 
 }  // namespace report

@@ -3,6 +3,7 @@
 
 #include "report/document/document.h"
 #include "report/html/drawings/shared_scale.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/print_pages.h"
 
@@ -16,7 +17,8 @@ namespace report {
 // requirements are met or waived. groups: level_groups() of the room.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, const ColourScales& scales, bool folds_passed,
-                       const std::vector<std::string>& groups, Paper paper);
+                       const std::vector<std::string>& groups, Paper paper,
+                       const Footnotes& footnotes);
 
 // A report of so few planes has room for them all.
 inline constexpr std::size_t kFewPlanes = 3;

@@ -122,7 +122,7 @@ std::string power_facts(const Texts& t, const ProjectPart& project, const SpaceP
   if (const std::optional<PowerByLight> by_light = power_by_light(space)) {
     html += fact(t[Text::power_by_light],
                  t.say<Text::of_plane>(format_measured(t, by_light->w_m2, "W/m²"),
-                                       escape_html(power_plane_words(t, *by_light))));
+                                       escape_html(power_plane_words(t, space, *by_light))));
   }
   return html;
 }

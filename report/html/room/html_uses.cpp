@@ -4,6 +4,7 @@
 #include "report/html/page/html_markup.h"
 #include "report/text/clause_words.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_overview.h"
 #include "report/text/words.h"
 
@@ -33,7 +34,7 @@ Nearest nearest_of(const Texts& t, const ProjectPart& project, const RowUse& use
         if (finding.requirement.id != use.requirement) continue;
         return {escape_html(margin_words(t, finding)),
                 escape_html(std::string(title_of(space.name, space.id)) + " / " +
-                            plane_title(t, plane)) +
+                            plane_in_room(t, space, plane)) +
                     "<span class=\"note\">" + escape_html(quantity_words(t, finding.requirement)) +
                     "</span>"};
       }

@@ -5,6 +5,7 @@
 #include "report/html/page/html_markup.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -117,9 +118,9 @@ bool is_small_on_paper(const PlanePart& plane) {
 std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePart& own_plane) {
   const ShownPlane shown(own_plane);
   const PlanePart& plane = *shown;
-  std::string html =
-      fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
-                  escape_html(plane_title(t, plane)), escape_html(title_of(space.name, space.id)));
+  std::string html = fmt::format("<h3>{} <span class=\"quiet\">{}</span></h3>\n",
+                                 escape_html(plane_name(t, space, plane)),
+                                 escape_html(title_of(space.name, space.id)));
   if (const std::string words = other_light_words(t, plane); !words.empty())
     html += "<p class=\"message\">" + escape_html(words) + "</p>\n";
   const int columns = plane.grid.columns;
@@ -133,7 +134,7 @@ std::string annex_of_plane(const Texts& t, const SpacePart& space, const PlanePa
 
 }  // namespace
 
-std::string html_values(const Texts& t, const PlanePart& plane) {
+std::string html_values(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   if (plane.points.size() > kMostValues) {
     return "<p class=\"elsewhere\">" + t.say<Text::values_in_csv>(plane.points.size()) + "</p>\n";
   }
@@ -141,7 +142,7 @@ std::string html_values(const Texts& t, const PlanePart& plane) {
   return fmt::format(
       "<details class=\"{}\"{}><summary>{}</summary>\n{}</details>\n", is_list ? "list" : "grid",
       is_list ? " open=\"open\"" : "", t.say<Text::values_at_points>(plane.points.size()),
-      scroll_box(t.say<Text::values_of>(escape_html(plane_title(t, plane))),
+      scroll_box(t.say<Text::values_of>(escape_html(plane_name(t, space, plane))),
                  is_list ? value_list(t, plane) : value_matrix(t, plane, 0, plane.grid.columns)));
 }
 

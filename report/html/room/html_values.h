@@ -12,7 +12,7 @@
 namespace report {
 
 // To be unfolded on the screen; a list of points is printed, too.
-std::string html_values(const Texts& t, const PlanePart& plane);
+std::string html_values(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
 struct AnnexPlane {
   const SpacePart* space = nullptr;

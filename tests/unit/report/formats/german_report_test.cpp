@@ -286,7 +286,7 @@ TEST(GermanReport, MarkdownIsGerman) {
             "");
   EXPECT_THAT(text, HasSubstr("### luxgate: – nicht bewertet\n\n"));
   EXPECT_THAT(text,
-              HasSubstr("| Urteil | Ort | Größe | gefordert | berechnet | Reserve |\n| --- "));
+              HasSubstr("| Bewertung | Ort | Größe | gefordert | berechnet | Reserve |\n| --- "));
   EXPECT_THAT(text, HasSubstr("nichts wird bewertet: "));
   EXPECT_THAT(text, HasSubstr("nicht erfüllt, ausgenommen"));
 }
@@ -296,11 +296,11 @@ TEST(GermanReport, TheTerminalsTableIsGerman) {
   EXPECT_EQ(
       text,
       "office.xml: Small office\n"
-      "  Urteil           Raum / Fläche        Größe       gefordert       berechnet  Reserve  "
+      "  Bewertung        Raum / Fläche        Größe       gefordert   berechnet  Reserve  "
       "Ort (m)\n"
-      "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512,5 ± 4,0 lx   +2,5 %\n"
+      "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512 ± 4 lx   +2,5 %\n"
       "                   └ EN 12464-1:2021 34.2 (vom Projekt selbst)\n"
-      "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424,5 ± 4,2 lx   -5,7 %  "
+      "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424 ± 4 lx   -5,7 %  "
       "(2,75; 1,00; 0,80)\n\n"
       "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
 }

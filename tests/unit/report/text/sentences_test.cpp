@@ -1,6 +1,7 @@
 #include "report/text/sentences.h"
 
 #include "calc/base/sentences.h"
+#include "rules/pack/rule_pack.h"
 
 #include <gtest/gtest.h>
 
@@ -138,7 +139,7 @@ TEST(Sentences, HoldOtherMessages) {
                             calc::names_message({"a", "b", "c"}, 2), "EN 1 34.2",
                             say<Sentence::not_made>(Message::words("lamp") + " (" +
                                                     say<Sentence::not_on_planes>("Ra") + ")"))),
-      "Arbeitsplätze a, b und 1 weitere, EN 1 34.2: nicht erzeugt: lamp (Ra wird nicht auf "
+      "Arbeitsplätze a, b und 1 weitere, EN 1 34.2: nicht erzeugt: Lampe (Ra wird nicht auf "
       "Flächen gemessen)");
 }
 
@@ -156,6 +157,38 @@ TEST(Sentences, LeaveWhatPeopleHaveWritten) {
   EXPECT_EQ(sentence(kGerman, say<Sentence::clause_in_scene>("Theatre, scene dock:1 4", "night")),
             "Theatre, scene dock:1 4, Lichtszene night");
   EXPECT_EQ(sentence(kGerman, {}), "");
+}
+
+TEST(Sentences, NameRolesInTheLanguageOfTheReader) {
+  const Message made =
+      say<Sentence::made_by>("desk", "EN 1 34.2", "wall.2", say<Sentence::zone_ceiling>());
+  EXPECT_EQ(sentence(kGerman, made), "Arbeitsplatz desk, EN 1 34.2, Wand 2: die Decke");
+  // A workplace that is called like a role stays.
+  EXPECT_EQ(sentence(kGerman, say<Sentence::made_by>("wall.2", "EN 1 34.2", "ta",
+                                                     say<Sentence::zone_ceiling>())),
+            "Arbeitsplatz wall.2, EN 1 34.2, ta: die Decke");
+}
+
+// What checks of our own packs remark stands in reports for clients.
+TEST(Sentences, HaveTheRemarksOfAllChecks) {
+  std::size_t notes = 0;
+  const auto expect_known = [&](const std::string& note) {
+    if (note.empty()) return;
+    ++notes;
+    for (const Texts& t : {kGerman, kFrench}) {
+      const auto words = pack_note_words(t, note);
+      ASSERT_TRUE(words.has_value()) << note;
+      EXPECT_NE(*words, note);
+    }
+  };
+  for (const rules::RulePack& pack : rules::builtin_rule_packs()) {
+    for (const rules::RuleCheck& check : pack.checks) expect_known(check.note);
+    for (const rules::RuleAggregate& aggregate : pack.aggregates) expect_known(aggregate.note);
+  }
+  EXPECT_GT(notes, 20U);
+  EXPECT_EQ(sentence(kGerman, Message::words("in plan")), "im Grundriss");
+  EXPECT_EQ(sentence_html(kGerman, Message::words("in plan")), "im Grundriss");
+  EXPECT_FALSE(pack_note_words(kGerman, "in plan view").has_value());
 }
 
 TEST(Sentences, AreMarkedInHtmlWhereTheyAreNotOfTheTable) {

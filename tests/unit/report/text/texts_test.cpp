@@ -1,5 +1,6 @@
 #include "report/text/texts.h"
 
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 
 #include <gmock/gmock.h>
@@ -121,8 +122,10 @@ std::set<std::string_view> loanwords(Language language) {
                   "converge_points_head",
                   "converge_phase_direct",
                   "converge_scene_words",
-                  "role_vertical",
-                  "role_luminaire"});
+                  "role_luminaire",
+                  "footnotes",
+                  "aspect_orientation",
+                  "aspect_points"});
   }
   return words;
 }
@@ -137,6 +140,14 @@ TEST(Texts, NoTextIsEnglishUnlessItIsALoanword) {
           << row.tag << " " << entry.id << ": " << entry.text;
     }
   }
+}
+
+// An assessment by a program is no judgement of a court.
+TEST(Texts, GermanHasNoUrteil) {
+  for (const TextEntry& entry : texts_of(Language::german))
+    EXPECT_EQ(std::string(entry.text).find("Urteil"), std::string::npos) << entry.id;
+  for (const SentenceEntry& entry : sentences_of(Language::german))
+    EXPECT_EQ(entry.text.find("Urteil"), std::string_view::npos) << entry.id;
 }
 
 TEST(Texts, EveryEntryIsUsed) {

@@ -74,7 +74,7 @@ TEST(HtmlDeviations, ListWaiversWhateverTheirEffect) {
   findings[1].requirement.waiver = kOldHall;
   findings[1].is_waived = true;
   EXPECT_THAT(rows_of_table(deviations(document)),
-              ElementsAre("waived | Work plane Office | minimum ≥ 450 lx, found 424.5 ± 4.2 lx: "
+              ElementsAre("waived | Work plane Office | minimum ≥ 450 lx, found 424 ± 4 lx: "
                           "fail | old <hall> | A. Meier, until 2099-12-31"));
   findings[1].is_waived = false;  // its day is over
   EXPECT_THAT(deviations(document), HasSubstr("waiver without effect"));
@@ -86,11 +86,44 @@ TEST(HtmlDeviations, ListWaiversWhateverTheirEffect) {
 TEST(HtmlFindings, WaivedOnesSayItBesideTheirVerdict) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
-  EXPECT_THAT(html_plane_findings({}, plane), Not(HasSubstr("waived")));
+  const SpacePart& space = document.projects[0].spaces[0];
+  const Footnotes none{Texts()};
+  EXPECT_THAT(html_plane_findings({}, space, plane, none), Not(HasSubstr("waived")));
   plane.findings[1].requirement.waiver = kOldHall;
   plane.findings[1].is_waived = true;
-  EXPECT_THAT(html_plane_findings({}, plane), HasSubstr(badge({}, rules::Verdict::fail, false) +
-                                                        "<span class=\"note\">waived</span>"));
+  EXPECT_THAT(
+      html_plane_findings({}, space, plane, none),
+      HasSubstr(badge({}, rules::Verdict::fail, false) + "<span class=\"note\">waived</span>"));
+}
+
+// Advice decides nothing, and so it never fails: grey, with what is recommended.
+TEST(HtmlFindings, AdviceThatIsNotKeptToIsNoFailure) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  rules::Finding low = plane.findings[1], high = low;
+  low.verdict = rules::Verdict::fail;
+  low.requirement.severity = rules::Severity::advice;
+  low.requirement.metric = rules::Metric::minimum;
+  low.requirement.derived = calc::DerivedQuantity::modelling;
+  low.requirement.limit = 0.3;
+  low.measured = calc::Estimate{0.21, 0.2, 0.22};
+  high = low;
+  high.verdict = rules::Verdict::pass;
+  high.requirement.metric = rules::Metric::maximum;
+  high.requirement.comparison = rules::Comparison::at_most;
+  high.requirement.limit = 0.6;
+  plane.findings = {low, high};
+  const SpacePart& space = document.projects[0].spaces[0];
+  const Footnotes none{Texts()};
+  std::string html = html_plane_findings({}, space, plane, none);
+  EXPECT_THAT(html, Not(HasSubstr("badge fail")));
+  EXPECT_THAT(html, Not(HasSubstr("<tr class=\"fail\">")));
+  EXPECT_THAT(html, HasSubstr("○</span>outside the recommended range</span><span "
+                              "class=\"note\">recommended: 0.30 to 0.60</span>"));
+  plane.findings[0].requirement.severity = rules::Severity::shall;
+  html = html_plane_findings({}, space, plane, none);
+  EXPECT_THAT(html, HasSubstr("badge fail"));
+  EXPECT_THAT(html, Not(HasSubstr("recommended")));
 }
 
 TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
@@ -106,7 +139,7 @@ TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
   row.clause = calc::Message::words("EN 12464-1:2021 34.2");
   using enum rules::RoleState;
   row.roles = {{"task", met, {}},
-               {"surround", never_asked, {}},
+               {"surround", never_asked, {}},  // the room says these two
                {"wall", asked_in_part, calc::Message::words("without wall.2")},
                {"ceiling", left_out, {}, {}, {{"ceiling", kOldHall, false}}},
                {"floor", left_out_ended, {}, {}, {{"floor", kOldHall, true}}}};
@@ -116,8 +149,7 @@ TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
     kinds.push_back(words.substr(0, words.find(" |")));
   EXPECT_THAT(kinds, ElementsAre("stated deviation", "deviation that is not accepted",
                                  "limit weaker than its row", "met by its tolerance alone",
-                                 "not asked", "asked in part", "left out of its row",
-                                 "left out, but the last day is over"));
+                                 "left out of its row", "left out, but the last day is over"));
 }
 
 TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
@@ -268,7 +300,7 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
 TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   Document document = small_document();
   ProjectPart& project = document.projects[0];
-  EXPECT_EQ(html_emergency({}, project, 0, ""), "");
+  EXPECT_EQ(html_emergency({}, project, 0, "", Footnotes{Texts()}), "");
   SpacePart& space = project.spaces[0];
   LuminaireMark day{{0, 0, 2}, "panel"}, night = day;
   day.group = "general";
@@ -279,9 +311,9 @@ TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   asked.state = rules::LightState::end_of_duration;
   asked.scene = "battery";
   space.planes[0].findings[1].reason = calc::Message::words("");
-  EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "")),
+  EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "", Footnotes{Texts()})),
               ElementsAre("Work plane Office | minimum end-of-duration · scene battery | battery | "
-                          "2 | ≥ 450 lx | 424.5 ± 4.2 lx "
+                          "2 | ≥ 450 lx | 424 ± 4 lx "
                           "| ✗ fail"));
 }
 
@@ -294,7 +326,7 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
   finding.requirement.direct_only = true;
   finding.verdict = rules::Verdict::not_judged;
   finding.reason = calc::Message::words("the scene does not say what 1 luminaire does");
-  const std::string html = html_emergency({}, document.projects[0], 0, "");
+  const std::string html = html_emergency({}, document.projects[0], 0, "", Footnotes{Texts()});
   for (const char* words :
        {"EN 1838 risk (project&#39;s own) · end-of-duration · ", "national readings differ",
         "direct light only", "the scene does not say what 1 luminaire does", "not judged"}) {
@@ -303,7 +335,7 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
 }
 
 TEST(HtmlMethod, NamesTheConfidence) {
-  EXPECT_THAT(html_method({}, 0.99), HasSubstr("with a confidence of 99 %"));
+  EXPECT_THAT(html_method({}, 0.99, Footnotes{Texts()}), HasSubstr("with a confidence of 99 %"));
 }
 
 std::string annex_of(const Document& document, Annex annex) {
@@ -374,7 +406,8 @@ TEST(HtmlFindings, EndReasonsWithOneFullStop) {
     finding.reason = calc::Message::words(reason);
     plane.findings.push_back(finding);
   }
-  const std::string html = html_plane_findings(Texts(Language::german, true), plane);
+  const Texts german(Language::german, true);
+  const std::string html = html_plane_findings(german, SpacePart{}, plane, Footnotes{german});
   EXPECT_THAT(html, HasSubstr("<span lang=\"en\">Own words.</span><"));
   EXPECT_THAT(html, HasSubstr("<span lang=\"en\">Own words</span>.<"));
   EXPECT_THAT(html, HasSubstr("<span lang=\"en\">&lt;b&gt;</span>.<"));

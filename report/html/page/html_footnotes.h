@@ -1,0 +1,77 @@
+#pragma once
+// What several values have to be read with is told once, at the end of the page; a small number
+// stands beside each of them.
+
+#include "calc/base/message.h"
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// A plane with its room; both outlive it.
+struct RoomPlane {
+  const SpacePart* space = nullptr;
+  const PlanePart* plane = nullptr;
+};
+std::vector<RoomPlane> planes_of(const ProjectPart& project);
+
+// One thing that must be read with a value. html: finished, of a sentence part.
+struct NoteItem {
+  std::string html;
+  // How well a number of a standard is founded: one_source or unverified.
+  std::optional<calc::Sentence> source = {};
+};
+// Those of a finding: what note_parts() has, one by one, a mask without the number of its points.
+std::vector<NoteItem> note_items(const Texts& t, const rules::Finding& finding);
+// A message one by one, as "; " separates it.
+std::vector<NoteItem> note_items(const Texts& t, const calc::Message& message);
+
+// Names without the words about their source, which a footnote tells: "EN 12464-1:2021" of "EN
+// 12464-1:2021 [one public source]".
+calc::Message without_source(const calc::Message& message);
+// These words, as items.
+std::vector<NoteItem> source_items(const Texts& t, const calc::Message& message);
+
+class Footnotes {
+ public:
+  explicit Footnotes(const Texts& t) : t_(t) {}
+
+  // What two or more findings, or planes, of these have to be read with gets a number, if it has
+  // none yet. To be called before any of them is rendered.
+  void add(const std::vector<RoomPlane>& planes);
+
+  // Those that have no number, with "; " between them.
+  std::string inline_html(const std::vector<NoteItem>& items) const;
+  // The numbers of all others, as links to the list; "" = none.
+  std::string marks(const std::vector<NoteItem>& items) const;
+  bool has(const NoteItem& item) const { return numbers_.contains(item.html); }
+
+  // A heading and the list; "" = nothing has a number.
+  std::string list() const;
+
+ private:
+  struct Note {
+    NoteItem item;
+    std::vector<std::string> places;  // rooms; of a source the rows of the standard; escaped
+  };
+  struct Use {
+    std::size_t times = 0;
+    Note note;
+  };
+  using Uses = std::map<std::string, Use>;
+
+  void use(const NoteItem& item, const std::string& place, Uses& uses,
+           std::vector<std::string>& order) const;
+
+  Texts t_;
+  std::map<std::string, std::size_t> numbers_;  // index in notes_, by HTML
+  std::vector<Note> notes_;
+};
+
+}  // namespace report
