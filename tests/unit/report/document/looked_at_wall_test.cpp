@@ -29,8 +29,11 @@ PlanePart observers(const std::vector<glm::dvec2>& places, const glm::dvec3& loo
 TEST(LookedAtWall, IsTheFirstOneAhead) {
   const SpacePart space = l_shaped();
   EXPECT_EQ(looked_at_wall(space, observers({{1, 1}}, {1, 0, 0})), 3U);
-  EXPECT_EQ(looked_at_wall(space, observers({{1, 4}}, {1, 0, 0})), 5U);  // not the one behind it
+  EXPECT_EQ(looked_at_wall(space, observers({{1, 4}}, {1, 0, 0})), 5U);
   EXPECT_EQ(looked_at_wall(space, observers({{1, 1}}, {-1, 0, 0})), 7U);
+  SpacePart u_shaped;  // behind the wall ahead there are two more
+  u_shaped.footprint_m = {{0, 0}, {9, 0}, {9, 5}, {6, 5}, {6, 2}, {3, 2}, {3, 5}, {0, 5}};
+  EXPECT_EQ(looked_at_wall(u_shaped, observers({{8, 4}}, {-1, 0, 0})), 4U);
 }
 
 TEST(LookedAtWall, IsTheOneOfMostPoints) {
