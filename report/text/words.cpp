@@ -446,18 +446,15 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   const rules::Requirement& requirement = finding.requirement;
   if (!requirement.note.empty()) parts.push_back({requirement.note, ""});
   const auto add = [&parts](std::string text) { parts.push_back({{}, std::move(text)}); };
-  const auto add_method = [&parts](std::string text) {
-    parts.push_back({{}, std::move(text), false, true});
-  };
-  if (requirement.severity == rules::Severity::advice) add_method(t[Text::note_advice]);
-  if (requirement.severity == rules::Severity::in_aggregate) add_method(t[Text::note_in_aggregate]);
-  if (requirement.direct_only) add_method(t[Text::note_direct_only]);
+  if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
+  if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
+  if (requirement.direct_only) add(t[Text::note_direct_only]);
   if (!requirement.mask.id.empty()) {
     const std::string name = mask_name(t, requirement.mask.id);
     const std::size_t points = finding.points_used;
-    add_method(points == 0   ? t.say<Text::note_mask>(name)
-               : points == 1 ? t.say<Text::note_mask_point>(name, points)
-                             : t.say<Text::note_mask_points>(name, points));
+    add(points == 0   ? t.say<Text::note_mask>(name)
+        : points == 1 ? t.say<Text::note_mask_point>(name, points)
+                      : t.say<Text::note_mask_points>(name, points));
     parts.back().is_mask = true;
   }
   if (!requirement.policy.is_default()) add(policy_words(t, requirement.policy));

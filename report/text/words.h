@@ -81,9 +81,8 @@ std::string mask_name(const Texts& t, std::string_view id);
 // if there is nothing to say.
 struct NotePart {
   calc::Message message;
-  std::string text;        // without a message, in the reader's language
-  bool is_mask = false;    // which points count, and how many
-  bool is_method = false;  // how it is judged, which weakens nothing
+  std::string text;      // without a message, in the reader's language
+  bool is_mask = false;  // which points count, and how many
 };
 // ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
 // nothing.

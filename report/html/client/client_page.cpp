@@ -12,8 +12,11 @@
 #include "report/html/chapters/html_method.h"
 #include "report/html/chapters/html_project.h"
 #include "report/html/chapters/html_revision.h"
+#include "report/html/chapters/html_roads.h"
+#include "report/html/chapters/html_storeys.h"
 #include "report/html/client/client_room.h"
 #include "report/html/client/client_style.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/html_tool_page.h"
 #include "report/html/page/page_parts.h"
@@ -74,7 +77,7 @@ class ClientWriter : public FormatWriter {
  public:
   ClientWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
                const PageStyle& style, const PageNumbers* numbers)
-      : frame_(frame), t_(t), style_(style), numbers_(numbers), body_(place) {}
+      : frame_(frame), t_(t), style_(style), numbers_(numbers), footnotes_(t), body_(place) {}
 
   void add(const ProjectPart& project) override;
   void finish(const DocumentEnd& end, Sink& sink) override;
@@ -92,6 +95,7 @@ class ClientWriter : public FormatWriter {
   PageStyle style_;
   const PageNumbers* numbers_;
   RegionNames regions_;
+  Footnotes footnotes_;
   std::size_t project_ = 0;  // the next one
   std::size_t sheets_ = 0;   // data sheets so far
   std::string only_title_, about_, on_cover_, head_, foot_, warnings_;
@@ -137,6 +141,12 @@ void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomS
 std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project) {
   const std::vector<RoomSummary> rooms = room_summaries(project);
   std::vector<ClientChapter> chapters{overview(project, rooms)};
+  if (const std::string plans = html_storeys(t_, project, project_, style_.paper); !plans.empty()) {
+    const std::string address = fmt::format("storeys{}", project_ + 1);
+    const std::string title = storeys_title(t_, project);
+    chapters.push_back(
+        {fmt::format("<h2 id=\"{}\">{}</h2>\n", address, title) + plans, address, title});
+  }
   add_rooms(project, rooms, chapters);
   const auto add = [&](std::string html, const char* address, Text title) {
     chapters.push_back({std::move(html),
@@ -144,7 +154,8 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
                         t_[title]});
   };
   add(html_aggregates(t_, project, project_), "", {});
-  add(html_emergency(t_, project, project_, ""), "emergency", Text::emergency);
+  add(html_roads(t_, project, project_), "roads", Text::roads);
+  add(html_emergency(t_, project, project_, "", footnotes_), "emergency", Text::emergency);
   add(html_luminaires(t_, project, project_), "luminaires", Text::luminaires);
   add(html_energy(t_, project, project_), "energy", Text::energy);
   add(html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan);
@@ -158,6 +169,7 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
 }
 
 void ClientWriter::add(const ProjectPart& project) {
+  footnotes_.add(planes_of(project));
   if (is_only()) {
     only_title_ = escape_html(title_of(project.name, project.path));
     about_ = html_about(t_, project.about);
@@ -193,7 +205,7 @@ void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
              (has_cover() ? "</div>\n" : "") + html_contents(t_, entries, numbers_) +
              "</header>\n<main id=\"main\">\n" + revision);
   body_.copy_to(sink);
-  sink.write(html_method(t_, end.provenance.confidence) + "<section>\n" +
+  sink.write(html_method(t_, end.provenance.confidence, footnotes_) + "<section>\n" +
              paragraph(provenance_remarks(end.provenance, t_)) + warnings_ +
              paragraph(t_[Text::client_more]) + "</section>\n");
   sink.write(

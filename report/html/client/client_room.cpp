@@ -8,6 +8,7 @@
 #include "report/html/room/html_room_data.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -65,8 +66,19 @@ std::string line_title(const Texts& t, const SpacePart& space, const RoomLine& l
   return some_names(t, names);
 }
 
+// What the values of a line have to be read with: of requirements, of how they were come by, and
+// of how well the row's numbers are founded.
+std::vector<NoteItem> items_of(const Texts& t, const RoomCause::Part& part) {
+  std::vector<NoteItem> items = note_items(t, *part.finding);
+  for (const calc::Message& remark : part.plane->remarks) {
+    const std::vector<NoteItem> own = note_items(t, remark);
+    items.insert(items.end(), own.begin(), own.end());
+  }
+  return items;
+}
+
 std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& line,
-                      const std::string& main_clause) {
+                      const std::string& main_clause, const Footnotes& footnotes) {
   const RoomCause::Part& worst = line.worst();
   const rules::Finding& finding = *worst.finding;
   const rules::Requirement& requirement = finding.requirement;
@@ -79,7 +91,13 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
     measured +=
         "<span class=\"note\">" + escape_html(plane_in_room(t, space, *worst.plane)) + "</span>";
   }
-  const std::string clause = sentence(t, requirement.clause);
+  std::vector<NoteItem> items;
+  for (const RoomCause::Part& part : line.parts) {
+    const std::vector<NoteItem> own = items_of(t, part);
+    items.insert(items.end(), own.begin(), own.end());
+  }
+  const std::string marks = footnotes.marks(items);
+  const std::string clause = sentence(t, without_source(requirement.clause));
   const std::string note = requirement.clause.empty() || clause == main_clause
                                ? ""
                                : "<span class=\"note\">" + escape_html(clause) + "</span>";
@@ -88,8 +106,9 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
       "class=\"num strong\">{}</td><td>{}</td></tr>\n",
       calc::name_of(finding.verdict), escape_html(line_title(t, space, line)),
       escape_html(quantity_words(t, requirement, worst.plane->kernel)),
-      escape_html(scene_words(t, requirement)), note,
-      escape_html(format_required(t, threshold, unit)), measured, html_verdict(t, finding));
+      escape_html(scene_words(t, requirement)), marks + note,
+      escape_html(format_required(t, threshold, unit)), measured,
+      html_verdict(t, *worst.plane, finding));
 }
 
 // The row that most of the room's requirements are of; "" = none is of any.
@@ -97,7 +116,8 @@ std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
   std::map<std::string, std::size_t> count;
   for (const RoomLine& line : lines) {
     const rules::Requirement& requirement = line.parts.front().finding->requirement;
-    if (!requirement.clause.empty()) count[sentence(t, requirement.clause)] += line.parts.size();
+    if (!requirement.clause.empty())
+      count[sentence(t, without_source(requirement.clause))] += line.parts.size();
   }
   const auto most = std::max_element(
       count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -105,10 +125,11 @@ std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
 }
 
 std::string requirements_table(const Texts& t, const SpacePart& space,
-                               const std::vector<RoomLine>& lines, const std::string& clause) {
+                               const std::vector<RoomLine>& lines, const std::string& clause,
+                               const Footnotes& footnotes) {
   if (lines.empty()) return {};
   std::string rows;
-  for (const RoomLine& line : lines) rows += line_html(t, space, line, clause);
+  for (const RoomLine& line : lines) rows += line_html(t, space, line, clause, footnotes);
   const std::string label =
       t.say<Text::requirements_of>(escape_html(title_of(space.name, space.id)));
   return scroll_box(
@@ -163,7 +184,7 @@ std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
     const ShownPlane shown(*chart.plane);
     const PlanPlace place = place_of(*chart.plane, charts.size(), paper);
     html += fmt::format("<div class=\"chart\"><h3>{}</h3>\n",
-                        escape_html(plane_in_room(t, space, *chart.plane))) +
+                        escape_html(plane_name(t, space, *chart.plane))) +
             html_plan(t, space, *shown, scales.of(space, *shown),
                       plane_anchor({room.project, room.space, chart.index}) + "-chart", place) +
             "</div>\n";
@@ -182,7 +203,7 @@ std::string anchors(const SpacePart& space, PlaneIndex room) {
   return html;
 }
 
-RoomNotes notes_of(const Texts& t, const SpacePart& space) {
+RoomNotes notes_of(const Texts& t, const SpacePart& space, const Footnotes& footnotes) {
   RoomNotes notes;
   for (const rules::RowCoverage& row : space.coverage) {
     if (!row.is_whole()) notes.add({}, escape_html(coverage_words(t, row)));
@@ -196,11 +217,8 @@ RoomNotes notes_of(const Texts& t, const SpacePart& space) {
       notes.add(name, escape_html(close_words(t, finding)));
       if (finding.verdict != rules::Verdict::not_judged)
         notes.add(name, sentence_html(t, finding.reason));
-      for (const NotePart& part : note_parts(t, finding)) {
-        if (part.is_method) continue;
-        notes.add(name,
-                  part.message.empty() ? escape_html(part.text) : sentence_html(t, part.message));
-      }
+      for (const NoteItem& item : items_of(t, {&plane, &finding}))
+        if (!footnotes.has(item)) notes.add(name, item.html);
     }
     if (plane.findings.empty() && plane.is_computed && is_plain_illuminance(plane)) {
       notes.add(name,
@@ -239,7 +257,8 @@ std::string client_causes(const Texts& t, const RoomSummary& room) {
 }
 
 std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
-                        const RoomSummary* summary, const ColourScales& scales, Paper paper) {
+                        const RoomSummary* summary, const ColourScales& scales, Paper paper,
+                        const Footnotes& footnotes) {
   const SpacePart& space = project.spaces[room.space];
   const std::vector<RoomLine> lines = room_lines(space);
   const std::string clause = main_clause(t, lines);
@@ -256,7 +275,8 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
   html += "<div class=\"charts\">\n" + charts_html(t, space, room, scales, paper) +
           html_room(t, space) + "</div>\n";
   if (summary != nullptr) html += client_causes(t, *summary);
-  html += requirements_table(t, space, lines, clause) + notes_of(t, space).html(t);
+  html += requirements_table(t, space, lines, clause, footnotes) +
+          notes_of(t, space, footnotes).html(t);
   return html + "</section>\n";
 }
 

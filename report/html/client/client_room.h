@@ -4,6 +4,7 @@
 
 #include "report/document/room_summary.h"
 #include "report/html/drawings/shared_scale.h"
+#include "report/html/page/html_footnotes.h"
 #include "report/html/page/html_markup.h"
 #include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
@@ -14,7 +15,8 @@ namespace report {
 
 // room: the place of its first plane. summary: null where nothing is asked of it.
 std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
-                        const RoomSummary* summary, const ColourScales& scales, Paper paper);
+                        const RoomSummary* summary, const ColourScales& scales, Paper paper,
+                        const Footnotes& footnotes);
 
 // Causes of a room that does not pass, a list item each; "" where there are none.
 std::string client_causes(const Texts& t, const RoomSummary& room);

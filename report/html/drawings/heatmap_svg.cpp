@@ -52,7 +52,8 @@ constexpr double kEdge = 12, kTitle = 30, kWords = 14, kScaleWidth = 480;
 }  // namespace
 
 std::string plane_picture_title(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  std::string title = std::string(title_of(space.name, space.id)) + " – " + plane_title(t, plane);
+  std::string title =
+      std::string(title_of(space.name, space.id)) + " – " + plane_name(t, space, plane);
   if (plane.asked_light && plane.asked_light->is_shown) {
     title += ", " + asked_light_words(t, *plane.asked_light);
   }
