@@ -7,6 +7,7 @@ luxgate_test(report_tests
     unit/report/formats/luminaires_csv_test.cpp
     unit/report/formats/ci_formats_test.cpp
     unit/report/formats/console_test.cpp
+    unit/report/formats/terminal_rooms_test.cpp
     unit/report/formats/csv_test.cpp
     unit/report/formats/dxf_test.cpp
     unit/report/document/document_test.cpp
@@ -38,6 +39,7 @@ luxgate_test(report_tests
     unit/report/html/drawings/isolux_test.cpp
     unit/report/html/drawings/label_places_test.cpp
     unit/report/result_file/json_test.cpp
+    unit/report/text/folded_warnings_test.cpp
     unit/report/text/ifc_guid_test.cpp
     unit/report/text/number_format_test.cpp
     unit/report/text/pass_factor_test.cpp

@@ -34,6 +34,7 @@ luxgate_test(rules_tests
     unit/rules/pack/pack_diff_test.cpp
     unit/rules/pack/pack_elements_test.cpp
     unit/rules/pack/rule_corpus_test.cpp
+    unit/rules/pack/row_names_test.cpp
     unit/rules/pack/row_values_test.cpp
     unit/rules/pack/rule_pack_test.cpp
     unit/rules/measure/share_test.cpp

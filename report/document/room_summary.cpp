@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -61,13 +63,51 @@ void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSumm
   room.met += finding.verdict == rules::Verdict::pass ? 1 : 0;
   const rules::Requirement& requirement = finding.requirement;
   if (is_glare(plane, requirement)) room.glare = worse(room.glare, finding);
+  const bool is_average = requirement.metric == rules::Metric::average;
+  if (is_average && plane.kernel == calc::ReceiverKernel::cylindrical) {
+    room.cylindrical = worse(room.cylindrical, finding);
+  }
   const bool is_plain =
       plane.kernel == calc::ReceiverKernel::planar && plane.derived == calc::DerivedQuantity::none;
   if (!is_plain || !requirement.origin.is_of_own_role) return;
-  if (requirement.metric == rules::Metric::average) room.average = worse(room.average, finding);
+  if (is_average) room.average = worse(room.average, finding);
+  if (requirement.metric == rules::Metric::minimum) room.minimum = worse(room.minimum, finding);
   if (requirement.metric == rules::Metric::uniformity_min_avg) {
     room.uniformity = worse(room.uniformity, finding);
   }
+}
+
+void add_row(const rules::RuleOrigin& origin, std::vector<AskedRow>& rows) {
+  if (origin.pack.empty() || origin.row.empty()) return;
+  AskedRow row{origin.pack, origin.row, origin.is_user_supplied};
+  if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(std::move(row));
+}
+
+// Several workplaces may share a wall.
+WallCounts walls_of(const SpacePart& space) {
+  std::map<std::string, rules::Outcome> walls;  // by plane
+  for (const rules::RowCoverage& row : space.coverage) {
+    for (const rules::RoleCoverage& role : row.roles) {
+      if (role.role != "wall") continue;
+      for (const rules::RequirementName& name : role.of) {
+        walls.emplace(name.plane_id, rules::Outcome::nothing_asked);
+      }
+    }
+  }
+  for (const PlanePart& plane : space.planes) {
+    const auto wall = walls.find(plane.id);
+    if (wall == walls.end()) continue;
+    for (const rules::Finding& finding : plane.findings) {
+      wall->second = graver(wall->second, outcome_of(finding));
+    }
+  }
+  WallCounts counts;
+  for (const auto& [id, outcome] : walls) {
+    counts.asked += outcome == rules::Outcome::nothing_asked ? 0 : 1;
+    counts.met += outcome == rules::Outcome::pass ? 1 : 0;
+    counts.not_judged += outcome == rules::Outcome::not_judged ? 1 : 0;
+  }
+  return counts;
 }
 
 }  // namespace
@@ -90,10 +130,15 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
     RoomSummary room;
     room.space = &space;
     for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) add_finding(plane, finding, room);
+      for (const rules::Finding& finding : plane.findings) {
+        add_finding(plane, finding, room);
+        add_row(finding.requirement.origin, room.rows);
+      }
     }
+    room.walls = walls_of(space);
     for (const rules::AggregateFinding& finding : project.aggregates) {
       if (finding.space_id != space.id) continue;
+      if (finding.kind == rules::AggregateKind::row_class) room.classes.push_back(&finding);
       const rules::Outcome outcome = outcome_of(finding);
       room.outcome = graver(room.outcome, outcome);
       const bool is_cause = finding.verdict != rules::Verdict::pass;

@@ -25,7 +25,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   const Threshold threshold{requirement.limit, requirement.comparison};
   std::string text = quantity_words(requirement, plane.kernel);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  if (is_judged) text += " " + format_measured(finding.measured, unit, threshold);
+  if (is_judged) text += " " + measured_words({}, finding);
   text += ", required " + format_required(threshold, unit);
   if (requirement.state != rules::LightState::maintained) {
     text += fmt::format(" ({})", calc::name_of(requirement.state));

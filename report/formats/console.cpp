@@ -1,6 +1,7 @@
 #include "report/formats/console.h"
 
-#include "report/document/room_summary.h"
+#include "report/formats/console_lines.h"
+#include "report/formats/console_rooms.h"
 #include "report/formats/folded_passes.h"
 #include "report/revision/revision_tables.h"
 #include "report/stream/text_list.h"
@@ -9,10 +10,11 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/decides.h"
-#include "report/text/notices.h"
+#include "report/text/folded_warnings.h"
 #include "report/text/plain_text.h"
 #include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
+#include "report/text/room_notes.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -43,7 +45,6 @@ enum Column : std::size_t {
   kColumns
 };
 
-constexpr std::size_t kGap = 2;
 constexpr std::size_t kNarrowestName = 12;
 
 // A table row, or (cells empty) a note below one.
@@ -53,28 +54,6 @@ struct TableLine {
   std::string_view colour = "";
   bool is_heading = false;
 };
-
-constexpr const char* kBold = "\033[1m";
-constexpr const char* kDim = "\033[2m";
-constexpr const char* kReset = "\033[0m";
-
-const char* outcome_colour(rules::Outcome outcome) {
-  switch (outcome) {
-    case rules::Outcome::not_judged:
-    case rules::Outcome::warned:
-      break;
-    case rules::Outcome::fail:
-      return "\033[1;31m";
-    case rules::Outcome::undecided:
-      return "\033[1;33m";
-    case rules::Outcome::pass:
-    case rules::Outcome::waived:
-      return "\033[32m";
-    case rules::Outcome::nothing_asked:
-      return kDim;
-  }
-  return "\033[1;35m";
-}
 
 const char* verdict_colour(rules::Verdict verdict) {
   return outcome_colour(rules::outcome_of(verdict));
@@ -104,7 +83,7 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
   line.cells[kRequired] = format_required(t, threshold, unit);
   if (finding.verdict != rules::Verdict::not_judged) {
-    line.cells[kMeasured] = format_measured(t, finding.measured, unit, threshold);
+    line.cells[kMeasured] = measured_words(t, finding);
     line.cells[kMargin] = margin_words(t, finding);
     if (finding.place_m) line.cells[kWhere] = format_position(t, *finding.place_m);
   }
@@ -130,8 +109,8 @@ void add_remarks(const Texts& t, const PlanePart& plane, std::vector<TableLine>&
 
 std::string statistics_text(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return t.say<Text::brief_extremes>(format_measured(t, plane.minimum, plane_unit(plane)),
-                                       format_measured(t, plane.maximum, plane_unit(plane)));
+    return t.say<Text::brief_extremes>(value_words(t, plane, plane.minimum),
+                                       value_words(t, plane, plane.maximum));
   }
   return t.say<Text::brief_statistics>(format_measured(t, plane.average, plane_unit(plane)),
                                        format_measured(t, plane.minimum, plane_unit(plane)),
@@ -194,7 +173,7 @@ std::string folded_words(const Texts& t, const FoldedPasses& folded) {
   return printable(t.say<Text::folded_passes>(
       roles, place_and_role(t, plane, folded.of_several).second,
       quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement),
-      format_measured(t, nearest.measured, unit, threshold), format_required(t, threshold, unit)));
+      measured_words(t, nearest), format_required(t, threshold, unit)));
 }
 
 // What must be read with any of them, each text once. Masks are the standard's own and no doubt,
@@ -298,12 +277,6 @@ constexpr bool is_number_column(std::size_t column) {
   return column == kRequired || column == kMeasured || column == kMargin;
 }
 
-std::string padded(const std::string& text, std::size_t width, bool to_the_right) {
-  const std::size_t used = display_width(text);
-  const std::string blanks(used < width ? width - used : 0, ' ');
-  return to_the_right ? blanks + text : text + blanks;
-}
-
 using Widths = std::array<std::size_t, kColumns>;
 
 TableLine heading(const Texts& t) {
@@ -328,11 +301,17 @@ void widen(const Texts& t, const std::vector<TableLine>& lines, Widths& widths) 
   }
 }
 
+// With their indentation; 0: nobody has anything.
+std::size_t total_of(const Widths& widths) {
+  std::size_t total = 0;
+  for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
+  return total;
+}
+
 // The name column gives way to a narrow terminal.
 Widths fitted(Widths widths, int terminal_width) {
-  std::size_t total = 2;  // indentation
-  for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
-  const auto available = static_cast<std::size_t>(std::max(terminal_width, 0)) + kGap;
+  const std::size_t total = total_of(widths);
+  const auto available = static_cast<std::size_t>(std::max(terminal_width, 0));
   if (terminal_width <= 0 || total <= available) return widths;
   const std::size_t excess = total - available;
   const std::size_t narrowest = std::min(kNarrowestName, widths[kPlace]);
@@ -340,44 +319,22 @@ Widths fitted(Widths widths, int terminal_width) {
   return widths;
 }
 
-void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
-
-// A text behind a mark of two columns, over as many lines as a terminal of that width needs; 0: one
-// line.
-std::string note_lines(const std::string& note, std::size_t indent, int terminal_width,
-                       const char* mark = "└ ") {
-  constexpr std::size_t kNarrowest = 30;  // fewer columns hold no sentence
-  const auto width = static_cast<std::size_t>(std::max(terminal_width, 0));
-  const std::string start = std::string(indent, ' ') + mark;
-  if (width < indent + 2 + kNarrowest) return start + note + "\n";
-  std::string text = start;
-  std::size_t used = indent + 2;
-  bool is_first = true;
-  for (std::size_t from = 0; from <= note.size();) {
-    const std::size_t end = std::min(note.find(' ', from), note.size());
-    const std::string word = note.substr(from, end - from);
-    const std::size_t columns = display_width(word);
-    if (!is_first && used + 1 + columns > width) {
-      text += "\n" + std::string(indent + 2, ' ');
-      used = indent + 2;
-      is_first = true;
-    }
-    text += (is_first ? "" : " ") + word;
-    used += (is_first ? 0 : 1) + columns;
-    is_first = false;
-    from = end + 1;
-  }
-  return text + "\n";
-}
-
+// Where not even the shortest names fit, lines stand one below the other.
 std::string render_line(const TableLine& line, const Widths& widths, const TextOptions& options) {
   std::string text = "  ";
   if (!line.note.empty()) {
     return note_lines(line.note, text.size() + widths[kVerdict] + kGap, options.width);
   }
+  if (options.width > 0 && total_of(widths) > static_cast<std::size_t>(options.width)) {
+    if (line.is_heading) return {};
+    const bool is_coloured = options.colour && !line.colour.empty();
+    return stacked_cells({line.cells.begin(), line.cells.end()},
+                         is_coloured ? std::string(line.colour) : "", options.width);
+  }
   for (std::size_t c = 0; c < kColumns; ++c) {
     if (widths[c] == 0) continue;
-    const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
+    const std::string shown =
+        c == kPlace ? shorten_middle(line.cells[c], widths[c]) : line.cells[c];
     // What does not decide stands back, all of it.
     const bool is_whole = line.colour == kDim;
     const bool is_coloured = options.colour && !line.colour.empty() && (c == kVerdict || is_whole);
@@ -390,27 +347,8 @@ std::string render_line(const TableLine& line, const Widths& widths, const TextO
   return text + "\n";
 }
 
-// Rows of workplaces of which the same is to be said, as one: "a, b and 6 more".
-std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowCoverage> rows) {
-  std::map<std::string, std::vector<std::string>> workplaces;  // by what is said
-  const auto said = [&](rules::RowCoverage row) {
-    if (!row.workplace.empty()) row.workplace = "?";
-    return coverage_words(t, row);
-  };
-  for (const rules::RowCoverage& row : rows) workplaces[said(row)].push_back(row.workplace);
-  std::vector<rules::RowCoverage> result;
-  for (rules::RowCoverage& row : rows) {
-    const auto names = workplaces.find(said(row));
-    if (names == workplaces.end()) continue;
-    row.workplace = some_names(t, names->second);
-    workplaces.erase(names);
-    result.push_back(std::move(row));
-  }
-  return result;
-}
-
 // of_rooms: what the overview and the reasons below it leave to say: planes of which nothing is
-// asked, and what is judged of all rooms together.
+// asked, and what is judged of several rooms together.
 std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project, bool lists_passes,
                                      bool of_rooms) {
   std::vector<TableLine> lines;
@@ -428,44 +366,61 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
       lines.emplace_back().note = coverage_words(t, row);
     }
   }
-  for (const rules::AggregateFinding& finding : project.aggregates)
-    add_aggregate(t, project, finding, lines);
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    if (!of_rooms || finding.space_id.empty()) add_aggregate(t, project, finding, lines);
+  }
   number_repeated_notes(lines);
   if (!lines.empty()) lines.insert(lines.begin(), heading(t));
   return lines;
 }
 
-std::string project_title(const ProjectPart& project, bool colour) {
-  std::string title = printable_path(project.path);
-  if (!project.name.empty()) title += ": " + printable(project.name);
-  return colour ? kBold + title + kReset + "\n" : title + "\n";
+// text: of lines, each with its end.
+std::string painted(const std::string& text, const char* colour, bool is_coloured) {
+  return is_coloured ? colour + text.substr(0, text.size() - 1) + kReset + "\n" : text;
 }
 
-std::string messages(const ProjectPart& project) {
+std::string project_title(const ProjectPart& project, const TextOptions& options) {
+  std::string title = printable_path(project.path);
+  if (!project.name.empty()) title += ": " + printable(project.name);
+  return painted(wrapped_lines("", title, 2, options.width), kBold, options.colour);
+}
+
+std::string messages(const ProjectPart& project, const TextOptions& options, bool folds) {
+  std::vector<std::string> lines;
+  if (folds) {
+    lines = folded_warnings(project, options.width);
+  } else {
+    for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+      lines.push_back(calc::format_diagnostic(diagnostic));
+    }
+  }
   std::string text;
-  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-    text += "  " + printable(calc::format_diagnostic(diagnostic)) + "\n";
+  for (const std::string& line : lines) {
+    text += wrapped_lines("  ", printable(line), 4, options.width);
   }
   return text;
 }
 
 // "" = nobody has asked, or everything is met.
-std::string advice_text(const Texts& t, const ProjectPart& project) {
+std::string advice_text(const Texts& t, const ProjectPart& project, int width_of_terminal) {
   if (!has_advice(project)) return {};
-  std::string text = std::string("  ") + t[Text::advice_title] + "\n";
-  if (project.advice->empty()) text += std::string("  ") + t[Text::advice_nothing] + "\n";
+  const auto line = [&](std::size_t indent, const std::string& words) {
+    return wrapped_lines(std::string(indent, ' '), words, indent + 2, width_of_terminal);
+  };
+  std::string text = line(2, t[Text::advice_title]);
+  if (project.advice->empty()) text += line(2, t[Text::advice_nothing]);
   for (const LevelAdvice& advice : *project.advice) {
-    text += "  " + advice_scene(t, advice) + t[Text::colon] + advice_outcome(t, advice) + "\n";
+    text += line(2, advice_scene(t, advice) + t[Text::colon] + advice_outcome(t, advice));
     const std::vector<AdviceRow> rows = advice_rows(t, advice);
     std::size_t width = 0;
     for (const AdviceRow& row : rows) width = std::max(width, display_width(row.group));
     for (const AdviceRow& row : rows) {
-      text +=
-          fmt::format("    {}  {} → {}\n", padded(row.group, width, false), row.now, row.advised);
+      text += line(
+          4, fmt::format("{}  {} → {}", padded(row.group, width, false), row.now, row.advised));
     }
     for (const AdviceList& list : advice_lists(t, project, advice)) {
-      text += "    " + list.title + "\n";
-      for (const std::string& item : list.items) text += "      " + item + "\n";
+      text += line(4, list.title);
+      for (const std::string& item : list.items) text += line(6, item);
     }
   }
   return text;
@@ -481,7 +436,8 @@ const char* row_colour(const std::string& symbol) {
   return "";
 }
 
-std::string render_table(const Texts& t, const RevisionTable& table, bool colour) {
+std::string render_table(const Texts& t, const RevisionTable& table, bool colour,
+                         int terminal_width) {
   std::vector<std::size_t> widths(table.head.size(), 0);
   const auto widen = [&widths](const std::vector<std::string>& cells) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -490,8 +446,16 @@ std::string render_table(const Texts& t, const RevisionTable& table, bool colour
   };
   widen(table.head);
   for (const std::vector<std::string>& row : table.rows) widen(row);
+  std::size_t total = 0;
+  for (const std::size_t width : widths) total += width + kGap;
+  const bool is_too_wide = terminal_width > 0 && total > static_cast<std::size_t>(terminal_width);
   const auto line = [&](const std::vector<std::string>& cells, const char* start) {
     std::string text = "  ";
+    if (is_too_wide) {
+      std::vector<std::string> shown;
+      for (const std::string& cell : cells) shown.push_back(printable(cell));
+      return stacked_cells(shown, colour ? start : "", terminal_width);
+    }
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const bool is_coloured = colour && *start != '\0' && (c == 0 || start == kDim);
       const std::string cell = padded(printable(cells[c]), widths[c], false);
@@ -501,286 +465,12 @@ std::string render_table(const Texts& t, const RevisionTable& table, bool colour
     trim_end(text);
     return text + "\n";
   };
-  std::string text = (colour ? kBold + table.title + kReset : table.title) + "\n";
-  text += line(table.head, kDim);
+  std::string text = painted(wrapped_lines("", table.title, 2, terminal_width), kBold, colour);
+  if (!is_too_wide) text += line(table.head, kDim);
   for (const std::vector<std::string>& row : table.rows) text += line(row, row_colour(row[0]));
-  if (table.left_out > 0) text += "  " + t.say<Text::more_left_out>(table.left_out) + "\n";
+  if (table.left_out > 0)
+    text += wrapped_lines("  ", t.say<Text::more_left_out>(table.left_out), 2, terminal_width);
   return text + "\n";
-}
-
-// Names of rooms by what they came to, for the end of the report.
-class RoomsToName {
- public:
-  // path: of the project, where there are several; else "".
-  void add(const ProjectPart& project, const std::string& path) {
-    const auto add_name = [&](rules::Outcome outcome, std::string_view name) {
-      ++rooms_;
-      const auto list = lists_.find(outcome);
-      if (list == lists_.end()) return;
-      const std::string room = printable(name);
-      ++list->second.count;
-      if (list->second.names.size() < kMostNamed) {
-        list->second.names.push_back(path.empty()   ? room
-                                     : room.empty() ? path
-                                                    : fmt::format("{}: {}", path, room));
-      }
-    };
-    if (!project.is_judged) add_name(rules::Outcome::not_judged, path.empty() ? project.path : "");
-    for (const RoomSummary& room : room_summaries(project)) {
-      add_name(room.outcome, title_of(room.space->name, room.space->id));
-    }
-  }
-
-  // A line for each list; nothing where a single room is all there is.
-  std::string text(const Texts& t, int terminal_width) const {
-    if (rooms_ < 2) return {};
-    std::string text;
-    for (const auto& [outcome, list] : lists_) {
-      if (list.count == 0) continue;
-      std::string names = fmt::format("{}", fmt::join(list.names, ", "));
-      if (list.count > list.names.size()) {
-        names = t.say<Text::names_and_more>(names, list.count - list.names.size());
-      }
-      const std::string line = outcome == rules::Outcome::fail ? t.say<Text::rooms_fail>(names)
-                               : outcome == rules::Outcome::undecided
-                                   ? t.say<Text::rooms_undecided>(names)
-                                   : t.say<Text::rooms_not_judged>(names);
-      text += note_lines(line, 0, terminal_width, "");
-    }
-    return text;
-  }
-
- private:
-  static constexpr std::size_t kMostNamed = 12;
-  struct List {
-    std::vector<std::string> names;  // the first ones
-    std::size_t count = 0;
-  };
-  std::size_t rooms_ = 0;
-  std::map<rules::Outcome, List> lists_{{rules::Outcome::not_judged, {}},
-                                        {rules::Outcome::fail, {}},
-                                        {rules::Outcome::undecided, {}}};
-};
-
-std::vector<std::size_t> column_widths(const RoomOverview& table) {
-  std::vector<std::size_t> widths;
-  for (const std::string& head : table.head) widths.push_back(display_width(head));
-  for (const RoomOverview::Row& row : table.rows) {
-    for (std::size_t c = 0; c < widths.size(); ++c) {
-      widths[c] = std::max(widths[c], display_width(printable(row.cells[c])));
-    }
-  }
-  return widths;
-}
-
-// "" = of a single room. On a narrow terminal names of rooms give way first, then power, and then
-// how many requirements are met; values stay.
-std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
-  constexpr std::size_t kRoom = 1;
-  RoomOverview table = room_overview(t, project);
-  if (table.rows.empty()) return {};
-  std::vector<std::size_t> widths;
-  const auto excess = [&] {
-    std::size_t total = 0;
-    for (const std::size_t width : widths) total += width + kGap;
-    const auto available = static_cast<std::size_t>(std::max(options.width, 0));
-    return options.width > 0 && total > available ? total - available : 0;
-  };
-  const auto fit = [&] {
-    widths = column_widths(table);
-    const std::size_t narrowest = std::min(kNarrowestName, widths[kRoom]);
-    const std::size_t too_much = std::min(excess(), widths[kRoom] - narrowest);
-    widths[kRoom] -= too_much;
-    return excess() == 0;
-  };
-  for (const auto column : {RoomOverview::Column::power, RoomOverview::Column::met}) {
-    if (fit()) break;
-    table.drop(column);
-  }
-  fit();
-  const auto line = [&](const std::vector<std::string>& cells, std::string_view colour) {
-    std::string text = "  ";
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const std::string cell =
-          padded(shorten_end(printable(cells[c]), widths[c]), widths[c], c > kRoom);
-      const bool is_coloured = options.colour && (c == 0 || colour == kDim);
-      text += is_coloured ? std::string(colour) + cell + kReset : cell;
-      text.append(kGap, ' ');
-    }
-    trim_end(text);
-    return text + "\n";
-  };
-  std::string text = line(table.head, kDim);
-  for (RoomOverview::Row& row : table.rows) {
-    if (row.outcome == rules::Outcome::fail) {
-      row.cells.front() = verdict_cell(t, rules::Verdict::fail);
-    }
-    text += line(row.cells, outcome_colour(row.outcome));
-  }
-  return text + "\n";
-}
-
-const char* causes_title(const Texts& t, rules::Outcome outcome) {
-  switch (outcome) {
-    case rules::Outcome::fail:
-      return t[Text::causes_fail];
-    case rules::Outcome::undecided:
-      return t[Text::causes_undecided];
-    case rules::Outcome::waived:
-      return t[Text::causes_waived];
-    default:
-      return t[Text::causes_not_judged];
-  }
-}
-
-// What keeps rooms from passing, room by room; rooms with the same reasons together.
-std::string causes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
-  struct Entry {
-    std::vector<std::string> rooms;
-    std::string reasons;
-  };
-  std::map<rules::Outcome, std::vector<Entry>> blocks;
-  for (const RoomSummary& room : room_summaries(project)) {
-    std::map<rules::Outcome, std::string> reasons;
-    for (std::size_t c = 0; c < room.causes.size(); ++c) {
-      const RoomCause& cause = room.causes[c];
-      const CauseWords words = cause_words(t, room, cause);
-      std::string& text = reasons[cause.outcome];
-      text += note_lines(printable(words.what), 2, options.width, "  ");
-      // What several in a row have in common stands below the last one.
-      const bool is_said_below = c + 1 < room.causes.size() &&
-                                 room.causes[c + 1].outcome == cause.outcome &&
-                                 cause_words(t, room, room.causes[c + 1]).more == words.more;
-      if (is_said_below) continue;
-      for (const std::string& more : words.more) {
-        text += note_lines(printable(more), 4, options.width);
-      }
-    }
-    const std::string name = printable(title_of(room.space->name, room.space->id));
-    for (const auto& [outcome, text] : reasons) {
-      std::vector<Entry>& entries = blocks[outcome];
-      const auto known =
-          std::find_if(entries.begin(), entries.end(),
-                       [&, &own = text](const Entry& one) { return one.reasons == own; });
-      if (known == entries.end()) {
-        entries.push_back({{name}, text});
-      } else {
-        known->rooms.push_back(name);
-      }
-    }
-  }
-  std::string text;
-  for (const auto& [outcome, entries] : blocks) {
-    const std::string title = causes_title(t, outcome);
-    text += (options.colour ? outcome_colour(outcome) + title + kReset : title) + "\n";
-    for (const Entry& entry : entries) {
-      const std::string rooms = fmt::format("{}", fmt::join(entry.rooms, ", "));
-      text += note_lines(rooms, 0, options.width, "  ");
-      text += entry.reasons;
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-// Texts that must be read, each once, with the places of which it is true.
-class NotesOnce {
- public:
-  void add(const std::string& place, const std::string& note) {
-    if (note.empty()) return;
-    const auto [known, is_new] = number_.try_emplace(note, notes_.size());
-    if (is_new) notes_.push_back({note, {}});
-    std::vector<std::string>& places = notes_[known->second].places;
-    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
-  }
-  std::string text(const Texts& t, const TextOptions& options) const {
-    std::string text;
-    for (const Note& note : notes_) {
-      text += note_lines(some_names(t, note.places) + t[Text::colon] + note.words, 0, options.width,
-                         "· ");
-    }
-    return text;
-  }
-
- private:
-  struct Note {
-    std::string words;
-    std::vector<std::string> places;
-  };
-  std::vector<Note> notes_;
-  std::map<std::string, std::size_t> number_;
-};
-
-// "" = it is as recommended.
-std::string recommendation_words(const Texts& t, const PlanePart& plane,
-                                 const rules::Finding& finding) {
-  const rules::Requirement& requirement = finding.requirement;
-  const std::string quantity =
-      quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
-  const std::string required = format_required(
-      t, Threshold{requirement.limit, requirement.comparison}, rules::unit_of(requirement));
-  switch (finding.verdict) {
-    case rules::Verdict::pass:
-      break;
-    case rules::Verdict::fail:
-      return t.say<Text::advice_not_reached>(quantity, required);
-    case rules::Verdict::undecided:
-      return t.say<Text::advice_undecided>(quantity, required);
-    case rules::Verdict::not_judged:
-      return t.say<Text::advice_not_judged>(quantity, required);
-  }
-  return {};
-}
-
-// What must be read with one finding. Masks of standards are no doubt.
-void add_finding_notes(const Texts& t, const std::string& place, const PlanePart& plane,
-                       rules::Finding finding, NotesOnce& notes) {
-  const bool is_in_causes = rules::outcome_of(finding) != rules::Outcome::nothing_asked &&
-                            finding.verdict != rules::Verdict::pass;
-  if (!is_in_causes) notes.add(place, printable(sentence(t, finding.reason)));
-  if (finding.requirement.severity == rules::Severity::advice) {
-    notes.add(place, printable(recommendation_words(t, plane, finding)));
-  }
-  if (rules::source_of(finding.requirement) == rules::LimitSource::pack) {
-    finding.requirement.mask.id.clear();
-  }
-  finding.requirement.severity = rules::Severity::shall;
-  notes.add(place, printable(foreign_clause_words(t, finding.requirement)));
-  notes.add(place, printable(note_words(t, finding)));
-  if (finding.is_close) notes.add(place, close_words(t, finding));
-}
-
-// Of all rooms.
-std::string notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
-  NotesOnce notes;
-  for (const SpacePart& space : project.spaces) {
-    const std::string room = printable(title_of(space.name, space.id));
-    for (const PlanePart& plane : space.planes) {
-      const std::string place = room + " / " + printable(plane_in_room(t, space, plane));
-      for (const rules::Finding& finding : plane.findings) {
-        add_finding_notes(t, place, plane, finding, notes);
-      }
-    }
-    for (const Notice& notice : notices_of(space)) {
-      // Of planes of which nothing is asked the table below tells; rows follow.
-      const bool is_told = notice.plane != nullptr && notice.plane->findings.empty();
-      if (notice.row != nullptr || is_told) continue;
-      const std::string place =
-          notice.plane == nullptr
-              ? room
-              : room + " / " + printable(plane_in_room(t, space, *notice.plane));
-      const bool is_change = notice.kind == NoticeKind::changed;
-      notes.add(place, is_change ? printable(t.say<Text::made_and_changed>(
-                                       sentence(t, notice.plane->made_by),
-                                       sentence(t, notice.plane->changed)))
-                                 : notice_words(t, notice));
-    }
-    for (const rules::RowCoverage& row : together(t, space.coverage)) {
-      notes.add(room, coverage_words(t, row));
-    }
-  }
-  const std::string text = notes.text(t, options);
-  return text.empty() ? text : t[Text::notes_once] + ("\n" + text) + "\n";
 }
 
 // A gate for regressions is about what has changed; --passes shows the rest.
@@ -808,6 +498,7 @@ class TextWriter : public FormatWriter {
   Widths widths_{};
   RoomsToName rooms_;
   bool has_overview_ = false;
+  std::size_t hidden_notes_ = 0;
   TextList waiting_;  // finished text, and lines after an empty one
 };
 
@@ -828,28 +519,29 @@ void TextWriter::add(const ProjectPart& project) {
   const bool has_messages = options_.has_messages && !project.diagnostics.empty();
   if (is_shown) rooms_.add(project, frame_.paths.size() > 1 ? printable_path(project.path) : "");
   if (project.is_judged && !has_messages && !is_shown) return;
-  std::string text = project_title(project, options_.colour);
+  std::string text = project_title(project, options_);
   if (!project.is_judged) {
-    const std::string words = std::string("– ") + t_[Text::not_judged_see_errors];
-    text += std::string("  ") +
-            (options_.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
-            (options_.colour ? kReset : "") + "\n";
+    text += painted(wrapped_lines("  – ", t_[Text::not_judged_see_errors], 4, options_.width),
+                    verdict_colour(rules::Verdict::not_judged), options_.colour);
   }
   if (const std::string about = about_line(t_, project.about); !about.empty()) {
-    text += "  " + about + "\n";
+    text += wrapped_lines("  ", about, 4, options_.width);
   }
   if (is_shown && options_.lists_passes) text += overview_text(t_, project, options_);
   if (is_shown && of_rooms) {
     has_overview_ = true;
-    text += overview + causes_text(t_, project, options_) + notes_text(t_, project, options_);
+    const RoomNotesText notes = notes_text(t_, project, options_);
+    text += overview + causes_text(t_, project, options_) + notes.text;
+    hidden_notes_ += notes.hidden;
   }
   if (of_rooms && lines.empty() && text.ends_with("\n\n")) text.pop_back();
   waiting_.add(text);
   if (is_shown) {
     for (const TableLine& line : lines) add_line(line);
   }
-  waiting_.add((is_shown ? advice_text(t_, project) : "") +
-               (options_.has_messages ? messages(project) : "") + "\n");
+  const bool folds = of_rooms && !options_.shows_notes;
+  waiting_.add((is_shown ? advice_text(t_, project, options_.width) : "") +
+               (options_.has_messages ? messages(project, options_, folds) : "") + "\n");
 }
 
 void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -868,29 +560,40 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
     sink.write(render_line(line, widths, options_));
   }
   std::string text;
-  if (frame_.revised != nullptr) text += render_revision_text(t_, *frame_.revised, options_.colour);
-  if (has_overview_) text += t_[Text::list_each] + std::string("\n");
-  text += rooms_.text(t_, options_.width);
-  std::string summary = summary_words(t_, end.totals);
-  if (options_.colour) summary = outcome_colour(end.totals.outcome) + summary + kReset;
-  text += summary + "\n";
-  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
-    text += words + "\n";
-  for (const calc::Diagnostic& error : document_errors(end)) {
-    text += calc::format_diagnostic(error) + "\n";
+  if (frame_.revised != nullptr)
+    text += render_revision_text(t_, *frame_.revised, options_.colour, options_.width);
+  const auto line = [&](const std::string& words) {
+    return wrapped_lines("", words, 2, options_.width);
+  };
+  if (has_overview_) text += line(t_[Text::list_each]);
+  if (hidden_notes_ > 0) {
+    text += line(hidden_notes_ == 1 ? t_.say<Text::one_method_note>(hidden_notes_)
+                                    : t_.say<Text::method_notes>(hidden_notes_));
   }
+  text += painted(line(summary_words(t_, end.totals)), outcome_colour(end.totals.outcome),
+                  options_.colour);
+  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
+    text += line(words);
+  for (const calc::Diagnostic& error : document_errors(end)) {
+    text += line(calc::format_diagnostic(error));
+  }
+  // Last of all: whoever sees one screen sees these names.
+  text += rooms_.text(t_, options_.width);
   sink.write(text);
 }
 
 }  // namespace
 
-std::string render_revision_text(const Texts& t, const Document& document, bool colour) {
+std::string render_revision_text(const Texts& t, const Document& document, bool colour,
+                                 int terminal_width) {
   constexpr std::size_t kMostRows = 200;
   std::string text;
   for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
-    text += render_table(t, table, colour);
+    text += render_table(t, table, colour, terminal_width);
   }
-  for (const std::string& remark : revision_remarks(document, t)) text += printable(remark) + "\n";
+  for (const std::string& remark : revision_remarks(document, t)) {
+    text += wrapped_lines("", printable(remark), 2, terminal_width);
+  }
   return text;
 }
 

@@ -14,8 +14,10 @@ namespace report {
 struct TextOptions {
   bool colour = false;  // ANSI colours, beside words and symbols, never instead of them
   int width = 0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers
-                  // never, and notes take more lines
+                  // never, notes take more lines, and of rooms less is shown: no line is wider
+                  // than a terminal of 40 columns or more
   bool lists_passes = false;  // each by itself; else those of a workplace share a line
+  bool shows_notes = false;   // of several rooms: also notes on method, and every doubt by itself
   bool has_messages = true;   // warnings and errors below each table; else they are said elsewhere
 };
 
@@ -25,6 +27,8 @@ std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const Spil
                                           const TextOptions& options, const Texts& t);
 
 // What the document's revision did, as it stands at the head of that; "" without one.
-std::string render_revision_text(const Texts& t, const Document& document, bool colour);
+// terminal_width: as TextOptions::width.
+std::string render_revision_text(const Texts& t, const Document& document, bool colour,
+                                 int terminal_width = 0);
 
 }  // namespace report

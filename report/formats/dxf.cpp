@@ -204,7 +204,7 @@ std::vector<ValueText> value_texts(const Texts& t, const PlanePart& plane, const
   std::vector<ValueText> texts;
   for (const PointRow& point : plane.points) {
     texts.push_back({placing.at(point.position_m),
-                     dxf_text(dxf_signs(format_cell(t, point.measured.value, thresholds)))});
+                     dxf_text(dxf_signs(cell_words(t, plane, point.measured.value, thresholds)))});
   }
   return texts;
 }

@@ -8,12 +8,15 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/markup.h"
+#include "report/text/room_causes.h"
+#include "report/text/room_notes.h"
 #include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,7 +54,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   if (!finding->reason.empty()) quantity += ": " + escape_markdown(sentence(t, finding->reason));
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
-                     is_judged ? format_measured(t, finding->measured, unit, threshold) : "",
+                     is_judged ? measured_words(t, *finding) : "",
                      is_judged ? margin_words(t, *finding) : "");
 }
 
@@ -117,6 +120,16 @@ std::string title_of(const ProjectPart& project) {
                               : fmt::format(": {} ({})", escape_markdown(project.name), path);
 }
 
+std::string details(const std::string& summary, const std::string& text) {
+  return fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n", summary, text);
+}
+
+// folds: of several rooms what is long waits behind its title and its number of lines.
+std::string list_below(const std::string& title, std::size_t count, const std::string& text,
+                       bool folds) {
+  return folds ? details(fmt::format("{} {}", title, count), text) : "\n" + title + "\n\n" + text;
+}
+
 std::string warnings(const Texts& t, const ProjectPart& project) {
   constexpr std::size_t kMost = 20;
   std::string text;
@@ -130,15 +143,17 @@ std::string warnings(const Texts& t, const ProjectPart& project) {
   }
   if (count == 0) return {};
   if (count > kMost) text += "\n" + t.say<Text::more_left_out>(count - kMost) + "\n";
-  return "\n" + t.say<Text::warnings_on>(escape_markdown(project.path)) + "\n\n" + text;
+  const bool folds = has_overview(project) && project.strict_warnings.empty();
+  return list_below(t.say<Text::warnings_on>(escape_markdown(project.path)), count, text, folds);
 }
 
 std::string notes(const Texts& t, const ProjectPart& project) {
   const std::vector<std::string> list = ci_notes(project, t);
   if (list.empty()) return {};
-  std::string text = "\n" + t.say<Text::notes_on>(escape_markdown(project.path)) + "\n\n";
+  std::string text;
   for (const std::string& note : list) text += fmt::format("- {}\n", escape_markdown(note));
-  return text;
+  return list_below(t.say<Text::notes_on>(escape_markdown(project.path)), list.size(), text,
+                    has_overview(project));
 }
 
 std::string advice_markdown(const Texts& t, const ProjectPart& project) {
@@ -173,7 +188,8 @@ std::string overview_markdown(const Texts& t, const ProjectPart& project) {
     return text + "\n";
   };
   std::string text = "\n" + line(table.head) + "|";
-  for (std::size_t c = 0; c < table.head.size(); ++c) text += c < 2 ? " --- |" : " ---: |";
+  for (std::size_t c = 0; c < table.head.size(); ++c)
+    text += table.is_number(c) ? " ---: |" : " --- |";
   text += "\n";
   for (std::size_t k = 0; k < std::min(table.rows.size(), kMostRows); ++k) {
     text += line(table.rows[k].cells);
@@ -182,6 +198,36 @@ std::string overview_markdown(const Texts& t, const ProjectPart& project) {
     text += "\n" + t.say<Text::more_left_out>(table.rows.size() - kMostRows) + "\n";
   }
   return text;
+}
+
+// Why rooms do not pass, each cause once.
+std::string causes_markdown(const Texts& t, const ProjectPart& project) {
+  std::string text;
+  for (const CauseBlock& block : cause_blocks(t, project)) {
+    text += fmt::format("\n**{}**\n\n", block.title);
+    std::size_t count = 0;
+    for (const CauseEntry& entry : block.entries) {
+      if (++count > kMostRows) continue;
+      text +=
+          fmt::format("- {}\n", escape_markdown(fmt::format("{}", fmt::join(entry.rooms, ", "))));
+      for (const CauseWords& cause : entry.causes) {
+        text += fmt::format("  - {}", escape_markdown(cause.what));
+        for (const std::string& more : cause.more) text += "; " + escape_markdown(more);
+        text += "\n";
+      }
+    }
+    if (count > kMostRows) text += "\n" + t.say<Text::more_left_out>(count - kMostRows) + "\n";
+  }
+  return text;
+}
+
+// What weakens results of several rooms; how they were come by is among the folded notes.
+std::string doubts_markdown(const Texts& t, const ProjectPart& project) {
+  std::string text;
+  for (const RoomNote& note : room_notes(t, project, true)) {
+    if (!note.is_method) text += fmt::format("- {}\n", escape_markdown(note_line(t, note)));
+  }
+  return text.empty() ? text : fmt::format("\n**{}**\n\n{}", t[Text::notes_once], text);
 }
 
 class MarkdownWriter : public FormatWriter {
@@ -204,6 +250,9 @@ class MarkdownWriter : public FormatWriter {
       about_ = about_line(t_, project.about);
       title_ = title_of(project);
       overview_ = overview_markdown(t_, project);
+      if (!overview_.empty()) {
+        causes_ = causes_markdown(t_, project) + doubts_markdown(t_, project);
+      }
     }
     // Of many the passing ones are folded: what is left to do must not be looked for.
     const bool is_folded =
@@ -236,8 +285,8 @@ class MarkdownWriter : public FormatWriter {
   CiFindings findings_;
   Table passed_, others_;
   Lines project_lines_, folded_lines_;
-  std::string title_, about_, overview_;  // of the only one
-  Spill advice_, warnings_, notes_;       // of all projects
+  std::string title_, about_, overview_, causes_;  // of the only one
+  Spill advice_, warnings_, notes_;                // of all projects
 };
 
 void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -255,9 +304,13 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
-  text += overview_;
+  text += overview_ + causes_;
   if (has_projects() && project_lines_.count > 0) text += "\n" + project_lines_.with_rest(t_);
-  if (others_.count() > 0) text += "\n" + others_.text();
+  if (others_.count() > 0) {
+    text += overview_.empty()
+                ? "\n" + others_.text()
+                : details(t_.say<Text::unmet_one_by_one>(others_.count()), others_.text());
+  }
   sink.write(text);
   advice_.copy_to(sink);
   warnings_.copy_to(sink);
@@ -266,8 +319,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   if (passed_.count() > 0) {
     const std::string folded =
         folded_lines_.count > 0 ? folded_lines_.with_rest(t_) + "\n" : std::string();
-    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}{}\n</details>\n",
-                        t_.say<Text::passed>(passed_.count()), folded, passed_.text());
+    text += details(t_.say<Text::passed>(passed_.count()), folded + passed_.text());
   }
   if (const std::string words = provenance_remarks(remarked, t_); !words.empty())
     text += "\n" + words + "\n";

@@ -142,6 +142,8 @@ void add_value(const rules::Finding* finding, std::vector<TableCell>& row) {
     row.emplace_back();
   } else if (calc::is_nothing(finding->measured)) {
     row.emplace_back(std::string(english_text(Text::none)));
+  } else if (is_below_scale(*finding)) {
+    row.emplace_back(measured_words({}, *finding));
   } else {
     row.emplace_back(TableNumber{finding->measured.value});
   }

@@ -41,9 +41,9 @@ constexpr std::string_view kOfCheck[] = {
     "--strict",       "--timestamp", "--timing"};
 constexpr std::string_view kOfValidate[] = {"--rules", "--allow", "--set", "--limit",
                                             "--timestamp"};
-constexpr std::string_view kOfWrite[] = {"--language", "--decimal", "--paper",
-                                         "--annex",    "--cover",   "--scale",
-                                         "--palette",  "--redact",  "--passes"};
+constexpr std::string_view kOfWrite[] = {"--language", "--decimal", "--paper",   "--annex",
+                                         "--cover",    "--scale",   "--palette", "--redact",
+                                         "--passes",   "--notes"};
 
 bool is_of(Use use, std::string_view name) {
   const auto has = [name](const auto& names) {
@@ -267,6 +267,7 @@ std::string rendered(const report::Document& document, const std::string& name,
   style.texts = cli::report_texts(options.output);
   style.page = options.output.page;
   style.terminal.lists_passes = options.output.lists_passes;
+  style.terminal.shows_notes = options.output.shows_notes;
   if (!options.output.redact) return format->render(document, style);
   report::Document redacted = document;
   report::redact(redacted);

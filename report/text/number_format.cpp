@@ -184,6 +184,19 @@ std::string format_measured(const calc::Estimate& estimate, std::string_view uni
   return with_unit(text.spread.empty() ? text.value : text.value + " ± " + text.spread, unit);
 }
 
+bool is_below_ugr_scale(const calc::Estimate& estimate, const Thresholds& thresholds) {
+  constexpr double kLowest = 10.0;
+  return estimate.high < kLowest && estimate.value < kLowest && !calc::is_nothing(estimate) &&
+         std::none_of(thresholds.list.begin(), thresholds.list.end(),
+                      [](const Threshold& one) { return one.limit < kLowest; });
+}
+
+std::string format_ugr(const calc::Estimate& estimate, const Thresholds& thresholds,
+                       std::string_view to) {
+  return is_below_ugr_scale(estimate, thresholds) ? "< 10"
+                                                  : format_measured(estimate, "", thresholds, to);
+}
+
 std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds) {
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kNoNumber;

@@ -66,6 +66,13 @@ std::string format_measured(const calc::Estimate& estimate, std::string_view uni
 std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds = {});
 
+// UGR is a scale from 10 up: what is below troubles nobody, and how far below says nothing. Whether
+// all of it is below, where no threshold is.
+bool is_below_ugr_scale(const calc::Estimate& estimate, const Thresholds& thresholds = {});
+// "< 10" of that, and else as format_measured() has it without a unit.
+std::string format_ugr(const calc::Estimate& estimate, const Thresholds& thresholds = {},
+                       std::string_view to = "to");
+
 // One illuminance without interval, short enough for a cell of a plan: "1240", "512", "51.2",
 // "5.12".
 std::string format_cell(double value, const Thresholds& thresholds = {});

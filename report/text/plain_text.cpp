@@ -36,6 +36,18 @@ std::size_t width_of(char32_t c) {
   return is_in(c, kWide) ? 2 : 1;
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The digits at its start, without zeros before them, which are taken off.
+std::string_view take_number(std::string_view& text) {
+  std::size_t end = 0;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  std::string_view digits = text.substr(0, end);
+  text.remove_prefix(end);
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  return digits;
+}
+
 }  // namespace
 
 std::size_t display_width(std::string_view utf8) {
@@ -46,6 +58,17 @@ std::size_t display_width(std::string_view utf8) {
     utf8.remove_prefix(std::max<std::size_t>(point.length, 1));
   }
   return width;
+}
+
+std::size_t bytes_within(std::string_view utf8, std::size_t columns) {
+  std::size_t width = 0, length = 0;
+  while (length < utf8.size()) {
+    const calc::Utf8Character point = calc::first_character(utf8.substr(length));
+    width += point.length == 0 ? 1 : width_of(point.code);
+    if (width > columns && length > 0) break;
+    length += std::max<std::size_t>(point.length, 1);
+  }
+  return length;
 }
 
 std::string shorten_start(std::string_view utf8, std::size_t columns) {
@@ -61,14 +84,41 @@ std::string shorten_start(std::string_view utf8, std::size_t columns) {
 
 std::string shorten_end(std::string_view utf8, std::size_t columns) {
   if (display_width(utf8) <= columns) return std::string(utf8);
-  std::size_t width = 1, length = 0;  // of the ellipsis
-  while (length < utf8.size()) {
-    const calc::Utf8Character point = calc::first_character(utf8.substr(length));
-    width += point.length == 0 ? 1 : width_of(point.code);
-    if (width > columns) break;
-    length += std::max<std::size_t>(point.length, 1);
+  const std::size_t length = columns > 1 ? bytes_within(utf8, columns - 1) : 0;
+  const std::string start(utf8.substr(0, length));
+  return (display_width(start) < columns ? start : "") + "…";
+}
+
+std::string shorten_middle(std::string_view utf8, std::size_t columns) {
+  if (display_width(utf8) <= columns) return std::string(utf8);
+  const std::size_t end = (columns - 1) / 3;
+  if (end == 0) return shorten_end(utf8, columns);
+  const std::string last = shorten_start(utf8, end + 1);  // with an ellipsis
+  return shorten_end(utf8, columns - display_width(last) + 1) +
+         last.substr(std::string_view("…").size());
+}
+
+std::string shorten_name(std::string_view utf8, std::size_t columns) {
+  constexpr std::size_t kLong = 24, kRoom = 12;  // columns
+  const bool has_room = columns >= kRoom && display_width(utf8) > kLong;
+  return has_room ? shorten_middle(utf8, columns) : shorten_end(utf8, columns);
+}
+
+bool comes_before(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view one = take_number(a), other = take_number(b);
+      if (one.size() != other.size()) return one.size() < other.size();
+      if (one != other) return one < other;
+      continue;
+    }
+    if (a.front() != b.front()) {
+      return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
+    }
+    a.remove_prefix(1);
+    b.remove_prefix(1);
   }
-  return std::string(utf8.substr(0, length)) + "…";
+  return a.size() < b.size();
 }
 
 }  // namespace report

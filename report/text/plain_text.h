@@ -16,10 +16,21 @@ using calc::printable_path;
 // and emoji, else 1.
 std::size_t display_width(std::string_view utf8);
 
+// Bytes of the text's start that are at most `columns` wide; of at least one character, if there is
+// any.
+std::size_t bytes_within(std::string_view utf8, std::size_t columns);
+
 // The end of the text, at most `columns` >= 1 wide; a cut text starts with "…". Never cuts inside a
 // character.
 std::string shorten_start(std::string_view utf8, std::size_t columns);
 // Its start, likewise; a cut text ends in "…".
 std::string shorten_end(std::string_view utf8, std::size_t columns);
+// Its start and its end, likewise, with "…" between them: about two thirds are of the start.
+std::string shorten_middle(std::string_view utf8, std::size_t columns);
+// A name: of a long one the end stays, too, since that may be what tells it from others.
+std::string shorten_name(std::string_view utf8, std::size_t columns);
+
+// As people sort names: "Room 9" before "Room 10".
+bool comes_before(std::string_view a, std::string_view b);
 
 }  // namespace report

@@ -3,6 +3,8 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/pass_factor.h"
 #include "report/text/plane_names.h"
+#include "report/text/plain_text.h"
+#include "report/text/room_titles.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace report {
@@ -24,6 +27,30 @@ void add_new(std::vector<std::string>& list, std::string text) {
 std::string quantity_of(const Texts& t, const RoomCause::Part& part) {
   const rules::Requirement& requirement = part.finding->requirement;
   return quantity_words(t, requirement, part.plane->kernel) + scene_words(t, requirement);
+}
+
+const char* causes_title(const Texts& t, rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::fail:
+      return t[Text::causes_fail];
+    case rules::Outcome::undecided:
+      return t[Text::causes_undecided];
+    case rules::Outcome::waived:
+      return t[Text::causes_waived];
+    default:
+      return t[Text::causes_not_judged];
+  }
+}
+
+void add_entry(const std::string& room, std::vector<CauseWords> causes,
+               std::vector<CauseEntry>& entries) {
+  const auto known = std::find_if(entries.begin(), entries.end(),
+                                  [&](const CauseEntry& one) { return one.causes == causes; });
+  if (known == entries.end()) {
+    entries.push_back({{room}, std::move(causes)});
+  } else {
+    known->rooms.push_back(room);
+  }
 }
 
 CauseWords aggregate_cause(const Texts& t, const rules::AggregateFinding& finding) {
@@ -56,14 +83,13 @@ CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause&
   const std::string where = some_names(t, planes);
   const rules::Finding& finding = *cause.worst().finding;
   const rules::Requirement& requirement = finding.requirement;
-  const char* unit = rules::unit_of(requirement);
-  const Threshold threshold{requirement.limit, requirement.comparison};
   CauseWords words;
   if (finding.verdict == rules::Verdict::not_judged) {
     words.what = where + t[Text::colon] + fmt::format("{}", fmt::join(quantities, ", "));
   } else {
-    const std::string measured = format_measured(t, finding.measured, unit, threshold);
-    const std::string required = format_required(t, threshold, unit);
+    const std::string measured = measured_words(t, finding);
+    const std::string required = format_required(
+        t, Threshold{requirement.limit, requirement.comparison}, rules::unit_of(requirement));
     words.what = cause.parts.size() == 1
                      ? t.say<Text::cause_of_one>(where, quantities.front(), measured, required)
                      : t.say<Text::cause_of_several>(
@@ -75,6 +101,30 @@ CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause&
     words.more.push_back(std::move(factor));
   }
   return words;
+}
+
+std::vector<CauseBlock> cause_blocks(const Texts& t, const ProjectPart& project) {
+  const std::vector<std::string> titles = room_titles(project);
+  std::map<rules::Outcome, CauseBlock> blocks;
+  for (const RoomSummary& room : room_summaries(project)) {
+    std::map<rules::Outcome, std::vector<CauseWords>> own;
+    for (const RoomCause& cause : room.causes) {
+      std::vector<CauseWords>& causes = own[cause.outcome];
+      CauseWords words = cause_words(t, room, cause);
+      if (!causes.empty() && causes.back().more == words.more) causes.back().more.clear();
+      causes.push_back(std::move(words));
+    }
+    const auto place = static_cast<std::size_t>(room.space - project.spaces.data());
+    for (auto& [outcome, causes] : own) {
+      CauseBlock& block = blocks[outcome];
+      block.outcome = outcome;
+      block.title = causes_title(t, outcome);
+      add_entry(titles[place], std::move(causes), block.entries);
+    }
+  }
+  std::vector<CauseBlock> list;
+  for (auto& [outcome, block] : blocks) list.push_back(std::move(block));
+  return list;
 }
 
 }  // namespace report

@@ -1,13 +1,20 @@
 #include "report/text/room_overview.h"
 
+#include "report/document/storeys.h"
+#include "report/text/aggregate_words.h"
+#include "report/text/plain_text.h"
+#include "report/text/room_titles.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
+#include "rules/pack/row_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 namespace report {
 namespace {
@@ -54,14 +61,88 @@ std::string power_cell(const Texts& t, const SpacePart& space) {
   return format_fixed(t, power.power_w / power.area_m2, 2);
 }
 
-std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room) {
+std::string leni_cell(const Texts& t, const SpacePart& space) {
+  if (!space.energy || !space.energy->problem.empty()) return "";
+  return format_fixed(t, space.energy->leni_kwh_m2, 1);
+}
+
+std::string walls_cell(const Texts& t, const WallCounts& walls) {
+  if (walls.asked == 0) return "";
+  if (walls.not_judged == walls.asked) return "–";
+  return walls.met == walls.asked ? std::string("ok")
+                                  : t.say<Text::overview_of>(walls.met, walls.asked);
+}
+
+// A row's name is in the language of its pack, and of some in German.
+std::string row_words(const Texts& t, const AskedRow& row) {
+  const rules::RowName* name =
+      row.is_user_supplied ? nullptr : rules::builtin_row_name(row.pack, row.row);
+  if (name == nullptr || t.language() == Language::french) return row.row;
+  const std::string& words = t.language() == Language::german ? name->name_de : name->name;
+  return words.empty() ? row.row : row.row + " " + words;
+}
+
+std::string use_cell(const Texts& t, const RoomSummary& room) {
+  std::string text;
+  for (const AskedRow& row : room.rows) {
+    const auto of_row =
+        std::find_if(room.classes.begin(), room.classes.end(),
+                     [&](const rules::AggregateFinding* one) { return one->asked == row.row; });
+    text += (text.empty() ? "" : ", ") +
+            (of_row == room.classes.end()
+                 ? row_words(t, row)
+                 : fmt::format("{} ({})", row.row, aggregate_measured(t, **of_row)));
+  }
+  return text;
+}
+
+// "use (EN 12464-1:2021)" where all rows are of one pack.
+std::string use_head(const Texts& t, const std::vector<RoomSummary>& rooms) {
+  std::set<std::string> titles;
+  for (const RoomSummary& room : rooms) {
+    for (const AskedRow& row : room.rows) {
+      const rules::RowName* name =
+          row.is_user_supplied ? nullptr : rules::builtin_row_name(row.pack, row.row);
+      titles.insert(name == nullptr ? "" : name->title);
+    }
+  }
+  const bool is_one = titles.size() == 1 && !titles.begin()->empty();
+  return is_one ? fmt::format("{} ({})", t[Text::overview_use], *titles.begin())
+                : std::string(t[Text::overview_use]);
+}
+
+std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room, std::string title) {
   return {std::string(outcome_symbol(room.outcome)) + " " + outcome_words(t, room.outcome),
-          std::string(title_of(room.space->name, room.space->id)),
+          std::move(title),
+          use_cell(t, room),
           t.say<Text::overview_of>(room.met, room.required),
           overview_cell(t, room.average),
+          overview_cell(t, room.minimum),
           overview_cell(t, room.uniformity),
           overview_cell(t, room.glare),
-          power_cell(t, *room.space)};
+          walls_cell(t, room.walls),
+          overview_cell(t, room.cylindrical),
+          power_cell(t, *room.space),
+          leni_cell(t, *room.space)};
+}
+
+// By room: the place of its storey, from below; what has none is behind all others.
+std::vector<std::size_t> storey_of_rooms(const ProjectPart& project) {
+  const std::vector<Storey> storeys = storeys_of(project).list;
+  std::vector<std::size_t> places(project.spaces.size(), storeys.size());
+  for (std::size_t k = 0; k < storeys.size(); ++k) {
+    for (const std::size_t room : storeys[k].rooms) places[room] = k;
+  }
+  return places;
+}
+
+void sort_rows(const ProjectPart& project, std::vector<RoomOverview::Row>& rows) {
+  const std::vector<std::size_t> storeys = storey_of_rooms(project);
+  std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
+    if (a.outcome != b.outcome) return a.outcome < b.outcome;
+    if (storeys[a.space] != storeys[b.space]) return storeys[a.space] < storeys[b.space];
+    return comes_before(a.cells[1], b.cells[1]);
+  });
 }
 
 void drop_empty_columns(RoomOverview& table) {
@@ -80,6 +161,7 @@ std::string overview_value(const Texts& t, const rules::Finding& finding, bool w
   if (finding.verdict == rules::Verdict::not_judged) return "–";
   const bool is_open = finding.measured.low < finding.measured.high;
   if (calc::is_nothing(finding.measured) && !is_open) return t[Text::none];
+  if (is_below_scale(finding)) return measured_words(t, finding);
   const double value = finding.measured.value;
   if (with_interval && is_near_limit(finding)) return value_and_interval(t, finding, threshold);
   if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
@@ -102,25 +184,33 @@ void RoomOverview::drop(Column column) {
   for (Row& row : rows) row.cells.erase(row.cells.begin() + at);
 }
 
+bool has_overview(const ProjectPart& project) { return room_summaries(project).size() >= 2; }
+
 RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
   RoomOverview table;
   const std::vector<RoomSummary> rooms = room_summaries(project);
   if (rooms.size() < 2) return table;
   using enum RoomOverview::Column;
-  table.columns = {verdict, room, met, average, uniformity, glare, power};
+  table.columns = {verdict,    room,  use,   met,         average, minimum,
+                   uniformity, glare, walls, cylindrical, power,   leni};
   table.head = {t[Text::head_verdict],
                 t[Text::overview_room],
+                use_head(t, rooms),
                 t[Text::overview_met],
                 t[Text::overview_average] + std::string(" lx"),
+                t[Text::minimum] + std::string(" lx"),
                 "Uo",
                 "UGR",
-                "W/m²"};
+                t[Text::overview_walls],
+                "Ez lx",
+                "W/m²",
+                "LENI"};
+  const std::vector<std::string> titles = room_titles(project);
   for (const RoomSummary& one : rooms) {
     const auto place = static_cast<std::size_t>(one.space - project.spaces.data());
-    table.rows.push_back({one.outcome, place, cells_of(t, one)});
+    table.rows.push_back({one.outcome, place, cells_of(t, one, titles[place])});
   }
-  std::stable_sort(table.rows.begin(), table.rows.end(),
-                   [](const auto& a, const auto& b) { return a.outcome < b.outcome; });
+  sort_rows(project, table.rows);
   drop_empty_columns(table);
   return table;
 }

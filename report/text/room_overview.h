@@ -11,22 +11,39 @@
 namespace report {
 
 struct RoomOverview {
-  enum class Column { verdict, room, met, average, uniformity, glare, power };
+  enum class Column {
+    verdict,
+    room,
+    use,  // "34.2 office desk work"; of roads the class and what is reached
+    met,  // "12 of 14"
+    average,
+    minimum,
+    uniformity,
+    glare,
+    walls,  // "ok", "2 of 4" are met, "–": none is judged
+    cylindrical,
+    power,
+    leni
+  };
   std::vector<Column> columns;
   std::vector<std::string> head;
   struct Row {
     rules::Outcome outcome = rules::Outcome::nothing_asked;
     std::size_t space = 0;           // of the project
-    std::vector<std::string> cells;  // as many as head; verdict and room first, then numbers
+    std::vector<std::string> cells;  // as many as head; verdict and room first
   };
   std::vector<Row> rows;  // gravest first
 
   // Nothing where it has none.
   void drop(Column column);
+  // Of numbers: to be aligned to the right.
+  bool is_number(std::size_t column) const { return columns[column] > Column::use; }
 };
 
-// Nothing where a project has fewer than two rooms of which something is asked. Columns that no
-// room has anything in are left out.
+// Whether a project has two rooms or more of which something is asked.
+bool has_overview(const ProjectPart& project);
+
+// Nothing where it has none. Columns that no room has anything in are left out.
 RoomOverview room_overview(const Texts& t, const ProjectPart& project);
 
 // What a room came to: "412", or "503.0 ±9.0" near the limit; "–" where it is not judged.

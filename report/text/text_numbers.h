@@ -21,6 +21,11 @@ inline std::string format_measured(const Texts& t, const calc::Estimate& estimat
   const std::string text = format_measured(estimate, unit, thresholds, t[Text::interval_to]);
   return text == english_text(Text::none) ? t[Text::none] : t.number(text);
 }
+inline std::string format_ugr(const Texts& t, const calc::Estimate& estimate,
+                              const Thresholds& thresholds = {}) {
+  const std::string text = format_ugr(estimate, thresholds, t[Text::interval_to]);
+  return text == english_text(Text::none) ? t[Text::none] : t.number(text);
+}
 inline std::string format_interval(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {
   const std::string text = format_interval(estimate, unit, thresholds);

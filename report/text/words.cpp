@@ -15,6 +15,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -573,9 +574,50 @@ std::string summary_words(const Texts& t, const Totals& totals) {
   return text;
 }
 
+namespace {
+
+bool is_ugr(const rules::Requirement& requirement) {
+  return std::string_view(rules::rating_of(requirement)) == "UGR";
+}
+
+}  // namespace
+
+std::string measured_words(const Texts& t, const rules::Requirement& requirement,
+                           const calc::Estimate& measured) {
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  return is_ugr(requirement) ? format_ugr(t, measured, threshold)
+                             : format_measured(t, measured, rules::unit_of(requirement), threshold);
+}
+
+std::string value_words(const Texts& t, const PlanePart& plane, const calc::Estimate& value,
+                        const Thresholds& thresholds) {
+  return plane.derived == calc::DerivedQuantity::ugr
+             ? format_ugr(t, value, thresholds)
+             : format_measured(t, value, plane_unit(plane), thresholds);
+}
+
+std::string cell_words(const Texts& t, const PlanePart& plane, double value,
+                       const Thresholds& thresholds) {
+  const bool is_below = plane.derived == calc::DerivedQuantity::ugr &&
+                        is_below_ugr_scale({value, value, value}, thresholds);
+  return is_below ? "<10" : format_cell(t, value, thresholds);
+}
+
+bool is_below_scale(const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  return is_ugr(requirement) &&
+         is_below_ugr_scale(finding.measured, Threshold{requirement.limit, requirement.comparison});
+}
+
 std::string margin_words(const Texts& t, const rules::Finding& finding) {
-  const std::string_view rating = rules::rating_of(finding.requirement);
+  const rules::Requirement& requirement = finding.requirement;
+  const std::string_view rating = rules::rating_of(requirement);
   if (rating.empty()) return format_margin(t, finding.margin);
+  if (is_below_scale(finding)) {
+    constexpr double kLowest = 10.0;  // of the scale
+    const double to_scale = (requirement.limit - kLowest) / std::abs(requirement.limit);
+    return "> " + t.number(format_rating_margin(to_scale, requirement.limit, rating));
+  }
   return t.number(format_rating_margin(finding.margin, finding.requirement.limit, rating));
 }
 

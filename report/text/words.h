@@ -3,6 +3,7 @@
 // that take Texts speak its language; without them it is English, as data formats need it.
 
 #include "report/document/document.h"
+#include "report/text/number_format.h"
 #include "report/text/texts.h"
 
 #include <string>
@@ -97,6 +98,20 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);
+// What was measured, with its unit: "512.5 ± 4.0 lx", "< 10" of a UGR below its scale.
+std::string measured_words(const Texts& t, const rules::Requirement& requirement,
+                           const calc::Estimate& measured);
+inline std::string measured_words(const Texts& t, const rules::Finding& finding) {
+  return measured_words(t, finding.requirement, finding.measured);
+}
+// The same of a point's value, or of an average, minimum or maximum of them.
+std::string value_words(const Texts& t, const PlanePart& plane, const calc::Estimate& value,
+                        const Thresholds& thresholds = {});
+// A point's value alone, short enough for a cell of a plan, see format_cell(); "<10" of such a UGR.
+std::string cell_words(const Texts& t, const PlanePart& plane, double value,
+                       const Thresholds& thresholds = {});
+// A UGR all of which is below its scale, see is_below_ugr_scale().
+bool is_below_scale(const rules::Finding& finding);
 // By how much it is met or missed: "+12.5 %", of glare ratings "-5.3 UGR".
 std::string margin_words(const Texts& t, const rules::Finding& finding);
 inline std::string note_words(const rules::Finding& finding) { return note_words({}, finding); }

@@ -32,7 +32,7 @@ std::string asked_words(const Texts& t, const PlanePart& plane, const rules::Fin
   std::string words = escape_html(quantity_words(t, requirement, plane.kernel)) + " " +
                       escape_html(format_required(t, threshold, unit));
   if (finding.verdict != rules::Verdict::not_judged) {
-    words += ", " + t.say<Text::measured_is>(format_measured(t, finding.measured, unit, threshold));
+    words += ", " + t.say<Text::measured_is>(escape_html(measured_words(t, finding)));
   }
   words += t[Text::colon];
   words += is_outside_advice(finding) ? t[Text::advice_outside] : verdict_words(t, finding.verdict);

@@ -77,9 +77,9 @@ Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& fin
   cells.requirement = escape_html(quantity_words(t, requirement, plane.kernel)) + cells.notes;
   cells.required = escape_html(format_required(t, threshold, unit));
   if (finding.verdict == rules::Verdict::not_judged) return cells;
-  cells.measured = format_measured(t, finding.measured, unit, threshold);
+  cells.measured = escape_html(measured_words(t, finding));
   cells.gauge = gauge(finding);
-  cells.margin = with_minus(margin_words(t, finding));
+  cells.margin = escape_html(with_minus(margin_words(t, finding)));
   if (finding.place_m) cells.place = with_minus(format_position(t, *finding.place_m));
   return cells;
 }
@@ -174,8 +174,8 @@ std::string average_words(const Texts& t, const PlanePart& plane) {
 std::string statistics_words(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
     return t.say<Text::extremes>(plane_words(t, plane),
-                                 format_measured(t, plane.minimum, plane_unit(plane)),
-                                 format_measured(t, plane.maximum, plane_unit(plane)));
+                                 escape_html(value_words(t, plane, plane.minimum)),
+                                 escape_html(value_words(t, plane, plane.maximum)));
   }
   return t.say<Text::statistics_line>(average_words(t, plane),
                                       format_measured(t, plane.minimum, plane_unit(plane)),

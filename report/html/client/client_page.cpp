@@ -133,7 +133,7 @@ void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomS
     if (space.planes.empty()) continue;
     chapters.push_back(
         {client_room(t_, project, {project_, s, 0}, summary == rooms.end() ? nullptr : &*summary,
-                     scales, style_.paper),
+                     scales, style_.paper, footnotes_),
          space_anchor(project_, s), escape_html(title_of(space.name, space.id))});
   }
 }

@@ -125,8 +125,8 @@ std::string svg_cells(const Drawing& drawing) {
       svg += fmt::format("<path d=\"{}\"><title>{}</title></path>\n",
                          drawing.cell_path(point->column, point->row),
                          drawing.t.say<Text::cell_title>(
-                             format_measured(drawing.t, point->measured, plane_unit(drawing.plane),
-                                             drawing.thresholds()),
+                             escape_html(value_words(drawing.t, drawing.plane, point->measured,
+                                                     drawing.thresholds())),
                              format_cell(drawing.t, point->direct_lx),
                              format_cell(drawing.t, point->indirect_lx)));
     }
@@ -186,7 +186,7 @@ std::string svg_hatch(const Drawing& drawing) {
 }
 
 std::string cell_text(const Drawing& drawing, double value) {
-  return format_cell(drawing.t, value, drawing.thresholds());
+  return cell_words(drawing.t, drawing.plane, value, drawing.thresholds());
 }
 
 constexpr double kDigitWidth = 0.6;  // of the font's size
@@ -265,7 +265,7 @@ std::string svg_numbers(const Drawing& drawing) {
       svg += fmt::format("<text{} x=\"{}\" y=\"{}\">{}</text>\n",
                          drawing.on_paper && !is_printed ? " class=\"unprinted\"" : "",
                          svg_number(middle.x), svg_number(middle.y + 0.36 * size),
-                         cell_text(drawing, point->measured.value));
+                         escape_html(cell_text(drawing, point->measured.value)));
     }
     svg += "</g>\n";
   }
@@ -540,7 +540,7 @@ PlanSigns signs_of(const Drawing& drawing) {
   const PointRow& lowest = lowest_point(drawing.plane);
   const Texts& t = drawing.t;
   signs.minimum = t.say<Text::value_at_place>(
-      cell_text(drawing, lowest.measured.value) + unit_words(drawing.plane),
+      escape_html(cell_text(drawing, lowest.measured.value)) + unit_words(drawing.plane),
       with_minus(format_position(t, lowest.position_m)));
   const char* unit = plane_unit(drawing.plane);
   for (const PointRow& point : drawing.plane.points) {

@@ -211,9 +211,7 @@ std::string html_looks(const Texts& t, const SpacePart& space, const PlanePart& 
       const bool is_judged = finding.verdict != rules::Verdict::not_judged;
       rows += fmt::format(
           "<td>{} {}</td>", badge_of(t, requirement, finding.verdict),
-          is_judged ? format_measured(t, finding.measured, rules::unit_of(requirement),
-                                      Threshold{requirement.limit, requirement.comparison})
-                    : "");
+          is_judged ? escape_html(measured_words(t, requirement, finding.measured)) : "");
     }
     if (plane.findings.empty())
       rows += "<td>" + format_measured(t, look.average, plane_unit(plane)) + "</td>";

@@ -42,15 +42,13 @@ std::string value_cell(const Texts& t, const calc::Estimate& estimate, const cha
   return t.number(text.value) + (*unit == '\0' ? "" : std::string(" ") + unit);
 }
 
-std::string statistic(const Texts& t, const char* name, rules::Metric metric,
-                      const calc::Estimate& estimate, const char* unit,
-                      const Thresholds& thresholds) {
+std::string statistic(const char* name, rules::Metric metric, const Thresholds& thresholds,
+                      const std::string& value, const std::string& interval) {
   return fmt::format(
       "<tr data-statistic=\"{}\"{}><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td "
       "class=\"num "
       "quiet\">{}</td></tr>\n",
-      calc::name_of(metric), limits_attribute(thresholds), name,
-      value_cell(t, estimate, unit, thresholds), format_interval(t, estimate, unit, thresholds));
+      calc::name_of(metric), limits_attribute(thresholds), name, value, interval);
 }
 
 std::string statistics_table(const Texts& t, const PlanePart& plane) {
@@ -60,7 +58,13 @@ std::string statistics_table(const Texts& t, const PlanePart& plane) {
   const bool has_average = !calc::is_plain_number(plane.derived);
   const auto row = [&](const char* name, const calc::Estimate& estimate, const char* of_unit,
                        rules::Metric metric) {
-    return statistic(t, name, metric, estimate, of_unit, statistic_thresholds(plane, metric));
+    const Thresholds thresholds = statistic_thresholds(plane, metric);
+    const bool is_below =
+        plane.derived == calc::DerivedQuantity::ugr && is_below_ugr_scale(estimate, thresholds);
+    return statistic(name, metric, thresholds,
+                     is_below ? escape_html(value_words(t, plane, estimate, thresholds))
+                              : value_cell(t, estimate, of_unit, thresholds),
+                     is_below ? "" : format_interval(t, estimate, of_unit, thresholds));
   };
   using enum rules::Metric;
   const std::string extremes = row(t[Text::statistic_minimum], plane.minimum, unit, minimum) +
@@ -294,7 +298,10 @@ std::string badges(const Texts& t, const PlanePart& plane) {
     html += badge_of(t, outside->requirement, outside->verdict, false) + " ";
   if (!plane.is_computed) return html;
   const auto brief = [&](const calc::Estimate& estimate, const char* unit, rules::Metric metric) {
-    return format_measured(t, estimate, unit, statistic_thresholds(plane, metric));
+    const Thresholds thresholds = statistic_thresholds(plane, metric);
+    return calc::is_plain_number(plane.derived)
+               ? escape_html(value_words(t, plane, estimate, thresholds))
+               : format_measured(t, estimate, unit, thresholds);
   };
   if (calc::is_plain_number(plane.derived)) {  // such have no average
     return html + fmt::format("<span class=\"brief\">{}</span>",

@@ -74,7 +74,9 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
                        const std::string& folder) {
   const RoomOverview table = room_overview(t, project);
   if (table.rows.empty()) return {};
-  const auto class_of = [](std::size_t column) { return column < 2 ? "" : " class=\"num\""; };
+  const auto class_of = [&](std::size_t column) {
+    return table.is_number(column) ? " class=\"num\"" : "";
+  };
   std::string head, rows;
   for (std::size_t c = 0; c < table.head.size(); ++c) {
     head += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(c), escape_html(table.head[c]));
@@ -86,7 +88,7 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
     rows += fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
                         outcome_cell(t, row), address, escape_html(row.cells[1]));
     for (std::size_t c = 2; c < row.cells.size(); ++c)
-      rows += number_cell(escape_html(row.cells[c]));
+      rows += fmt::format("<td{}>{}</td>", class_of(c), escape_html(row.cells[c]));
     rows += "</tr>\n";
   }
   const char* title = t[Text::overview_title];

@@ -73,7 +73,7 @@ std::string value_matrix(const Texts& t, const PlanePart& plane, int first, int 
       const auto found = value_of_cell.find({row, column});
       html += found == value_of_cell.end()
                   ? "<td></td>"
-                  : "<td>" + format_cell(t, found->second, thresholds) + "</td>";
+                  : "<td>" + escape_html(cell_words(t, plane, found->second, thresholds)) + "</td>";
     }
     html += "</tr>\n";
   }
@@ -101,7 +101,7 @@ std::string value_list(const Texts& t, const PlanePart& plane) {
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(t, point.position_m)),
         with_minus(format_position(t, point.normal)),
-        format_measured(t, point.measured, plane_unit(plane), thresholds),
+        escape_html(value_words(t, plane, point.measured, thresholds)),
         format_cell(t, point.direct_lx), format_cell(t, point.indirect_lx));
   }
   return html + "</tbody></table>";

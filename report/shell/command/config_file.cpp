@@ -41,7 +41,8 @@ constexpr std::array kSettings = {
     SettingRow{"language"},    SettingRow{"decimal"},      SettingRow{"paper"},
     SettingRow{"detail"},      SettingRow{"annex"},        SettingRow{"cover"},
     SettingRow{"scale"},       SettingRow{"palette"},      SettingRow{"passes"},
-    SettingRow{"pictures"},    SettingRow{"datasheets"},   SettingRow{"advice"}};
+    SettingRow{"notes"},       SettingRow{"pictures"},     SettingRow{"datasheets"},
+    SettingRow{"advice"}};
 
 const SettingRow* find_row(std::string_view name) {
   const auto* row = std::find_if(kSettings.begin(), kSettings.end(),

@@ -150,12 +150,17 @@ std::vector<Option> output_options(OutputOptions& options) {
        &options.redact}};
 }
 
-Option passes_option(bool& lists_passes) {
-  return {"--passes", "HOW",
-          "In text. fold: requirements of a workplace that pass share a line, and several rooms\n"
-          "have a line each, and the reasons where they do not pass; list: each requirement has\n"
-          "its own line; default fold",
-          choice<bool>(lists_passes, {{"fold", false}, {"list", true}})};
+std::vector<Option> text_options(OutputOptions& options) {
+  return {
+      {"--passes", "HOW",
+       "In text. fold: requirements of a workplace that pass share a line, and several rooms\n"
+       "have a line each, and the reasons where they do not pass; list: each requirement has\n"
+       "its own line; default fold",
+       choice<bool>(options.lists_passes, {{"fold", false}, {"list", true}})},
+      {"--notes", "",
+       "In text of several rooms: also notes on method and limits, which are else only counted,\n"
+       "and each warning on a terminal, where those of a kind else share a line",
+       &options.shows_notes}};
 }
 
 Option color_option(ColorChoice& target) {

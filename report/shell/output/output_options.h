@@ -34,6 +34,7 @@ struct OutputOptions {
   report::PageStyle page;                                 // of HTML, PDF and images
   bool redact = false;                                    // see report::redact()
   bool lists_passes = false;                              // see report::TextOptions
+  bool shows_notes = false;                               // the same
   bool quiet = false;                                     // no text unless asked for
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
@@ -45,8 +46,8 @@ struct OutputOptions {
 };
 
 std::vector<Option> output_options(OutputOptions& options);
-// --passes
-Option passes_option(bool& lists_passes);
+// --passes and --notes
+std::vector<Option> text_options(OutputOptions& options);
 // --color
 Option color_option(ColorChoice& target);
 // "" = nothing is wrong.

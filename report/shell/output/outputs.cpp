@@ -12,6 +12,8 @@
 #include "report/images/heatmap.h"
 #include "report/images/png.h"
 #include "report/shell/process/print.h"
+#include "report/text/folded_warnings.h"
+#include "report/text/room_overview.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -438,6 +440,7 @@ class OutputFile {
     const report::Texts t = report_texts(options);
     report::TextOptions text;
     text.lists_passes = options.lists_passes;
+    text.shows_notes = options.shows_notes;
     report::SpillPlace place = spill_place(options, file_);
     place.most_bytes = most_bytes_;
     if (planned.format->is_html && options.html_split) {
@@ -573,6 +576,17 @@ class PlannedFiles final : public OutputFiles {
 
 }  // namespace
 
+void print_messages(const report::ProjectPart& project, const OutputOptions& options,
+                    const Environment& environment) {
+  const bool is_text = stdout_format(options) == &report::formats().front();
+  const bool folds = environment.stderr_is_terminal && is_text && !options.quiet &&
+                     !options.shows_notes && !options.lists_passes && report::has_overview(project);
+  if (!folds) return print_diagnostics(project.diagnostics, options.quiet);
+  for (const std::string& line : report::folded_warnings(project, environment.stderr_columns)) {
+    tell("{}\n", line);
+  }
+}
+
 ResultFiles::ResultFiles(const OutputOptions& options, const Environment& environment,
                          report::DocumentFrame frame)
     : frame_(std::move(frame)),
@@ -583,7 +597,7 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
   if (format == nullptr) return;
   const report::TextOptions terminal{use_color(options.color, environment),
                                      environment.stdout_columns, options.lists_passes,
-                                     !options.are_messages_printed};
+                                     options.shows_notes, !options.are_messages_printed};
   report::SpillPlace place = spill_place(options);
   place.most_bytes = most_bytes_;
   for_stdout_ = format->writer(

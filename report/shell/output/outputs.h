@@ -29,6 +29,12 @@ std::string writability(const std::string& file);
 // Equal for two paths to the same file, whether it exists or not.
 std::string path_identity(const std::string& file);
 
+// A project's errors and warnings, to standard error. Where that is a terminal, and text of several
+// rooms goes to standard output, warnings of a kind share a line: see folded_warnings.h. A log
+// keeps them all.
+void print_messages(const report::ProjectPart& project, const OutputOptions& options,
+                    const Environment& environment);
+
 class OutputFiles;
 
 // All planned files, with --images a PNG and an EXR of every computed plane, and what goes to

@@ -469,7 +469,7 @@ class CheckCommand {
       report::ProjectPart& project = checked[p]->part;
       project.strict_warnings = warnings.add(project.diagnostics);
       progress_.aside([&] {
-        print_diagnostics(project.diagnostics, options_.output.quiet);
+        print_messages(project, options_.output, context_.environment);
         if (options_.settings.has_times && project.is_judged) print_timing(project);
       });
       progress_.done(project.path, report::outcome_words(report::outcome_of(project)));

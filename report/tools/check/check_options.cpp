@@ -45,7 +45,6 @@ std::vector<Option> document_options(CheckOptions& options) {
        "or why there are none; in HTML, PDF, text, Markdown and JSON. Takes a calculation to\n"
        "--tolerance and at least one check more. See 'luxgate advise', which says more",
        &options.advice},
-      passes_option(options.output.lists_passes),
       color_option(options.output.color)};
 }
 
@@ -278,6 +277,7 @@ Command check_syntax(CheckOptions& options) {
   add(command.options, gate_options(options.gate));
   add(command.options, {policy_option(options.policy)});
   add(command.options, document_options(options));
+  add(command.options, text_options(options.output));
   add(command.options, accuracy_options(options.settings));
   add(command.options, work_options(options.settings.radiosity));
   add(command.options, backend_options(options.backend));

@@ -61,7 +61,7 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
   }
   if (options.output.redact) report::redact(*document);
   for (const report::ProjectPart& project : document->projects) {
-    print_diagnostics(project.diagnostics, options.output.quiet);
+    print_messages(project, options.output, environment);
   }
   options.output.are_messages_printed = !options.output.quiet;
   std::set<std::string> identities;
@@ -80,9 +80,9 @@ Command report_syntax(ReportOptions& options) {
   command.options = output_options(options.output);
   add(command.options, {baseline_option(options.baseline)});
   add(command.options, gate_options(options.gate));
-  add(command.options,
-      {passes_option(options.output.lists_passes), color_option(options.output.color),
-       sandbox_option(options.sandbox), quiet_option(options.output.quiet)});
+  add(command.options, text_options(options.output));
+  add(command.options, {color_option(options.output.color), sandbox_option(options.sandbox),
+                        quiet_option(options.output.quiet)});
   command.examples = {
       {"luxgate report result.json --language de --format html=bericht.html", "In German"},
       {"luxgate report result.json --baseline main.json --gate regression --format markdown",

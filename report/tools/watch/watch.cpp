@@ -189,7 +189,7 @@ class Watch {
   void show(report::Document document, const std::set<std::string>& inputs,
             const FileStamps& changed) {
     for (const report::ProjectPart& project : document.projects) {
-      print_diagnostics(project.diagnostics, false);
+      print_messages(project, options_.output, context_.environment);
       if (options_.output.page.sheets) options_.output.page.sheets->see(project, "");
     }
     std::optional<report::Document> shown;
@@ -200,7 +200,8 @@ class Watch {
     const report::Document& of_now = shown ? *shown : document;
     if (shown && !options_.output.lists_passes) {
       const bool is_coloured = use_color(options_.output.color, context_.environment);
-      print_result(report::render_revision_text({}, of_now, is_coloured) +
+      print_result(report::render_revision_text({}, of_now, is_coloured,
+                                                context_.environment.stdout_columns) +
                    report::summary_words(report::totals_of(of_now)) + "\n");
     } else {
       write_results(options_.output, context_.environment, of_now, inputs);
@@ -259,8 +260,8 @@ Command watch_command() {
         "Show the report in a browser, too, and keep it up to date: on this machine\n"
         "alone, at an address that nobody can guess",
         &options->serves},
-       passes_option(check.output.lists_passes),
        color_option(check.output.color)});
+  add(command.options, text_options(check.output));
   add(command.options, selection_options(check.settings.selection));
   add(command.options, accuracy_options(check.settings));
   add(command.options, work_options(check.settings.radiosity));

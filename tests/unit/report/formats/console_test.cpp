@@ -297,27 +297,32 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
   Document document = small_document();
   const std::string remark =
       "measured from the other side of the board, as what stands before it is wider than the board "
-      "itself, a-name-of-more-than-fifty-characters-that-nobody-may-cut, and so on";
+      "itself, a-name-of-more-than-fifty-characters-that-takes-two-lines, and so on";
   document.projects[0].spaces[0].planes[0].remarks = {calc::Message::words(remark)};
   EXPECT_THAT(rendered("text", document), HasSubstr("└ " + remark + "\n"));
-  EXPECT_THAT(rendered("text", document, {{.width = 30}}), HasSubstr("└ " + remark + "\n"));
   const std::string text = rendered("text", document, {{.width = 60}});
-  EXPECT_THAT(text,
-              HasSubstr("           └ measured from the other side of the board, as\n"
-                        "             what stands before it is wider than the board\n"
-                        "             itself,\n"
-                        "             a-name-of-more-than-fifty-characters-that-nobody-may-cut,\n"
-                        "             and so on\n"));
+  EXPECT_THAT(text, HasSubstr("           └ measured from the other side of the board, as\n"
+                              "             what stands before it is wider than the board\n"
+                              "             itself,\n"
+                              "             a-name-of-more-than-fifty-characters-that-takes\n"
+                              "             -two-lines, and so on\n"));
 }
 
 TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
   const std::string text = rendered("text", small_document(), {{false, 90}});
-  EXPECT_THAT(text, HasSubstr("…e / Work plane"));
+  EXPECT_THAT(text, HasSubstr("  Office / W…lane  "));
   EXPECT_THAT(text, HasSubstr("424 ± 4 lx  -5.7 %  (2.75, 1.00, 0.80)"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 90U) << line;
-  EXPECT_THAT(rendered("text", small_document(), {{false, 10}}),
-              HasSubstr("424 ± 4 lx  -5.7 %  (2.75, 1.00, 0.80)"));
+}
+
+// Where the columns do not fit, all of them are there, one below the other.
+TEST(Console, RowsThatAreTooWideAreStacked) {
+  const std::string text = rendered("text", small_document(), {{false, 40}});
+  EXPECT_THAT(text, HasSubstr("  ✗ FAIL  Office / Work plane  minimum\n"
+                              "    ≥ 450 lx  424 ± 4 lx  -5.7 %\n"
+                              "    (2.75, 1.00, 0.80)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("verdict")));
 }
 
 TEST(Console, SceneAndStateAreNamed) {

@@ -209,5 +209,17 @@ TEST(NumberFormat, LocaleDoesNotMatter) {
   std::locale::global(before);
 }
 
+TEST(NumberFormat, UgrBelowItsScaleHasNoNumber) {
+  const auto at_most = [](double limit) { return Threshold{limit, rules::Comparison::at_most}; };
+  EXPECT_EQ(format_ugr({-20.28, -20.28, -20.28}, at_most(19)), "< 10");
+  EXPECT_EQ(format_ugr({9.5, 9.0, 9.9}, at_most(10)), "< 10");
+  EXPECT_EQ(format_ugr({9.5, 9.0, 10.5}, at_most(19)),
+            format_measured({9.5, 9.0, 10.5}, "", at_most(19)));
+  EXPECT_EQ(format_ugr({9.5, 9.0, 9.9}, at_most(9.2)),
+            format_measured({9.5, 9.0, 9.9}, "", at_most(9.2)))
+      << "it fails, and must be seen to";
+  EXPECT_EQ(format_ugr({16.4, 16.4, 16.4}, at_most(19)), "16.4");
+}
+
 }  // namespace
 }  // namespace report::number_format_test

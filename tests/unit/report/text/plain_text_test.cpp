@@ -42,5 +42,24 @@ TEST(PlainText, ShorteningKeepsTheEnd) {
   EXPECT_EQ(shorten_start("abc", 1), "…");
 }
 
+TEST(PlainText, LongNamesLoseTheirMiddle) {
+  EXPECT_EQ(shorten_middle("Office / Work plane", 13), "Office /…lane");
+  EXPECT_EQ(shorten_middle("Office", 13), "Office");
+  EXPECT_EQ(shorten_name("Registry, north wing, shelf 12", 16), "Registry, …lf 12");
+  EXPECT_EQ(shorten_name("Registry, north wing", 12), "Registry, n…");
+  EXPECT_EQ(shorten_name("照明照明照明照明照明照明照明", 12), "照明照明…明");
+  for (std::size_t columns = 1; columns < 30; ++columns) {
+    EXPECT_LE(display_width(shorten_name("Registry, 照明 wing, shelf 12", columns)), columns);
+  }
+}
+
+TEST(PlainText, NamesAreInTheOrderOfTheirNumbers) {
+  EXPECT_TRUE(comes_before("Room 9", "Room 10"));
+  EXPECT_FALSE(comes_before("Room 10", "Room 9"));
+  EXPECT_FALSE(comes_before("Room 10", "Room 010"));
+  EXPECT_TRUE(comes_before("1.02 Hall", "1.10 Attic"));
+  EXPECT_TRUE(comes_before("Room", "Room 1"));
+}
+
 }  // namespace
 }  // namespace report::plain_text_test

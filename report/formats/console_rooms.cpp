@@ -1,0 +1,205 @@
+#include "report/formats/console_rooms.h"
+
+#include "report/document/room_summary.h"
+#include "report/formats/console_lines.h"
+#include "report/text/plain_text.h"
+#include "report/text/room_causes.h"
+#include "report/text/room_notes.h"
+#include "report/text/room_overview.h"
+#include "report/text/room_titles.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace report {
+namespace {
+
+using OverviewColumn = RoomOverview::Column;
+
+std::vector<std::size_t> column_widths(const RoomOverview& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& head : table.head) widths.push_back(display_width(head));
+  for (const RoomOverview::Row& row : table.rows) {
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      widths[c] = std::max(widths[c], display_width(printable(row.cells[c])));
+    }
+  }
+  return widths;
+}
+
+// Columns to which names may be shortened, the use of a room first.
+struct LeastWidths {
+  std::size_t use = 0, room = 0;
+};
+
+// Widths that fit; empty: there are none.
+std::vector<std::size_t> fitted_widths(const RoomOverview& table, int terminal_width,
+                                       const LeastWidths& least) {
+  std::vector<std::size_t> widths = column_widths(table);
+  if (terminal_width <= 0) return widths;
+  std::size_t total = 0;  // with the indentation in place of the last gap
+  for (const std::size_t width : widths) total += width + kGap;
+  const auto available = static_cast<std::size_t>(terminal_width);
+  std::size_t excess = total > available ? total - available : 0;
+  const auto shrink = [&](OverviewColumn column, std::size_t narrowest) {
+    const auto at = std::find(table.columns.begin(), table.columns.end(), column);
+    if (at == table.columns.end()) return;
+    std::size_t& width = widths[static_cast<std::size_t>(at - table.columns.begin())];
+    const std::size_t less = std::min(excess, width - std::min(width, narrowest));
+    width -= less;
+    excess -= less;
+  };
+  shrink(OverviewColumn::use, least.use);
+  shrink(OverviewColumn::room, least.room);
+  return excess == 0 ? widths : std::vector<std::size_t>();
+}
+
+// What does not fit is left out of the table.
+std::vector<std::size_t> fit(RoomOverview& table, int terminal_width) {
+  struct Step {
+    LeastWidths least;
+    std::vector<OverviewColumn> dropped;  // one after the other until the rest fits
+  };
+  const std::array steps{
+      Step{{18, 18},
+           {OverviewColumn::met, OverviewColumn::leni, OverviewColumn::cylindrical,
+            OverviewColumn::power, OverviewColumn::minimum, OverviewColumn::walls}},
+      Step{{10, 12}, {OverviewColumn::use, OverviewColumn::glare, OverviewColumn::uniformity}},
+      Step{{10, 4}, {OverviewColumn::average}}};
+  std::vector<std::size_t> widths;
+  for (const Step& step : steps) {
+    widths = fitted_widths(table, terminal_width, step.least);
+    for (const OverviewColumn column : step.dropped) {
+      if (!widths.empty()) return widths;
+      table.drop(column);
+      widths = fitted_widths(table, terminal_width, step.least);
+    }
+  }
+  return widths.empty() ? column_widths(table) : widths;
+}
+
+}  // namespace
+
+std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  RoomOverview table = room_overview(t, project);
+  if (table.rows.empty()) return {};
+  for (RoomOverview::Row& row : table.rows) {
+    // A failure stands out in a log without colours, too: it alone is in capitals.
+    if (row.outcome == rules::Outcome::fail) {
+      row.cells.front() =
+          fmt::format("{} {}", outcome_symbol(row.outcome), t[Text::fail_in_capitals]);
+    }
+  }
+  const std::vector<std::size_t> widths = fit(table, options.width);
+  const auto line = [&](const std::vector<std::string>& cells, std::string_view colour) {
+    std::string text = "  ";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const std::string cell =
+          padded(shorten_name(printable(cells[c]), widths[c]), widths[c], table.is_number(c));
+      const bool is_coloured = options.colour && (c == 0 || colour == kDim);
+      text += is_coloured ? std::string(colour) + cell + kReset : cell;
+      text.append(kGap, ' ');
+    }
+    trim_end(text);
+    return text + "\n";
+  };
+  std::string text = line(table.head, kDim);
+  for (const RoomOverview::Row& row : table.rows)
+    text += line(row.cells, outcome_colour(row.outcome));
+  return text + "\n";
+}
+
+std::string causes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  std::string text;
+  for (const CauseBlock& block : cause_blocks(t, project)) {
+    text += options.colour
+                ? fmt::format("{}{}{}\n", outcome_colour(block.outcome), block.title, kReset)
+                : std::string(block.title) + "\n";
+    for (const CauseEntry& entry : block.entries) {
+      text += note_lines(printable(fmt::format("{}", fmt::join(entry.rooms, ", "))), 0,
+                         options.width, "  ");
+      for (const CauseWords& cause : entry.causes) {
+        text += note_lines(printable(cause.what), 2, options.width, "  ");
+        for (const std::string& more : cause.more) {
+          text += note_lines(printable(more), 4, options.width);
+        }
+      }
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
+  RoomNotesText notes;
+  for (const RoomNote& note : room_notes(t, project, !options.shows_notes)) {
+    if (note.is_method && !options.shows_notes) {
+      ++notes.hidden;
+    } else {
+      notes.text += note_lines(note_line(t, note), 0, options.width, "· ");
+    }
+  }
+  if (!notes.text.empty()) notes.text = t[Text::notes_once] + ("\n" + notes.text) + "\n";
+  return notes;
+}
+
+void RoomsToName::add_name(rules::Outcome outcome, const std::string& name) {
+  constexpr std::size_t kMostNamed = 12;
+  ++rooms_;
+  List& list = lists_[outcome];
+  ++list.count;
+  if (list.names.size() < kMostNamed) list.names.push_back(name);
+}
+
+void RoomsToName::add(const ProjectPart& project, const std::string& path) {
+  if (!project.is_judged) {
+    add_name(rules::Outcome::not_judged, path.empty() ? printable_path(project.path) : path);
+  }
+  const std::vector<std::string> titles = room_titles(project);
+  for (const RoomSummary& room : room_summaries(project)) {
+    const std::string name =
+        printable(titles[static_cast<std::size_t>(room.space - project.spaces.data())]);
+    add_name(room.outcome, path.empty() ? name : fmt::format("{}: {}", path, name));
+  }
+}
+
+std::string RoomsToName::text(const Texts& t, int terminal_width) const {
+  if (rooms_ < 2) return {};
+  std::vector<std::string> parts;
+  for (const rules::Outcome outcome :
+       {rules::Outcome::fail, rules::Outcome::not_judged, rules::Outcome::undecided}) {
+    const auto list = lists_.find(outcome);
+    if (list == lists_.end()) continue;
+    const std::size_t count = list->second.count;
+    std::string names = fmt::format("{}", fmt::join(list->second.names, ", "));
+    if (count > list->second.names.size()) {
+      names = t.say<Text::names_and_more>(names, count - list->second.names.size());
+    }
+    const bool is_one = count == 1;
+    if (outcome == rules::Outcome::fail) {
+      parts.push_back(is_one ? t.say<Text::one_room_fails>(count, names)
+                             : t.say<Text::rooms_fail>(count, names));
+    } else if (outcome == rules::Outcome::not_judged) {
+      parts.push_back(is_one ? t.say<Text::one_room_not_judged>(count, names)
+                             : t.say<Text::rooms_not_judged>(count, names));
+    } else {
+      parts.push_back(is_one ? t.say<Text::one_room_undecided>(count, names)
+                             : t.say<Text::rooms_undecided>(count, names));
+    }
+  }
+  if (parts.empty()) return {};
+  const std::string line = fmt::format("{}", fmt::join(parts, " · "));
+  const auto width = static_cast<std::size_t>(std::max(terminal_width, 0));
+  if (width == 0 || display_width(line) <= width) return line + "\n";
+  std::string text;
+  for (const std::string& part : parts) text += wrapped_lines("", part, 2, terminal_width);
+  return text;
+}
+
+}  // namespace report

@@ -1,0 +1,19 @@
+#include "rules/pack/row_names.h"
+
+#include <gtest/gtest.h>
+
+namespace rules {
+namespace {
+
+TEST(RowNames, AreThoseOfThePacks) {
+  const RowName* name = builtin_row_name("en12464-1:2021", "34.2");
+  ASSERT_NE(name, nullptr);
+  EXPECT_EQ(name->title, "EN 12464-1:2021");
+  EXPECT_EQ(name->name, "office desk work");
+  EXPECT_EQ(name->name_de, "Schreibtischarbeit");
+  EXPECT_EQ(builtin_row_name("en12464-1:2021", "99.9"), nullptr);
+  EXPECT_EQ(builtin_row_name("en12464-1", "34.2"), nullptr) << "editions number rows differently";
+}
+
+}  // namespace
+}  // namespace rules
