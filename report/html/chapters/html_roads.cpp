@@ -91,8 +91,8 @@ std::string stated_of_street(const Texts& t, const RoadPart& road, const RoadFac
                              const std::string& name) {
   const std::string surface =
       t.say<Text::road_surface_is>(escape_html(road.surface), t.number(format_shortest(road.q0)));
-  const auto row = [](const char* name, const std::string& value) {
-    return street_row({name, value}, 2);
+  const auto row = [](const char* of, const std::string& value) {
+    return street_row({of, value}, 2);
   };
   const char* title = t[Text::road_stated];
   return street_table(t, name, title, title, "facts", "",

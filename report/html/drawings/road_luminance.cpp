@@ -20,7 +20,7 @@ namespace {
 
 // In millimetres on paper; y points down.
 constexpr double kChartWidth_mm = 180, kBefore_mm = 20, kBehind_mm = 10;
-constexpr double kCell_mm = 4.4, kFieldTop_mm = 4.5, kBelow_mm = 8, kNumber_mm = 2.4;
+constexpr double kRoadCell_mm = 4.4, kFieldTop_mm = 4.5, kBelow_mm = 8, kNumber_mm = 2.4;
 constexpr std::size_t kMostCellsAlong = 24;  // beside each other
 
 std::string cell_number(const Texts& t, double cd_m2) {
@@ -54,7 +54,7 @@ class LuminancePiece {
         top_mm_(top_mm) {}
 
   static double height_mm(const RoadPart& road) {
-    return kFieldTop_mm + kCell_mm * static_cast<double>(road.light.grid.across()) + kBelow_mm;
+    return kFieldTop_mm + kRoadCell_mm * static_cast<double>(road.light.grid.across()) + kBelow_mm;
   }
 
   // The eye is before the field: at its first piece, and of oncoming traffic at its last one.
@@ -73,9 +73,9 @@ class LuminancePiece {
   }
   // Upper end of a row: the first one is at the bottom.
   double y_mm(std::size_t row) const {
-    return top_mm_ + kFieldTop_mm + kCell_mm * static_cast<double>(grid().across() - 1 - row);
+    return top_mm_ + kFieldTop_mm + kRoadCell_mm * static_cast<double>(grid().across() - 1 - row);
   }
-  double bottom_mm() const { return y_mm(0) + kCell_mm; }
+  double bottom_mm() const { return y_mm(0) + kRoadCell_mm; }
   double value(std::size_t column, std::size_t row) const {
     return observer_.cd_m2[row * grid().along() + column];
   }
@@ -92,7 +92,7 @@ class LuminancePiece {
     for_cells([&](std::size_t column, std::size_t row) {
       by_band[band_of(scale_, value(column, row))] += fmt::format(
           "M{} {}h{}v{}h{}z", svg_number(x_mm(column)), svg_number(y_mm(row)),
-          svg_number(cell_width_mm()), svg_number(kCell_mm), svg_number(-cell_width_mm()));
+          svg_number(cell_width_mm()), svg_number(kRoadCell_mm), svg_number(-cell_width_mm()));
     });
     std::string svg;
     for (const auto& [band, data] : by_band) {
@@ -109,8 +109,8 @@ class LuminancePiece {
       const double cd_m2 = value(column, row);
       const bool is_dark = needs_dark_text(band_colour(scale_, band_of(scale_, cd_m2)));
       (is_dark ? dark : light) += svg_text(x_mm(column) + 0.5 * cell_width_mm(),
-                                           y_mm(row) + 0.5 * kCell_mm + 0.36 * kNumber_mm, "middle",
-                                           cell_number(t_, cd_m2));
+                                           y_mm(row) + 0.5 * kRoadCell_mm + 0.36 * kNumber_mm,
+                                           "middle", cell_number(t_, cd_m2));
     });
     return fmt::format(
         "<g class=\"on-light\" font-size=\"{0}\">{1}</g>\n<g class=\"on-dark\" "
@@ -123,7 +123,7 @@ class LuminancePiece {
     std::string data;
     for (std::size_t row = 0; row <= grid().across(); row += calc::kRoadRowsPerLane) {
       data += fmt::format("M{} {}H{}", svg_number(kBefore_mm),
-                          svg_number(bottom_mm() - kCell_mm * static_cast<double>(row)),
+                          svg_number(bottom_mm() - kRoadCell_mm * static_cast<double>(row)),
                           svg_number(x_mm(last_)));
     }
     return drawing_path("lane-end", data);
@@ -136,8 +136,9 @@ class LuminancePiece {
                            format_fixed(t_, grid().x_m[column], 1));
     }
     for (std::size_t row = 0; row < grid().across(); ++row) {
-      svg += drawing_words({kBefore_mm - 1.2, y_mm(row) + 0.5 * kCell_mm + 0.36 * kDrawingText_mm},
-                           format_fixed(t_, grid().y_m[row], 2), "end");
+      svg +=
+          drawing_words({kBefore_mm - 1.2, y_mm(row) + 0.5 * kRoadCell_mm + 0.36 * kDrawingText_mm},
+                        format_fixed(t_, grid().y_m[row], 2), "end");
     }
     return svg + drawing_words({x_mm(last_) + 1.2, bottom_mm() + 5.6}, "x", "start") +
            drawing_words({kBefore_mm - 1.2, top_mm_ + kFieldTop_mm - 1.4}, "y", "end");
@@ -166,7 +167,7 @@ class LuminancePiece {
     const auto middle = static_cast<std::size_t>(observer_.lane * calc::kRoadRowsPerLane +
                                                  calc::kRoadRowsPerLane / 2);
     const double x = observer_.is_oncoming ? kChartWidth_mm - 2.6 : 2.6;
-    return eye_sign({x, y_mm(middle) + 0.5 * kCell_mm}, observer_.is_oncoming);
+    return eye_sign({x, y_mm(middle) + 0.5 * kRoadCell_mm}, observer_.is_oncoming);
   }
 
   const Texts& t_;
