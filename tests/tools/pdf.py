@@ -203,7 +203,7 @@ def used_shares(file):
 
 def texts_and_chapters(file):
     """Characters by size of type in points, and the pages on which chapters begin."""
-    zoom = 4  # sizes are whole numbers
+    zoom = 3  # the most there is; sizes are whole numbers
     xml = subprocess.run(["pdftohtml", "-xml", "-i", "-stdout", "-hidden", "-zoom", str(zoom), WORK / file], capture_output=True, check=True).stdout.decode()
     size_of = {font: float(size) / zoom for font, size in re.findall(r'<fontspec id="(\d+)" size="([-\d.]+)"', xml)}
     sizes = collections.Counter()

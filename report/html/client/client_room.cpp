@@ -273,7 +273,7 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
     html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +
             std::string(t[Text::room_data]) + "</caption><tbody>\n" + facts + "</tbody></table>\n";
   html += "<div class=\"charts\">\n" + charts_html(t, space, room, scales, paper) +
-          html_room(t, space) + "</div>\n";
+          html_room(t, space, true) + "</div>\n";
   if (summary != nullptr) html += client_causes(t, *summary);
   html += requirements_table(t, space, lines, clause, footnotes) +
           notes_of(t, space, footnotes).html(t);

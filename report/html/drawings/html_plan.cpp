@@ -439,14 +439,15 @@ std::string paper_labels(const Drawing& drawing) {
       .labels;
 }
 
-// The window of one piece, and the group that the first one shares with the others.
+// The window of one piece, and the group that the first one shares with the others: what a <use>
+// copies has the styles of a plan by its own class alone.
 std::string piece_start(const Drawing& drawing, const Pieces& pieces, int piece) {
   const glm::dvec2 at = pieces.at_px(piece), size = pieces.piece_px(), from = pieces.from_px(piece);
   return fmt::format(
       "<svg x=\"{0}\" y=\"{1}\" width=\"{4}\" height=\"{5}\" viewBox=\"{2} {3} {4} {5}\"><g{6}>\n",
       svg_number(at.x), svg_number(at.y), svg_number(from.x), svg_number(from.y),
       svg_number(size.x), svg_number(size.y),
-      piece == 0 && pieces.count() > 1 ? " id=\"" + drawing.anchor + "-plan\"" : "");
+      piece == 0 && pieces.count() > 1 ? " class=\"plan\" id=\"" + drawing.anchor + "-plan\"" : "");
 }
 
 std::string svg_plan(const Drawing& drawing) {

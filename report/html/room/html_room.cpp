@@ -39,7 +39,7 @@ std::string picture_words(const Texts& t, const SpacePart& space, const RoomPict
                              : t.say<Text::picture_words>(name, title);
 }
 
-std::string html_room(const Texts& t, const SpacePart& space) {
+std::string html_room(const Texts& t, const SpacePart& space, bool is_brief) {
   const RoomPictures& pictures = space.pictures;
   if (!pictures.problem.empty()) {
     return "<p class=\"quiet\">" +
@@ -54,6 +54,9 @@ std::string html_room(const Texts& t, const SpacePart& space) {
   if (pictures.highest_lx > scale.high()) {
     beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
   }
+  if (is_brief)
+    return html + "<figcaption>" + t.say<Text::client_pictures>(beyond) +
+           "</figcaption></figure>\n";
   const bool has_rendered =
       std::any_of(pictures.list.begin(), pictures.list.end(),
                   [](const RoomPicture& picture) { return picture.is_rendered; });
@@ -66,8 +69,12 @@ std::string html_room(const Texts& t, const SpacePart& space) {
 
 std::string html_cover_picture(const Texts& t, const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
-    if (space.pictures.list.empty()) continue;
-    return picture_html(t, space, space.pictures.list.front(), " class=\"on-cover\"");
+    const std::vector<RoomPicture>& list = space.pictures.list;
+    if (list.empty()) continue;
+    const auto rendered = std::find_if(list.begin(), list.end(),
+                                       [](const auto& picture) { return picture.is_rendered; });
+    return picture_html(t, space, rendered == list.end() ? list.front() : *rendered,
+                        " class=\"on-cover\"");
   }
   return {};
 }

@@ -127,7 +127,17 @@ std::string power_facts(const Texts& t, const ProjectPart& project, const SpaceP
   return html;
 }
 
-std::string luminaire_facts(const Texts& t, const SpacePart& space) {
+// "A MIRL NIV 2800" by the schedule, where it has the type.
+std::string type_words(const ProjectPart& project, const std::string& type_id) {
+  for (std::size_t i = 0; i < project.luminaires.size(); ++i) {
+    const LuminaireRow& row = project.luminaires[i];
+    if (row.type_id == type_id)
+      return position_letter(i) + " " + escape_html(title_of(row.name, row.type_id));
+  }
+  return escape_html(type_id);
+}
+
+std::string luminaire_facts(const Texts& t, const ProjectPart& project, const SpacePart& space) {
   std::vector<std::pair<std::string, int>> count;
   for (const LuminaireMark& mark : space.luminaires) {
     auto found = std::find_if(count.begin(), count.end(),
@@ -137,7 +147,7 @@ std::string luminaire_facts(const Texts& t, const SpacePart& space) {
   }
   std::string words;
   for (const auto& [type, number] : count)
-    words += fmt::format("{}{} × {}", words.empty() ? "" : ", ", number, escape_html(type));
+    words += fmt::format("{}{} × {}", words.empty() ? "" : ", ", number, type_words(project, type));
   return words.empty() ? "" : fact(t[Text::luminaires], words);
 }
 
@@ -191,7 +201,7 @@ std::string html_room_facts(const Texts& t, const ProjectPart& project, const Sp
   std::string rows = size_fact(t, space);
   if (space.power.area_m2 > 0.0)
     rows += fact(t[Text::floor_area], square_metres(t, space.power.area_m2));
-  return rows + surface_facts(t, project, space) + luminaire_facts(t, space) +
+  return rows + surface_facts(t, project, space) + luminaire_facts(t, project, space) +
          power_facts(t, project, space);
 }
 
