@@ -3,14 +3,21 @@
 #include "calc/scene/polygon.h"
 #include "report/formats/console.h"
 #include "report/formats/dxf_entities.h"
+#include "report/formats/dxf_layout.h"
+#include "report/formats/dxf_legend.h"
 #include "report/formats/dxf_text.h"
 #include "report/html/drawings/flat_box.h"
 #include "report/html/drawings/html_isolux.h"
 #include "report/html/drawings/html_plan.h"
 #include "report/html/drawings/plan_layout.h"
 #include "report/images/heatmap.h"
+#include "report/revision/revision_tables.h"
+#include "report/text/about_words.h"
 #include "report/text/luminaire_aim.h"
 #include "report/text/plane_names.h"
+#include "report/text/room_causes.h"
+#include "report/text/room_overview.h"
+#include "report/text/room_titles.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -18,12 +25,10 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,29 +37,55 @@
 namespace report {
 namespace {
 
-constexpr double kGap_m = 1.0;       // between parts of the drawing
-constexpr double kLineByText = 1.6;  // from base line to base line
-constexpr double kLeastText_m = 0.02;
-constexpr std::size_t kLegendSigns = 200;  // characters of the legend
+constexpr double kGap_m = 1.0;                                // between parts of the drawing
+constexpr std::size_t kLegendColumn = 72, kNotesColumn = 96;  // characters
+constexpr const char* kUnknown = "-";                         // in the block of a room
 
 // Layers, from which an office takes what it needs.
 constexpr const char* kRooms = "LUX_ROOMS";
 constexpr const char* kRoomNames = "LUX_ROOM_NAMES";
+constexpr const char* kRoomData = "LUX_ROOM_DATA";
 constexpr const char* kFurniture = "LUX_FURNITURE";
 constexpr const char* kLuminaires = "LUX_LUMINAIRES";
 constexpr const char* kNumbers = "LUX_LUMINAIRE_NUMBERS";
-constexpr const char* kPlanes = "LUX_PLANES";
-constexpr const char* kPlaneNames = "LUX_PLANE_NAMES";
-constexpr const char* kValues = "LUX_VALUES";
-constexpr const char* kIsolux = "LUX_ISOLUX";
-constexpr const char* kIsoluxLimits = "LUX_ISOLUX_LIMITS";
-constexpr const char* kIsoluxLabels = "LUX_ISOLUX_LABELS";
 constexpr const char* kLegend = "LUX_LEGEND";
+constexpr const char* kNotes = "LUX_NOTES";             // frozen
+constexpr const char* kMoreValues = "LUX_VALUES_MORE";  // frozen
+constexpr const char* kOther = "_OTHER";                // what follows the names of their layers
 
-// In the order of attributes of a luminaire.
+constexpr const char* kRoomBlock = "LUX_ROOM";
+
+// Names in the order of attributes of a luminaire.
 const std::vector<std::string_view> kTags{
     "NUMBER",      "ID",    "ROOM",    "TYPE",       "GROUP",   "HEIGHT_M", "TILT_DEG",
     "HEADING_DEG", "MAKER", "ARTICLE", "PHOTOMETRY", "FLUX_LM", "POWER_W"};
+
+// What a room's block shows, line by line, and what it is called there.
+struct RoomLine {
+  RoomOverview::Column column;
+  std::string_view tag, label;
+};
+const std::vector<RoomLine> kRoomLines{{RoomOverview::Column::average, "EM", "Em lx"},
+                                       {RoomOverview::Column::uniformity, "UO", "Uo"},
+                                       {RoomOverview::Column::glare, "UGR", "UGR"},
+                                       {RoomOverview::Column::power, "W_M2", "W/m2"}};
+constexpr double kRoomLabel = 6.0, kRoomValue = 14.0;  // characters of label and value
+
+struct UnitRow {
+  DrawingUnit unit;
+  std::string_view name;
+  int number;     // of $INSUNITS
+  double metres;  // of one
+};
+constexpr std::array kUnits{
+    UnitRow{DrawingUnit::m, "m", 6, 1.0}, UnitRow{DrawingUnit::cm, "cm", 5, 0.01},
+    UnitRow{DrawingUnit::mm, "mm", 4, 0.001}, UnitRow{DrawingUnit::in, "in", 1, 0.0254},
+    UnitRow{DrawingUnit::ft, "ft", 2, 0.3048}};
+
+const UnitRow& unit_row(DrawingUnit unit) {
+  return *std::find_if(kUnits.begin(), kUnits.end(),
+                       [unit](const UnitRow& row) { return row.unit == unit; });
+}
 
 DxfColour colour_of(rules::Outcome outcome) {
   switch (outcome) {
@@ -86,10 +117,7 @@ bool is_level(const PlanePart& plane) {
   return is_horizontal(glm::cross(plane.grid.u, plane.grid.v));
 }
 
-std::string title_of_plane(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  return fmt::format("{} / {}", title_of(space.name, space.id), plane_name(t, space, plane));
-}
-
+// "Task: pass", with what it measures where that is not plain illuminance.
 std::string plane_label(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   const bool is_outside =
       std::any_of(plane.findings.begin(), plane.findings.end(),
@@ -100,8 +128,26 @@ std::string plane_label(const Texts& t, const SpacePart& space, const PlanePart&
                                       ? t[Text::advice_outside]
                                       : outcome_words(t, outcome));
   if (!plane.is_computed) words += std::string(", ") + t[Text::not_computed];
+  if (plane.is_computed && !is_plain_illuminance(plane)) words += ", " + values_words(t, plane);
   if (!doubt_words(t, plane).empty()) words += fmt::format(" ({})", t[Text::doubt]);
   return words;
+}
+
+bool is_of_task(const rules::Finding& finding) { return finding.requirement.origin.is_of_own_role; }
+
+// Whether it is what the room is lit for: a task area, or a plane that the project itself describes
+// - of these only those of which something is required, where there are any.
+bool is_task(const SpacePart& space, const PlanePart& plane) {
+  const auto is_own = [](const PlanePart& one) {
+    return one.made_by.empty() ||
+           (is_plain_illuminance(one) &&
+            std::any_of(one.findings.begin(), one.findings.end(), is_of_task));
+  };
+  if (!is_own(plane)) return false;
+  return !plane.findings.empty() ||
+         std::none_of(space.planes.begin(), space.planes.end(), [&](const PlanePart& other) {
+           return !other.findings.empty() && is_own(other);
+         });
 }
 
 // Where a plane is drawn: at its place in the world, or flat beside the plan.
@@ -132,17 +178,21 @@ class Placing {
   const calc::SensorGrid* grid_ = nullptr;
 };
 
-// What a plane has to say, in the layers of its tier.
+// Layers of what is drawn of a plane.
 struct PlaneLayers {
-  std::string values, isolux, limits, labels;
+  std::string outlines, names, values, isolux, limits, labels;
 };
 
-// The first of them have plain names.
-PlaneLayers layers_of_tier(std::size_t tier) {
-  const auto name = [tier](const char* layer) {
-    return tier == 0 ? std::string(layer) : fmt::format("{}_{}", layer, tier + 1);
-  };
-  return {name(kValues), name(kIsolux), name(kIsoluxLimits), name(kIsoluxLabels)};
+// "LUX_VALUES", "LUX_VALUES_2", "LUX_VALUES_OTHER", ...
+PlaneLayers layers_of(bool is_task, std::size_t tier) {
+  const std::string kind = is_task ? "" : kOther;
+  const std::string number = tier == 0 ? "" : fmt::format("_{}", tier + 1);
+  return {"LUX_PLANES" + kind,
+          "LUX_PLANE_NAMES" + kind,
+          "LUX_VALUES" + kind + number,
+          "LUX_ISOLUX" + kind + number,
+          "LUX_ISOLUX_LIMITS" + kind + number,
+          "LUX_ISOLUX_LABELS" + kind + number};
 }
 
 FlatBox box_of(const PlanePart& plane) {
@@ -194,43 +244,21 @@ class Tiers {
   std::vector<std::vector<std::pair<const PlanePart*, FlatBox>>> tiers_;
 };
 
-struct ValueText {
-  glm::dvec3 at;
-  std::string words;
-};
-
-std::vector<ValueText> value_texts(const Texts& t, const PlanePart& plane, const Placing& placing) {
+std::vector<std::string> point_words(const Texts& t, const PlanePart& plane) {
   const Thresholds thresholds = point_thresholds(plane);
-  std::vector<ValueText> texts;
-  for (const PointRow& point : plane.points) {
-    texts.push_back({placing.at(point.position_m),
-                     dxf_text(dxf_signs(cell_words(t, plane, point.measured.value, thresholds)))});
-  }
+  std::vector<std::string> words;
+  for (const PointRow& point : plane.points)
+    words.push_back(dxf_text(dxf_signs(cell_words(t, plane, point.measured.value, thresholds))));
+  return words;
+}
+
+std::vector<DxfPlacedText> placed_values(const Texts& t, const PlanePart& plane,
+                                         const Placing& placing) {
+  const std::vector<std::string> words = point_words(t, plane);
+  std::vector<DxfPlacedText> texts;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    texts.push_back(DxfPlacedText{glm::dvec2(placing.at(plane.points[i].position_m)), words[i]});
   return texts;
-}
-
-// So that each number stays in its cell.
-double value_height_m(const PlanePart& plane, const std::vector<ValueText>& texts) {
-  constexpr double kOfList_m = 0.1, kPartOfHeight = 0.4, kPartOfWidth = 0.85, kLargest_m = 1.0;
-  if (plane.grid.columns <= 0) return kOfList_m;
-  std::size_t longest = 1;
-  for (const ValueText& text : texts) longest = std::max(longest, text.words.size());
-  const double height =
-      std::min(kPartOfHeight * plane.grid.spacing_v_m,
-               kPartOfWidth * plane.grid.spacing_u_m / static_cast<double>(longest));
-  return std::clamp(height, kLeastText_m, kLargest_m);
-}
-
-// Two numbers at one place can be read of neither point.
-bool has_stacked_points(const std::vector<ValueText>& texts, double height_m) {
-  std::set<std::pair<long long, long long>> places;
-  for (const ValueText& text : texts) {
-    const glm::dvec2 place(text.at / height_m);
-    constexpr double kMost = 1e15;  // what does not fit into a whole number
-    if (!(std::abs(place.x) < kMost && std::abs(place.y) < kMost)) continue;
-    if (!places.emplace(std::llround(place.x), std::llround(place.y)).second) return true;
-  }
-  return false;
 }
 
 double length_of(const IsoluxLine& line) {
@@ -240,22 +268,17 @@ double length_of(const IsoluxLine& line) {
   return length;
 }
 
-// On the line, nearest to its middle, where no number stands; its middle where there is no such
-// place.
-glm::dvec2 label_place(const IsoluxLine& line, const glm::dvec2& size_m,
-                       const std::vector<LabelBox>& taken) {
-  constexpr std::size_t kMostTaken = 2500, kMostTries = 200;
-  const std::size_t count = line.points_m.size(), middle = count / 2;
-  if (taken.size() > kMostTaken) return line.points_m[middle];
+// Of places on a line the one nearest to its middle where the words meet nothing that is taken.
+std::optional<glm::dvec2> label_place(const std::vector<glm::dvec3>& line, const std::string& words,
+                                      double text_m, const TakenPlaces& taken) {
+  constexpr std::size_t kMostTries = 200;
+  const std::size_t count = line.size(), middle = count / 2;
   for (std::size_t step = 0; step < std::min(count, kMostTries); ++step) {
     const std::size_t half = (step + 1) / 2;
     const std::size_t i = (step % 2 == 0 ? middle + half : middle + count - half) % count;
-    const LabelBox box = box_around(line.points_m[i], size_m);
-    if (std::none_of(taken.begin(), taken.end(),
-                     [&](const LabelBox& other) { return other.meets(box); }))
-      return line.points_m[i];
+    if (!taken.meets(text_box(line[i], words, text_m))) return line[i];
   }
-  return line.points_m[middle];
+  return {};
 }
 
 // "3 in the margin, 2 outside the room".
@@ -269,9 +292,10 @@ std::string dropped_reasons(const Texts& t, const calc::SensorGrid& grid) {
 }
 
 // The sign of a luminaire, around its place, C0 along +x.
-std::string sign_of(const std::vector<glm::dvec2>& outline_m, bool has_direction) {
+std::string sign_of(const std::vector<glm::dvec2>& outline_m, bool has_direction,
+                    double per_metre) {
   constexpr double kRadius_m = 0.08, kArrow_m = 0.3, kHead_m = 0.06;
-  std::string dxf;
+  DxfText dxf{"", per_metre};
   if (outline_m.empty()) {
     dxf_circle(kLuminaires, {0, 0, 0}, kRadius_m, dxf);
     const double half = 0.7 * kRadius_m;
@@ -281,12 +305,12 @@ std::string sign_of(const std::vector<glm::dvec2>& outline_m, bool has_direction
   std::vector<glm::dvec3> corners;
   for (const glm::dvec2& corner : outline_m) corners.emplace_back(corner, 0.0);
   dxf_polyline(kLuminaires, corners, true, DxfColour::by_layer, dxf);
-  if (!has_direction) return dxf;
+  if (!has_direction) return dxf.bytes;
   const glm::dvec3 tip(kArrow_m, 0, 0);
   dxf_line(kLuminaires, {0, 0, 0}, tip, dxf);
   for (const double side : {-1.0, 1.0})
     dxf_line(kLuminaires, tip, tip + kHead_m * glm::dvec3(-1.0, 0.5 * side, 0.0), dxf);
-  return dxf;
+  return dxf.bytes;
 }
 
 // Of its opening, around its place, turned back so that C0 is along +x. Luminaires of one look have
@@ -350,33 +374,53 @@ bool has_storeys(const ProjectPart& project) {
   return false;
 }
 
+// A plane, and where it is drawn.
+struct PlaneDrawing {
+  const SpacePart* space = nullptr;
+  const PlanePart* plane = nullptr;
+  bool is_level = false, is_task = false;
+};
+
 class DxfWriter : public FormatWriter {
  public:
   DxfWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
-            ScaleSharing sharing)
-      : place_(place), t_(t), sharing_(sharing), blocks_(place), entities_(place) {
-    TextOptions options;
-    options.lists_passes = true;
-    table_ = text_writer(frame, place, options, t);
+            const PageStyle& style)
+      : frame_(frame),
+        place_(place),
+        t_(t),
+        style_(style),
+        unit_(unit_row(style.drawing.unit)),
+        blocks_(place),
+        entities_(place),
+        dxf_{"", 1.0 / unit_.metres},
+        scale_(style.drawing.scale) {
+    table_ = text_writer(frame, place, {}, t);
     for (const auto& [name, colour] :
          {std::pair(kRooms, DxfColour::ink), std::pair(kRoomNames, DxfColour::ink),
-          std::pair(kFurniture, DxfColour::grey), std::pair(kLuminaires, DxfColour::sky),
-          std::pair(kNumbers, DxfColour::sky), std::pair(kPlanes, DxfColour::ink),
-          std::pair(kPlaneNames, DxfColour::ink), std::pair(kLegend, DxfColour::ink)}) {
+          std::pair(kRoomData, DxfColour::ink), std::pair(kFurniture, DxfColour::grey),
+          std::pair(kLuminaires, DxfColour::sky), std::pair(kNumbers, DxfColour::sky),
+          std::pair(kLegend, DxfColour::ink)}) {
       layers_[name] = {colour, false};
     }
-    use_tier(0);
+    layers_[kNotes] = {DxfColour::ink, true};
+    use_layers(layers_of(true, 0), false);
   }
 
   void add(const ProjectPart& project) override;
   void finish(const DocumentEnd& end, Sink& sink) override;
 
  private:
-  void use_tier(std::size_t tier);
-  void note(std::string words) { notes_.push_back(std::move(words)); }
+  // Of a room of the project that is drawn.
+  const std::string& title_of_room(const SpacePart& space) const { return titles_.at(space.id); }
+  std::string title_of_plane(const PlaneDrawing& drawing) const {
+    return fmt::format("{} / {}", title_of_room(*drawing.space),
+                       plane_name(t_, *drawing.space, *drawing.plane));
+  }
+  void use_layers(const PlaneLayers& layers, bool is_frozen);
+  void note(const std::string& words) { notes_.push_back(words); }
   void flush() {
-    entities_.write(dxf_);
-    dxf_.clear();
+    entities_.write(dxf_.bytes);
+    dxf_.bytes.clear();
   }
   void extend(const FlatBox& box) {
     if (box.is_empty()) return;
@@ -384,101 +428,172 @@ class DxfWriter : public FormatWriter {
     extent_.add(box.high);
   }
 
-  void draw_room(const SpacePart& space, const glm::dvec2& shift_m, double text_m);
-  void draw_luminaires(const ProjectPart& project, const SpacePart& space,
-                       const glm::dvec2& shift_m);
+  void choose_scale(const std::vector<PlaneDrawing>& planes, double plan_m);
+  void begin_project(const ProjectPart& project);
+  // The upper left corner of a place of that size right of the plan, which is then taken.
+  glm::dvec2 place_aside(const glm::dvec2& size_m);
+
+  void draw_room(const SpacePart& space);
+  void draw_luminaires(const ProjectPart& project, const SpacePart& space);
+  void draw_number(const LabelBox& sign, double z_m, const std::string& number);
+  // Names of rooms, and their blocks.
+  void draw_room_data(const ProjectPart& project);
+  void draw_room_block(const SpacePart& space, const std::vector<std::string>& values);
+  void insert_room(const SpacePart& space, const glm::dvec2& corner_m, bool has_name,
+                   const std::vector<std::string>& values);
+  void add_room_block();
   // The name of a block that looks like it.
   std::string block_of(const LuminaireMark& mark, bool has_direction);
-  void draw_outlines(const PlanePart& plane, const Placing& placing);
-  void draw_values(const SpacePart& space, const PlanePart& plane, const Placing& placing,
-                   const PlaneLayers& layers);
-  void draw_isolux(const SpacePart& space, const PlanePart& plane, const Placing& placing,
-                   const PlaneLayers& layers, std::vector<LabelBox> taken, double text_m);
-  void draw_level(const SpacePart& space, const PlanePart& plane, const glm::dvec2& shift_m,
-                  double text_m);
-  // Below the plan.
-  void draw_beside(const SpacePart& space, const PlanePart& plane, double text_m);
-  void write_legend(const DocumentEnd& end, Spill& legend);
 
+  void draw_outlines(const PlanePart& plane, const Placing& placing, const std::string& layer);
+  void draw_values(const PlaneDrawing& drawing, const Placing& placing, const PlaneLayers& layers,
+                   bool is_visible);
+  void draw_left_out(const PlaneDrawing& drawing, const Placing& placing, const std::string& layer,
+                     bool is_visible);
+  void draw_isolux(const PlaneDrawing& drawing, const Placing& placing, const PlaneLayers& layers,
+                   bool is_visible);
+  void draw_level(const PlaneDrawing& drawing);
+  void draw_plane_name(const PlaneDrawing& drawing);
+  // Below the plan.
+  void draw_beside(const PlaneDrawing& drawing);
+
+  void add_summary(const ProjectPart& project);
+  void write_legend(const DocumentEnd& end);
+  void write_notes(const DocumentEnd& end);
+
+  const DocumentFrame& frame_;
   SpillPlace place_;
   Texts t_;
-  ScaleSharing sharing_;
+  PageStyle style_;
+  const UnitRow& unit_;
   Spill blocks_, entities_;
   std::unique_ptr<FormatWriter> table_;
   std::map<std::string, DxfLayer> layers_;
-  std::vector<std::string> notes_;  // of the legend
-  FlatBox extent_;                  // of all that is drawn
-  std::string dxf_;                 // entities that are not yet in entities_
-  bool has_beside_ = false;
+  std::vector<std::string> notes_;     // of the legend
+  DxfColumns summary_{kLegendColumn};  // of the legend: a table for each project
+  FlatBox extent_;                     // of all that is drawn and not frozen
+  DxfText dxf_;                        // entities that are not yet in entities_
+  int scale_ = 0;                      // 0: not yet chosen
+  double text_m_ = 0.0;                // height of all texts
+  bool has_beside_ = false, has_aside_ = false;
+  std::map<calc::DiagnosticId, std::size_t> warnings_;
 
   // Of the project that is drawn.
+  std::map<std::string, std::string> titles_;  // of rooms by their ids
+  glm::dvec2 shift_m_{0.0};
   ColourScales scales_;
-  Tiers tiers_;
+  Tiers tiers_, other_tiers_;
+  std::optional<TakenPlaces> taken_;
   std::map<std::string, std::string> blocks_of_project_;  // names, by type and look
   std::size_t types_ = 0;                                 // blocks of all projects
-  std::map<std::pair<long long, long long>, int> labels_at_;
-  glm::dvec2 shelf_m_{0.0};  // where the next plane is drawn beside the plan: its upper left corner
+  glm::dvec2 shelf_m_{0.0};  // where the next plane is drawn below the plan: its upper left corner
   double shelf_left_m_ = 0.0, shelf_right_m_ = 0.0, shelf_height_m_ = 0.0;
+  glm::dvec2 aside_m_{0.0};  // likewise right of the plan
+  double aside_top_m_ = 0.0, aside_bottom_m_ = 0.0, aside_width_m_ = 0.0;
 };
 
-void DxfWriter::use_tier(std::size_t tier) {
-  const PlaneLayers layers = layers_of_tier(tier);
-  const bool is_off = tier > 0;
-  layers_[layers.values] = {DxfColour::ink, is_off};
-  layers_[layers.isolux] = {DxfColour::blue, is_off};
-  layers_[layers.limits] = {DxfColour::cyan, is_off};
-  layers_[layers.labels] = {DxfColour::blue, is_off};
+void DxfWriter::use_layers(const PlaneLayers& layers, bool is_frozen) {
+  const bool is_other = layers.outlines.ends_with(kOther);
+  layers_[layers.outlines] = {DxfColour::ink, is_other};
+  layers_[layers.names] = {DxfColour::ink, is_other};
+  layers_[layers.values] = {DxfColour::ink, is_frozen};
+  layers_[layers.isolux] = {DxfColour::blue, is_frozen};
+  layers_[layers.limits] = {DxfColour::cyan, is_frozen};
+  layers_[layers.labels] = {DxfColour::blue, is_frozen};
 }
 
-void DxfWriter::draw_room(const SpacePart& space, const glm::dvec2& shift_m, double text_m) {
+// By the first project: a drawing has one height of text.
+void DxfWriter::choose_scale(const std::vector<PlaneDrawing>& planes, double plan_m) {
+  if (scale_ == 0) {
+    std::vector<std::vector<DxfPlacedText>> texts;
+    for (const PlaneDrawing& drawing : planes) {
+      if (!drawing.is_task) continue;
+      const calc::SensorGrid& grid = drawing.plane->grid;
+      const Placing placing =
+          drawing.is_level ? Placing::world({0.0, 0.0}) : Placing::flat(grid, {0.0, 0.0});
+      texts.push_back(placed_values(t_, *drawing.plane, placing));
+    }
+    scale_ = chosen_scale(texts, plan_m);
+  }
+  if (text_m_ > 0.0) return;
+  text_m_ = text_height_m(scale_);
+  add_room_block();
+}
+
+glm::dvec2 DxfWriter::place_aside(const glm::dvec2& size_m) {
+  if (aside_m_.y < aside_top_m_ && aside_m_.y - size_m.y < aside_bottom_m_) {
+    aside_m_ = {aside_m_.x + aside_width_m_ + 2.0 * text_m_, aside_top_m_};
+    aside_width_m_ = 0.0;
+  }
+  const glm::dvec2 corner = aside_m_;
+  aside_width_m_ = std::max(aside_width_m_, size_m.x);
+  aside_m_.y -= size_m.y + kDxfLine * text_m_;
+  FlatBox used;
+  used.add(corner);
+  used.add(corner + glm::dvec2(size_m.x, -size_m.y));
+  extend(used);
+  has_aside_ = true;
+  return corner;
+}
+
+void DxfWriter::draw_room(const SpacePart& space) {
   std::vector<glm::dvec3> corners;
-  FlatBox box;
-  for (const glm::dvec2& corner : space.footprint_m) {
-    corners.emplace_back(corner + shift_m, space.floor_z_m);
-    box.add(corners.back());
-  }
+  for (const glm::dvec2& corner : space.footprint_m)
+    corners.emplace_back(corner + shift_m_, space.floor_z_m);
   dxf_polyline(kRooms, corners, true, DxfColour::by_layer, dxf_);
-  const glm::dvec3 shift(shift_m, 0.0);
-  for (std::size_t i = 0; i + 1 < space.surface_lines_m.size(); i += 2) {
+  const glm::dvec3 shift(shift_m_, 0.0);
+  for (std::size_t i = 0; i + 1 < space.surface_lines_m.size(); i += 2)
     dxf_line(kRooms, space.surface_lines_m[i] + shift, space.surface_lines_m[i + 1] + shift, dxf_);
-    if (space.footprint_m.empty()) box.add(space.surface_lines_m[i] + shift);
-  }
-  if (!box.is_empty()) {
-    const glm::dvec3 at(box.low + 0.5 * text_m, space.floor_z_m);
-    dxf_words(kRoomNames, at, text_m, dxf_text(dxf_signs(title_of(space.name, space.id))),
-              DxfAlign::start, DxfColour::by_layer, dxf_);
-  }
   for (const BodyMark& body : space.bodies) {
     for (const auto& line : body.lines_m) {
-      dxf_line(kFurniture, {line[0] + shift_m, body.high_z_m}, {line[1] + shift_m, body.high_z_m},
+      dxf_line(kFurniture, {line[0] + shift_m_, body.high_z_m}, {line[1] + shift_m_, body.high_z_m},
                dxf_);
     }
   }
+  const std::string& title = title_of_room(space);
   if (space.surface_lines_left_out > 0) {
-    note(fmt::format("{}: {} {}", title_of(space.name, space.id), t_[Text::layout_surface_lines],
+    note(fmt::format("{}: {} {}", title, t_[Text::layout_surface_lines],
                      t_.say<Text::layout_lines_left_out>(space.surface_lines_left_out)));
   }
-  if (space.bodies_left_out > 0) {
-    note(fmt::format("{}: {}", title_of(space.name, space.id),
-                     t_.say<Text::furniture_left_out>(space.bodies_left_out)));
-  }
+  if (space.bodies_left_out > 0)
+    note(fmt::format("{}: {}", title, t_.say<Text::furniture_left_out>(space.bodies_left_out)));
 }
 
 std::string DxfWriter::block_of(const LuminaireMark& mark, bool has_direction) {
-  const std::string sign = sign_of(own_outline(mark, has_direction), has_direction);
+  const std::string sign = sign_of(own_outline(mark, has_direction), has_direction, dxf_.per_metre);
   const auto [found, is_new] = blocks_of_project_.try_emplace(mark.type_id + "\n" + sign);
   if (is_new) {
     found->second = dxf_name(fmt::format("LUX_{}_", ++types_), mark.type_id);
-    std::string dxf;
-    dxf_block(kLuminaires, found->second, sign, kTags, dxf);
-    blocks_.write(dxf);
+    std::vector<DxfAttribute> attributes;
+    for (const std::string_view tag : kTags) attributes.push_back({tag, ""});
+    DxfText block{"", dxf_.per_metre};
+    dxf_block(kLuminaires, found->second, sign, attributes, text_m_, block);
+    blocks_.write(block.bytes);
   }
   return found->second;
 }
 
-void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& space,
-                                const glm::dvec2& shift_m) {
-  constexpr double kNumber_m = 0.12;
+// Beside its sign, where that is free.
+void DxfWriter::draw_number(const LabelBox& sign, double z_m, const std::string& number) {
+  const glm::dvec2 half = 0.5 * glm::dvec2(dxf_width_m(number, text_m_), text_m_);
+  const double gap = 0.3 * text_m_;
+  const glm::dvec2 middle = 0.5 * (sign.low + sign.high);
+  const double right = sign.high.x + gap + half.x, left = sign.low.x - gap - half.x,
+               above = sign.high.y + gap + half.y, below = sign.low.y - gap - half.y;
+  const std::array places{glm::dvec2(right, below),    glm::dvec2(right, above),
+                          glm::dvec2(left, above),     glm::dvec2(left, below),
+                          glm::dvec2(right, middle.y), glm::dvec2(left, middle.y),
+                          glm::dvec2(middle.x, above), glm::dvec2(middle.x, below)};
+  const auto* const found = std::find_if(places.begin(), places.end(), [&](const auto& place) {
+    return !taken_->meets(box_around(place, 2.0 * half));
+  });
+  const glm::dvec2 at = found == places.end() ? places.front() : *found;
+  taken_->add(box_around(at, 2.0 * half));
+  dxf_words(kNumbers, {at - half, z_m}, text_m_, number, DxfAlign::start, DxfColour::by_layer,
+            dxf_);
+}
+
+void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& space) {
   const auto known = [](const std::optional<double>& value) {
     return value ? format_shortest(*value) : "";
   };
@@ -506,38 +621,126 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
         row.flux_lm > 0.0 ? format_shortest(row.flux_lm) : "",
         row.power_w > 0.0 ? format_shortest(row.power_w) : ""};
     std::vector<DxfAttribute> attributes;
-    for (std::size_t k = 0; k < kTags.size(); ++k) attributes.emplace_back(kTags[k], values[k]);
-    const glm::dvec3 at = mark.position_m + glm::dvec3(shift_m, 0.0);
+    for (std::size_t k = 0; k < kTags.size(); ++k) attributes.push_back({kTags[k], values[k]});
+    const glm::dvec3 at = mark.position_m + glm::dvec3(shift_m_, 0.0);
     dxf_insert(kLuminaires, block_of(mark, aim.turn_deg.has_value()), at,
-               aim.turn_deg.value_or(0.0), attributes, dxf_);
-    FlatBox sign;
-    sign.add(at);
-    for (const glm::dvec2& corner : mark.outline_m) sign.add(corner + shift_m);
-    dxf_words(kNumbers, {sign.high.x + 0.5 * kNumber_m, sign.low.y - kNumber_m, at.z}, kNumber_m,
-              number, DxfAlign::start, DxfColour::by_layer, dxf_);
+               aim.turn_deg.value_or(0.0), attributes, text_m_, dxf_);
+    LabelBox sign{glm::dvec2(at), glm::dvec2(at)};
+    for (const glm::dvec2& corner : mark.outline_m) {
+      sign.low = glm::min(sign.low, corner + shift_m_);
+      sign.high = glm::max(sign.high, corner + shift_m_);
+    }
+    draw_number(sign, at.z, number);
   }
 }
 
-void DxfWriter::draw_outlines(const PlanePart& plane, const Placing& placing) {
+// Labels and attributes below each other; the base point is the upper left corner.
+void DxfWriter::add_room_block() {
+  DxfText sign{"", dxf_.per_metre}, block = sign;
+  std::vector<DxfAttribute> attributes{
+      {"ROOM", "", {0.0, -text_m_}, true}, {"ID", "", {}, false}, {"VERDICT", "", {}, false}};
+  double down = text_m_;
+  for (const RoomLine& line : kRoomLines) {
+    down += kDxfLine * text_m_;
+    dxf_words(kRoomData, {0.0, -down, 0.0}, text_m_, line.label, DxfAlign::start,
+              DxfColour::by_layer, sign);
+    attributes.push_back({line.tag, kUnknown, {kRoomLabel * text_m_, -down}, true});
+  }
+  dxf_block(kRoomData, kRoomBlock, sign.bytes, attributes, text_m_, block);
+  blocks_.write(block.bytes);
+}
+
+// values: verdict, then those of kRoomLines. has_name: else the name is beside it already.
+void DxfWriter::insert_room(const SpacePart& space, const glm::dvec2& corner_m, bool has_name,
+                            const std::vector<std::string>& values) {
+  const std::string name = dxf_text(dxf_signs(title_of_room(space)));
+  std::vector<DxfAttribute> attributes{{"ROOM", name, {0.0, -text_m_}, has_name},
+                                       {"ID", dxf_text(space.id), {}, false},
+                                       {"VERDICT", values.front(), {}, false}};
+  double down = text_m_;
+  for (std::size_t k = 0; k < kRoomLines.size(); ++k) {
+    down += kDxfLine * text_m_;
+    attributes.push_back({kRoomLines[k].tag, values[k + 1], {kRoomLabel * text_m_, -down}, true});
+  }
+  dxf_insert(kRoomData, kRoomBlock, {corner_m, space.floor_z_m}, 0.0, attributes, text_m_, dxf_);
+}
+
+// Its name and below that its block in a free place of the room; else the name alone, or neither.
+void DxfWriter::draw_room_block(const SpacePart& space, const std::vector<std::string>& values) {
+  const std::string name = dxf_text(dxf_signs(title_of_room(space)));
+  const double lines = 1.0 + kDxfLine * static_cast<double>(kRoomLines.size());
+  double width = kRoomLabel;
+  for (std::size_t k = 0; k < kRoomLines.size(); ++k)
+    width = std::max(width, kRoomLabel + static_cast<double>(values[k + 1].size()));
+  width = std::max(width, static_cast<double>(name.size()));
+  const glm::dvec2 size = text_m_ * glm::dvec2(width, lines + 0.5),
+                   line(dxf_width_m(name, text_m_), 1.25 * text_m_);
+  std::vector<glm::dvec2> outline;
+  for (const glm::dvec2& corner : space.footprint_m) outline.push_back(corner + shift_m_);
+  const auto draw_name = [&](const glm::dvec2& corner, const glm::dvec2& taken) {
+    taken_->add({{corner.x, corner.y - taken.y}, {corner.x + taken.x, corner.y}});
+    dxf_words(kRoomNames, {corner.x, corner.y - text_m_, space.floor_z_m}, text_m_, name,
+              DxfAlign::start, DxfColour::by_layer, dxf_);
+  };
+  if (const auto corner = free_place(outline, size, *taken_)) {
+    draw_name(*corner, size);
+    return insert_room(space, *corner, false, values);
+  }
+  const auto alone = free_place(outline, line, *taken_);
+  const glm::dvec2 aside = place_aside(size);
+  if (alone) draw_name(*alone, line);
+  insert_room(space, aside, true, values);
+}
+
+void DxfWriter::draw_room_data(const ProjectPart& project) {
+  const RoomOverview table = room_overview(t_, project, 1);
+  for (std::size_t place = 0; place < project.spaces.size(); ++place) {
+    const SpacePart& space = project.spaces[place];
+    std::vector<std::string> values(1 + kRoomLines.size(), kUnknown);
+    if (const auto power = space.power.density_w_m2())
+      values.back() = dxf_text(format_fixed(t_, *power, 2));
+    for (const RoomOverview::Row& row : table.rows) {
+      if (row.space != place) continue;
+      values.front() = dxf_text(outcome_words(t_, row.outcome));
+      for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        for (std::size_t k = 0; k < kRoomLines.size(); ++k) {
+          if (kRoomLines[k].column == table.columns[c] && !row.cells[c].empty())
+            values[k + 1] = dxf_text(dxf_signs(row.cells[c]));
+        }
+      }
+    }
+    draw_room_block(space, values);
+  }
+}
+
+void DxfWriter::draw_outlines(const PlanePart& plane, const Placing& placing,
+                              const std::string& layer) {
   const DxfColour colour = colour_of(outcome_of_plane(plane));
   const auto draw = [&](const std::vector<glm::dvec2>& outline) {
     std::vector<glm::dvec3> corners;
     for (const glm::dvec2& corner : outline) corners.push_back(placing.at(plane.grid, corner));
-    dxf_polyline(kPlanes, corners, true, colour, dxf_);
+    dxf_polyline(layer, corners, true, colour, dxf_);
   };
   draw(plane.outline_m);
   for (const auto& hole : plane.holes_m) draw(hole);
 }
 
-void DxfWriter::draw_isolux(const SpacePart& space, const PlanePart& plane, const Placing& placing,
-                            const PlaneLayers& layers, std::vector<LabelBox> taken, double text_m) {
+// Labels that have no free place are with the values that have none.
+void DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
+                            const PlaneLayers& layers, bool is_visible) {
+  const PlanePart& plane = *drawing.plane;
   if (!has_cells(plane)) return;
-  const std::string title = title_of_plane(t_, space, plane);
-  if (!has_all_values(plane)) return note(t_.say<Text::dxf_no_isolux>(title));
-  const PlanIsolux isolux = plan_isolux(t_, space, plane, scales_.of(space, plane));
-  if (!isolux.has_all) note(title + ": " + t_[Text::isolux_left_out]);
+  const std::string title = title_of_plane(drawing);
+  if (!has_all_values(plane)) {
+    if (is_visible) note(t_.say<Text::dxf_no_isolux>(title));
+    return;
+  }
+  const PlanIsolux isolux =
+      plan_isolux(t_, *drawing.space, plane, scales_.of(*drawing.space, plane));
+  if (!isolux.has_all && is_visible) note(title + ": " + t_[Text::isolux_left_out]);
   for (const IsoluxLevel& level : isolux.levels) {
-    const IsoluxLine* longest = nullptr;
+    std::vector<glm::dvec3> longest;
+    double length = -1.0;
     for (const IsoluxLine& line : level.lines) {
       std::vector<glm::dvec3> corners;
       for (const glm::dvec2& corner : line.points_m)
@@ -546,88 +749,132 @@ void DxfWriter::draw_isolux(const SpacePart& space, const PlanePart& plane, cons
       if (line.is_closed && corners.size() > 2) corners.pop_back();
       dxf_polyline(level.is_required ? layers.limits : layers.isolux, corners, line.is_closed,
                    DxfColour::by_layer, dxf_);
-      if (longest == nullptr || length_of(line) > length_of(*longest)) longest = &line;
+      if (length_of(line) > length) {
+        length = length_of(line);
+        longest = std::move(corners);
+      }
     }
-    if (longest == nullptr || longest->points_m.empty()) continue;
+    if (longest.empty()) continue;
     const std::string words = dxf_text(format_shortest(t_, level.value));
-    const glm::dvec2 size(dxf_width_m(words, text_m), text_m);
-    const glm::dvec2 place = label_place(*longest, size, taken);
-    taken.push_back(box_around(place, size));
-    dxf_words(layers.labels, placing.at(plane.grid, place), text_m, words, DxfAlign::middle,
+    glm::dvec3 at = longest[longest.size() / 2];
+    bool is_free = true;
+    if (is_visible) {
+      const auto place = label_place(longest, words, text_m_, *taken_);
+      is_free = place.has_value();
+      if (place) at = {*place, at.z};
+      if (place) taken_->add(text_box(*place, words, text_m_));
+    }
+    dxf_words(is_free ? layers.labels : kMoreValues, at, text_m_, words, DxfAlign::middle,
               DxfColour::by_layer, dxf_);
+    if (!is_free) layers_[kMoreValues] = {DxfColour::ink, true};
   }
 }
 
-void DxfWriter::draw_values(const SpacePart& space, const PlanePart& plane, const Placing& placing,
-                            const PlaneLayers& layers) {
-  const calc::SensorGrid& grid = plane.grid;
-  const std::vector<ValueText> texts = value_texts(t_, plane, placing);
-  const double text_m = value_height_m(plane, texts);
-  std::vector<LabelBox> taken;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const ValueText& text = texts[i];
-    dxf_words(layers.values, text.at, text_m, text.words, DxfAlign::middle, DxfColour::by_layer,
-              dxf_);
-    const glm::dvec3 offset = plane.points[i].position_m - grid.origin_m;
-    taken.push_back(box_around({glm::dot(offset, grid.u), glm::dot(offset, grid.v)},
-                               {dxf_width_m(text.words, text_m), text_m}));
-  }
+void DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
+                              const std::string& layer, bool is_visible) {
+  const calc::SensorGrid& grid = drawing.plane->grid;
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_area) continue;  // no point of the plane
-    dxf_words(layers.values, placing.at(point.position_m), text_m, "x", DxfAlign::middle,
-              DxfColour::grey, dxf_);
+    const glm::dvec3 at = placing.at(point.position_m);
+    const LabelBox box = text_box(at, "x", text_m_);
+    const bool is_free = !is_visible || !taken_->meets(box);
+    if (is_visible && is_free) taken_->add(box);
+    if (!is_free) layers_[kMoreValues] = {DxfColour::ink, true};
+    dxf_words(is_free ? layer : kMoreValues, at, text_m_, "x", DxfAlign::middle, DxfColour::grey,
+              dxf_);
   }
-  const std::string title = title_of_plane(t_, space, plane);
-  if (!grid.dropped.empty()) note(t_.say<Text::dxf_left_out>(title, dropped_reasons(t_, grid)));
-  if (has_stacked_points(texts, text_m)) note(t_.say<Text::dxf_stacked>(title));
-  draw_isolux(space, plane, placing, layers, std::move(taken), text_m);
+  if (is_visible && !grid.dropped.empty()) {
+    note(t_.say<Text::dxf_left_out>(title_of_plane(drawing), dropped_reasons(t_, grid)));
+  }
 }
 
-void DxfWriter::draw_level(const SpacePart& space, const PlanePart& plane,
-                           const glm::dvec2& shift_m, double text_m) {
-  constexpr double kSmallest_m = 0.05, kSameCorner_m = 0.1;
-  constexpr double kMost = 1e15;  // what does not fit into a whole number
-  const Placing placing = Placing::world(shift_m);
-  draw_outlines(plane, placing);
-  FlatBox box = box_of(plane);
-  const std::string label = dxf_text(dxf_signs(plane_label(t_, space, plane)));
-  if (box.is_empty()) {
-    // A plane of which nothing is known is at least named in its room.
-    for (const glm::dvec2& corner : space.footprint_m) box.add(corner);
-    if (box.is_empty()) return;
+// Of visible ones those that meet others are on a layer of their own.
+void DxfWriter::draw_values(const PlaneDrawing& drawing, const Placing& placing,
+                            const PlaneLayers& layers, bool is_visible) {
+  const std::vector<DxfPlacedText> texts = placed_values(t_, *drawing.plane, placing);
+  std::vector<bool> shown(texts.size(), true);
+  if (is_visible) shown = shown_texts(texts, text_m_);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const glm::dvec3 at = placing.at(drawing.plane->points[i].position_m);
+    dxf_words(shown[i] ? layers.values : kMoreValues, at, text_m_, texts[i].words, DxfAlign::middle,
+              DxfColour::by_layer, dxf_);
+    if (is_visible && shown[i]) taken_->add(text_box(texts[i].at, texts[i].words, text_m_));
   }
-  const std::string quantity = dxf_text(dxf_signs(values_words(t_, plane)));
-  // Above the plane where the room goes on there, else inside; as large as it is wide.
-  const double own_m =
-      std::clamp(box.size().x / static_cast<double>(std::max(label.size(), quantity.size())),
-                 kSmallest_m, text_m);
-  FlatBox room;
-  for (const glm::dvec2& corner : space.footprint_m) room.add(corner);
-  const double lines_m = 2.0 * kLineByText * own_m;
-  const bool is_above = !room.is_empty() && box.high.y + lines_m < room.high.y;
-  // Those of planes with one corner stand below or above each other.
-  const glm::dvec2 corner(box.low.x, box.high.y);
-  const glm::dvec2 place = corner / kSameCorner_m;
-  int line = 0;
-  if (std::abs(place.x) < kMost && std::abs(place.y) < kMost)
-    line = labels_at_[{std::llround(place.x), std::llround(place.y)}]++;
-  const double up_m = is_above ? lines_m * (line + 1) - own_m : -lines_m * line - 1.5 * own_m;
-  glm::dvec3 at(corner + shift_m + glm::dvec2(0.5 * own_m, up_m), plane.grid.origin_m.z);
-  dxf_words(kPlaneNames, at, own_m, label, DxfAlign::start, colour_of(outcome_of_plane(plane)),
-            dxf_);
+  const auto count = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), true));
+  if (count < texts.size()) {
+    layers_[kMoreValues] = {DxfColour::ink, true};
+    note(t_.say<Text::dxf_thinned>(title_of_plane(drawing), count, texts.size(), kMoreValues));
+  }
+  draw_left_out(drawing, placing, layers.values, is_visible);
+}
+
+void DxfWriter::draw_level(const PlaneDrawing& drawing) {
+  const PlanePart& plane = *drawing.plane;
+  const Placing placing = Placing::world(shift_m_);
+  std::size_t tier = 0;
+  if (plane.is_computed) tier = (drawing.is_task ? tiers_ : other_tiers_).tier_of(plane);
+  const PlaneLayers layers = layers_of(drawing.is_task, tier);
+  const bool is_visible = drawing.is_task && tier == 0;
+  use_layers(layers, !is_visible);
+  draw_outlines(plane, placing, layers.outlines);
   if (!plane.is_computed) return;
-  at.y -= kLineByText * own_m;
-  dxf_words(kPlaneNames, at, 0.8 * own_m, quantity, DxfAlign::start, DxfColour::by_layer, dxf_);
-  const std::size_t tier = tiers_.tier_of(plane);
-  use_tier(tier);
-  const PlaneLayers layers = layers_of_tier(tier);
-  if (tier > 0) note(t_.say<Text::dxf_behind>(title_of_plane(t_, space, plane), layers.values));
-  draw_values(space, plane, placing, layers);
+  if (drawing.is_task && tier > 0) {
+    note(t_.say<Text::dxf_behind>(title_of_plane(drawing), layers.values));
+  }
+  draw_values(drawing, placing, layers, is_visible);
+  draw_isolux(drawing, placing, layers, is_visible);
 }
 
-void DxfWriter::draw_beside(const SpacePart& space, const PlanePart& plane, double text_m) {
+// Above or below the plane, or inside it, or anywhere in the room where nothing else is written;
+// else right of the plan, with the room's name.
+void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
+  const PlanePart& plane = *drawing.plane;
+  const PlaneLayers layers = layers_of(drawing.is_task, 0);
+  const DxfColour colour = colour_of(outcome_of_plane(plane));
+  std::string label = dxf_text(dxf_signs(plane_label(t_, *drawing.space, plane)));
+  const glm::dvec2 size(dxf_width_m(label, text_m_), 1.25 * text_m_);
+  FlatBox box = box_of(plane);
+  // A plane of which nothing is known is at least named in its room.
+  std::vector<glm::dvec2> outline;
+  for (const glm::dvec2& corner : drawing.space->footprint_m) {
+    if (box_of(plane).is_empty()) box.add(corner);
+    outline.push_back(corner + shift_m_);
+  }
+  if (box.is_empty()) return;
+  box.low += shift_m_;
+  box.high += shift_m_;
+  const double gap = 0.3 * text_m_;
+  // Upper left corners.
+  const std::array places{glm::dvec2(box.low.x + gap, box.high.y + size.y + gap),
+                          glm::dvec2(box.low.x + gap, box.high.y - gap),
+                          glm::dvec2(box.low.x + gap, box.low.y + size.y + gap),
+                          glm::dvec2(box.low.x + gap, box.low.y - gap)};
+  const auto box_at = [&](const glm::dvec2& corner) {
+    return LabelBox{{corner.x, corner.y - size.y}, {corner.x + size.x, corner.y}};
+  };
+  const auto* const found = std::find_if(places.begin(), places.end(), [&](const auto& corner) {
+    return !taken_->meets(box_at(corner));
+  });
+  std::optional<glm::dvec2> corner;
+  if (found != places.end()) corner = *found;
+  if (!drawing.is_task) corner = places.front();
+  if (!corner) corner = free_place(outline, size, *taken_);
+  if (!corner) {
+    label = dxf_text(dxf_signs(fmt::format("{} / {}", title_of_room(*drawing.space),
+                                           plane_label(t_, *drawing.space, plane))));
+    corner = place_aside({dxf_width_m(label, text_m_), size.y});
+  }
+  if (drawing.is_task) taken_->add(box_at(*corner));
+  dxf_words(layers.names, {corner->x, corner->y - text_m_, plane.grid.origin_m.z}, text_m_, label,
+            DxfAlign::start, colour, dxf_);
+}
+
+void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
+  const PlanePart& plane = *drawing.plane;
   const calc::SensorGrid& grid = plane.grid;
-  draw_outlines(plane, Placing::world({0.0, 0.0}));
+  const PlaneLayers layers = layers_of(drawing.is_task, 0);
+  use_layers(layers, !drawing.is_task);
+  draw_outlines(plane, Placing::world(shift_m_), layers.outlines);
   FlatBox box;
   for (const glm::dvec2& corner : plane.outline_m) box.add(corner);
   for (const PointRow& point : plane.points) {
@@ -636,140 +883,211 @@ void DxfWriter::draw_beside(const SpacePart& space, const PlanePart& plane, doub
   }
   if (box.is_empty()) box.add({0.0, 0.0});
   const std::vector<std::string> lines{
-      dxf_text(dxf_signs(title_of_plane(t_, space, plane))),
-      dxf_text(dxf_signs(plane_label(t_, space, plane))),
-      dxf_text(dxf_signs(orientation_words(t_, glm::cross(grid.u, grid.v)))),
-      dxf_text(dxf_signs(values_words(t_, plane)))};
+      dxf_text(dxf_signs(title_of_room(*drawing.space))),
+      dxf_text(dxf_signs(plane_label(t_, *drawing.space, plane))),
+      dxf_text(dxf_signs(orientation_words(t_, glm::cross(grid.u, grid.v))))};
   double width = box.size().x;
-  for (const std::string& line : lines) width = std::max(width, dxf_width_m(line, text_m));
-  const double above = kLineByText * text_m * static_cast<double>(lines.size());
+  for (const std::string& line : lines) width = std::max(width, dxf_width_m(line, text_m_));
+  const double above = kDxfLine * text_m_ * static_cast<double>(lines.size());
   if (shelf_m_.x > shelf_left_m_ && shelf_m_.x + width > shelf_right_m_) {
     shelf_m_ = {shelf_left_m_, shelf_m_.y - shelf_height_m_ - kGap_m};
     shelf_height_m_ = 0.0;
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double down = kLineByText * text_m * static_cast<double>(i + 1);
-    dxf_words(kPlaneNames, {shelf_m_ - glm::dvec2(0.0, down), 0.0}, text_m, lines[i],
+    const double down = kDxfLine * text_m_ * static_cast<double>(i + 1);
+    dxf_words(layers.names, {shelf_m_ - glm::dvec2(0.0, down), 0.0}, text_m_, lines[i],
               DxfAlign::start, i == 1 ? colour_of(outcome_of_plane(plane)) : DxfColour::by_layer,
               dxf_);
   }
   const glm::dvec2 corner =
-      shelf_m_ - glm::dvec2(0.0, above + text_m) - glm::dvec2(box.low.x, box.high.y);
+      shelf_m_ - glm::dvec2(0.0, above + text_m_) - glm::dvec2(box.low.x, box.high.y);
   const Placing placing = Placing::flat(grid, corner);
-  draw_outlines(plane, placing);
-  if (plane.is_computed) draw_values(space, plane, placing, layers_of_tier(0));
-  const double height = above + text_m + box.size().y;
+  draw_outlines(plane, placing, layers.outlines);
+  if (plane.is_computed) {
+    draw_values(drawing, placing, layers, drawing.is_task);
+    draw_isolux(drawing, placing, layers, drawing.is_task);
+  }
+  const double height = above + text_m_ + box.size().y;
   FlatBox used;
   used.add(shelf_m_);
   used.add(shelf_m_ + glm::dvec2(width, -height));
-  extend(used);
+  if (drawing.is_task) extend(used);
   shelf_m_.x += width + kGap_m;
   shelf_height_m_ = std::max(shelf_height_m_, height);
 }
 
-void DxfWriter::add(const ProjectPart& project) {
-  constexpr double kPartOfPlan = 1.0 / 80.0, kSmallest_m = 0.08, kLargest_m = 0.25;
-  table_->add(project);
-  scales_ = ColourScales(project, sharing_);
-  tiers_ = {};
-  blocks_of_project_.clear();
-  labels_at_.clear();
+// Where it is drawn, so that it is not over the one before it.
+void DxfWriter::begin_project(const ProjectPart& project) {
+  constexpr double kWidest_m = 20.0;
   FlatBox box = box_of(project);
-  if (box.is_empty()) return;
-  glm::dvec2 shift_m(0.0);
+  shift_m_ = glm::dvec2(0.0);
   if (!extent_.is_empty() && extent_.high.x + kGap_m > box.low.x) {
-    shift_m.x = extent_.high.x + kGap_m - box.low.x;
+    shift_m_.x = extent_.high.x + kGap_m - box.low.x;
     note(t_.say<Text::dxf_moved>(title_of(project.name, project.path),
-                                 format_metres(t_, shift_m.x)));
+                                 format_metres(t_, shift_m_.x)));
   }
-  box.low += shift_m;
-  box.high += shift_m;
+  box.low += shift_m_;
+  box.high += shift_m_;
   extend(box);
-  const double text_m = std::clamp(kPartOfPlan * box.longest(), kSmallest_m, kLargest_m);
   shelf_left_m_ = box.low.x;
-  shelf_right_m_ = std::max(box.high.x, box.low.x + 20.0);
+  shelf_right_m_ = std::max(box.high.x, box.low.x + kWidest_m);
   shelf_m_ = {box.low.x, box.low.y - kGap_m};
   shelf_height_m_ = 0.0;
+  aside_m_ = {box.high.x + kGap_m, box.high.y};
+  aside_top_m_ = box.high.y;
+  aside_bottom_m_ = box.low.y;
+  aside_width_m_ = 0.0;
+  scales_ = ColourScales(project, style_.scale);
+  tiers_ = other_tiers_ = {};
+  taken_.emplace(text_m_);
+  blocks_of_project_.clear();
   if (has_storeys(project))
     note(fmt::format("{}: {}", title_of(project.name, project.path), t_[Text::dxf_storeys]));
-  for (const SpacePart& space : project.spaces) {
-    draw_room(space, shift_m, text_m);
-    draw_luminaires(project, space, shift_m);
-    flush();
-    for (const PlanePart& plane : space.planes) {
-      if (is_level(plane)) {
-        draw_level(space, plane, shift_m, text_m);
-      } else {
-        draw_beside(space, plane, text_m);
-        has_beside_ = true;
-      }
-      flush();
-    }
-  }
 }
 
-void DxfWriter::write_legend(const DocumentEnd& end, Spill& legend) {
-  constexpr double kPartOfPlan = 1.0 / 120.0, kSmallest_m = 0.08, kLargest_m = 0.35;
-  if (extent_.is_empty()) extent_.add({0.0, 0.0});
-  const double text_m = std::clamp(kPartOfPlan * extent_.longest(), kSmallest_m, kLargest_m);
-  const glm::dvec2 corner(extent_.high.x + kGap_m, extent_.high.y);
-  std::size_t count = 0;
-  const auto add = [&](std::string_view words, DxfColour colour = DxfColour::by_layer) {
-    for (const std::string& line : dxf_lines(dxf_signs(words), kLegendSigns)) {
-      const double down = kLineByText * text_m * static_cast<double>(++count);
-      const glm::dvec2 at = corner - glm::dvec2(0.0, down);
-      std::string dxf;
-      dxf_words(kLegend, {at, 0.0}, text_m, line, DxfAlign::start, colour, dxf);
-      legend.write(dxf);
-      extent_.add(at);
-      extent_.add(at + glm::dvec2(dxf_width_m(line, text_m), 0.0));
+// Values first: they have their places, and what else is written goes where there are none.
+void DxfWriter::add(const ProjectPart& project) {
+  titles_.clear();
+  const std::vector<std::string> titles = room_titles(project);
+  for (std::size_t i = 0; i < titles.size(); ++i) titles_.emplace(project.spaces[i].id, titles[i]);
+  table_->add(project);
+  add_summary(project);
+  if (box_of(project).is_empty()) return;
+  std::vector<PlaneDrawing> planes;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes)
+      planes.push_back({&space, &plane, is_level(plane), is_task(space, plane)});
+  }
+  std::stable_partition(planes.begin(), planes.end(),
+                        [](const PlaneDrawing& drawing) { return drawing.is_task; });
+  choose_scale(planes, box_of(project).longest());
+  begin_project(project);
+  for (const SpacePart& space : project.spaces) draw_room(space);
+  for (const PlaneDrawing& drawing : planes) {
+    if (drawing.is_level) draw_level(drawing);
+    flush();
+  }
+  for (const SpacePart& space : project.spaces) draw_luminaires(project, space);
+  draw_room_data(project);
+  for (const PlaneDrawing& drawing : planes) {
+    if (drawing.is_level) {
+      draw_plane_name(drawing);
+    } else {
+      draw_beside(drawing);
+      has_beside_ = has_beside_ || drawing.is_task;
     }
-  };
-  add(t_[Text::dxf_title]);
-  add(t_.say<Text::dxf_confidence>(format_percent(t_, end.provenance.confidence)));
+    flush();
+  }
+  const auto others = std::count_if(planes.begin(), planes.end(),
+                                    [](const PlaneDrawing& drawing) { return !drawing.is_task; });
+  if (others > 0) note(t_.say<Text::dxf_others>(others, fmt::format("LUX_...{}", kOther)));
+}
+
+// For the legend: a line for each room, and why it does not pass.
+void DxfWriter::add_summary(const ProjectPart& project) {
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) ++warnings_[diagnostic.id];
+  summary_.add(title_of(project.name, project.path));
+  if (const std::string about = about_line(t_, project.about); !about.empty()) summary_.add(about);
+  if (!project.is_judged) summary_.add(t_[Text::not_judged_see_errors]);
+  RoomOverview table = room_overview(t_, project, 1);
+  // Beside the plan there is no room for more; all of it is in the notes.
+  for (const RoomOverview::Column column :
+       {RoomOverview::Column::use, RoomOverview::Column::walls, RoomOverview::Column::cylindrical,
+        RoomOverview::Column::leni})
+    table.drop(column);
+  std::vector<std::vector<std::string>> rows;
+  std::vector<DxfColour> colours;
+  for (const RoomOverview::Row& row : table.rows) {
+    rows.push_back(row.cells);
+    colours.push_back(colour_of(row.outcome));
+  }
+  if (!rows.empty()) summary_.add_table(table.head, rows, colours);
+  for (const RoomSummary& room : room_summaries(project)) {
+    for (const RoomCause& cause : room.causes) {
+      summary_.add(
+          fmt::format("{} / {}", title_of_room(*room.space), cause_words(t_, room, cause).what),
+          colour_of(cause.outcome));
+    }
+  }
+  summary_.add("");
+}
+
+void DxfWriter::write_legend(const DocumentEnd& end) {
+  DxfColumns legend(kLegendColumn);
+  legend.add(t_.say<Text::dxf_title>(scale_, unit_.name));
+  legend.add(summary_words(t_, end.totals));
+  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
+    legend.add(words);
+  for (const calc::Diagnostic& error : document_errors(end))
+    legend.add(calc::format_diagnostic(error));
+  if (frame_.revised != nullptr) {
+    for (const std::string& remark : revision_remarks(*frame_.revised, t_)) legend.add(remark);
+  }
+  legend.add("");
+  legend.add(summary_);
+  legend.add(t_.say<Text::dxf_confidence>(format_percent(t_, end.provenance.confidence)));
   using enum rules::Outcome;
-  add(t_.say<Text::dxf_colours>(
+  legend.add(t_.say<Text::dxf_colours>(
       outcome_words(t_, pass), outcome_words(t_, fail), outcome_words(t_, undecided),
       outcome_words(t_, not_judged),
       fmt::format("{}, {}", outcome_words(t_, waived), outcome_words(t_, nothing_asked))));
-  add(t_[Text::dxf_marks]);
-  if (has_beside_) add(t_[Text::dxf_beside]);
-  for (const std::string& words : notes_) add(words);
-  add("");
+  legend.add(t_[Text::dxf_marks]);
+  if (has_beside_) legend.add(t_[Text::dxf_beside]);
+  if (has_aside_) legend.add(t_[Text::dxf_blocks_aside]);
+  for (const std::string& words : notes_) legend.add(words);
+  std::string warnings;
+  for (const auto& [id, count] : warnings_) {
+    warnings += fmt::format("{}[{}]", warnings.empty() ? "" : ", ", calc::diagnostic_name(id));
+    if (count > 1) warnings += fmt::format(" x {}", count);
+  }
+  if (!warnings.empty()) legend.add(t_.say<Text::dxf_warnings>(warnings));
+  legend.add(t_.say<Text::dxf_notes>(kNotes));
+  const glm::dvec2 corner(extent_.high.x + kGap_m, extent_.high.y);
+  extend(legend.draw(kLegend, corner, extent_.size().y, text_m_, dxf_));
+  flush();
+}
+
+// What `text` says, right of the legend.
+void DxfWriter::write_notes(const DocumentEnd& end) {
+  DxfColumns notes(kNotesColumn);
   TextSink table;
   table_->finish(end, table);
   for (std::string_view left = table.text; !left.empty();) {
     const std::size_t line = left.find('\n');
-    add(left.substr(0, line));
+    notes.add(left.substr(0, line));
     left.remove_prefix(line == std::string_view::npos ? left.size() : line + 1);
   }
+  const glm::dvec2 corner(extent_.high.x + kGap_m, extent_.high.y);
+  notes.draw(kNotes, corner, extent_.size().y, text_m_, dxf_);
+  flush();
 }
 
 void DxfWriter::finish(const DocumentEnd& end, Sink& sink) {
-  Spill legend(place_);
-  write_legend(end, legend);
-  std::string dxf;
-  dxf_head(layers_, extent_.low, extent_.high, dxf);
+  choose_scale({}, 0.0);
+  if (extent_.is_empty()) extent_.add({0.0, 0.0});
+  write_legend(end);
+  write_notes(end);
+  DxfText dxf{"", dxf_.per_metre};
+  dxf_head({layers_, extent_.low, extent_.high, text_m_, unit_.number}, dxf);
   dxf_section("BLOCKS", dxf);
-  sink.write(dxf);
+  sink.write(dxf.bytes);
   blocks_.copy_to(sink);
-  dxf.clear();
+  dxf.bytes.clear();
   dxf_section_end(dxf);
   dxf_section("ENTITIES", dxf);
-  sink.write(dxf);
+  sink.write(dxf.bytes);
   entities_.copy_to(sink);
-  legend.copy_to(sink);
-  dxf.clear();
+  dxf.bytes.clear();
   dxf_section_end(dxf);
   dxf_group(0, "EOF", dxf);
-  sink.write(dxf);
+  sink.write(dxf.bytes);
 }
 
 }  // namespace
 
 std::unique_ptr<FormatWriter> dxf_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                         const Texts& t, ScaleSharing sharing) {
-  return std::make_unique<DxfWriter>(frame, place, t, sharing);
+                                         const Texts& t, const PageStyle& style) {
+  return std::make_unique<DxfWriter>(frame, place, t, style);
 }
 
 }  // namespace report

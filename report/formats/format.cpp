@@ -33,7 +33,9 @@ constexpr Format kFormats[] = {
     {"luminaires-csv", "", "luminaires.csv",
      [](Frame frame, Place place, Style) { return luminaires_csv_writer(frame, place); }},
     {"xlsx", "a workbook", "",
-     [](Frame frame, Place place, Style) { return xlsx_writer(frame, place); }},
+     [](Frame frame, Place place, Style s) {
+       return xlsx_writer(frame, place, s.texts, s.page.paper);
+     }},
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
@@ -48,9 +50,7 @@ constexpr Format kFormats[] = {
      },
      false, true},
     {"dxf", "a drawing for CAD", "",
-     [](Frame frame, Place place, Style s) {
-       return dxf_writer(frame, place, s.texts, s.page.scale);
-     }},
+     [](Frame frame, Place place, Style s) { return dxf_writer(frame, place, s.texts, s.page); }},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
      [](Frame frame, Place place, Style) {

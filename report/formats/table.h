@@ -3,6 +3,8 @@
 // what stands in them are said here once.
 
 #include "report/document/document.h"
+#include "report/text/notices.h"
+#include "report/text/texts.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,10 +48,15 @@ struct DocumentTable {
 // not be judged, so that nothing unchecked is missed; then rows whose verdict is "in part", "left
 // out", "warning" or "strict warning": what must be read with the others.
 const DocumentTable& results_table();
+// The same rows with their words in the reader's language; what are names in data (verdict,
+// quantity, scene, state, severity ...) stays so. In English it is the table.
+void results_in(const Texts& t, const ProjectPart& project, const VisitRow& visit);
 // Rows of the same table for errors of no single project, whose verdict is "error".
-void results_of_errors(const DocumentEnd& end, const VisitRow& visit);
+void results_of_errors(const Texts& t, const DocumentEnd& end, const VisitRow& visit);
 // Rows of the same table for what a revision made worse, or asks less; document: with a revision.
-void results_of_revision(const Document& document, const VisitRow& visit);
+void results_of_revision(const Texts& t, const Document& document, const VisitRow& visit);
+// What stands for a notice beside verdicts: "note", "in part", ...
+const char* notice_kind_words(const Texts& t, NoticeKind kind);
 
 // One row per calculation point of every computed plane.
 const DocumentTable& points_table();

@@ -10,8 +10,13 @@
 #include "report/text/about_words.h"
 #include "report/text/notices.h"
 #include "report/text/number_format.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
+#include "report/text/room_titles.h"
 #include "report/text/schedule_words.h"
+#include "report/text/sentences.h"
+#include "report/text/shown_decimals.h"
+#include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 
@@ -21,84 +26,188 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace report {
 namespace {
 
-constexpr int kWrapFrom = 30;  // columns as wide as that hold sentences
+// A column of a sheet: one of a table by its name there, or one of those that are worked out here.
+struct SheetField {
+  std::string_view name;
+  std::optional<Text> head;  // none: as the table has it, in every language
+  int width;
+  int decimals = kOfColumn;
+  bool is_wrapped = false;
+  ColumnRole role = ColumnRole::other;
+};
 
-ColumnRole role_of(std::string_view name) {
-  if (name == "shown") return ColumnRole::verdict;
-  return name == "counts" ? ColumnRole::counts : ColumnRole::other;
-}
+// What tables do not have: names as people wrote them. Not the names of any column.
+constexpr std::string_view kRoom = "@room", kPlane = "@plane";
 
-// Of a table, in an order for people: `first`, and after them all others as they come, without a
-// verdict for data beside the one that people are shown.
+constexpr std::array kRequirementFields{
+    SheetField{"shown", Text::verdict, 13, kOfColumn, true, ColumnRole::verdict},
+    SheetField{kRoom, Text::xlsx_room, 20, kOfColumn, true},
+    SheetField{kPlane, Text::plane, 18, kOfColumn, true},
+    SheetField{"what", Text::quantity, 20, kOfColumn, true},
+    SheetField{"required", Text::required, 11, kOfColumn, true},
+    SheetField{"value", Text::xlsx_calculated, 11},
+    SheetField{"low", Text::xlsx_low, 9},
+    SheetField{"high", Text::xlsx_high, 9},
+    SheetField{"unit", Text::xlsx_unit, 8},
+    SheetField{"margin", Text::xlsx_margin, 11},
+    SheetField{"counts", Text::xlsx_counts, 9, kOfColumn, true, ColumnRole::counts},
+    SheetField{"reason", Text::xlsx_reason, 28, kOfColumn, true},
+    SheetField{"clause", Text::xlsx_clause, 17, kOfColumn, true},
+    SheetField{"waiver", Text::xlsx_waived_by, 14, kOfColumn, true},
+    SheetField{"close", Text::xlsx_close, 14, kOfColumn, true},
+    SheetField{"note", Text::xlsx_notes, 26, kOfColumn, true}};
+
+constexpr std::array kPointFields{SheetField{kRoom, Text::xlsx_room, 20},
+                                  SheetField{kPlane, Text::plane, 18},
+                                  SheetField{"x_m", {}, 9, 3},
+                                  SheetField{"y_m", {}, 9, 3},
+                                  SheetField{"z_m", {}, 9, 3},
+                                  SheetField{"illuminance_lx", Text::xlsx_illuminance, 13, 1},
+                                  SheetField{"low_lx", Text::xlsx_low_lx, 10, 1},
+                                  SheetField{"high_lx", Text::xlsx_high_lx, 10, 1},
+                                  SheetField{"direct_lx", Text::xlsx_direct_lx, 10, 1},
+                                  SheetField{"indirect_lx", Text::xlsx_reflected_lx, 11, 1},
+                                  SheetField{"rating", Text::xlsx_rating, 10, 3},
+                                  SheetField{"rating_low", Text::xlsx_low, 9, 3},
+                                  SheetField{"rating_high", Text::xlsx_high, 9, 3}};
+
+constexpr std::array kPositionFields{
+    SheetField{kRoom, Text::xlsx_room, 20, kOfColumn, true},
+    SheetField{"number", Text::xlsx_number, 9},
+    SheetField{"position", Text::schedule_position, 6},
+    SheetField{"id", Text::luminaire_id, 12, kOfColumn, true},
+    SheetField{"type", Text::type, 16, kOfColumn, true},
+    SheetField{"maker", Text::xlsx_maker, 16, kOfColumn, true},
+    SheetField{"product", Text::sheet_product, 18, kOfColumn, true},
+    SheetField{"article", Text::xlsx_article, 16, kOfColumn, true},
+    SheetField{"group", Text::xlsx_group, 11, kOfColumn, true},
+    SheetField{"x_m", {}, 9, 3},
+    SheetField{"y_m", {}, 9, 3},
+    SheetField{"z_m", {}, 9, 3},
+    SheetField{"height_m", Text::xlsx_height, 11, 3},
+    SheetField{"tilt_deg", Text::xlsx_tilt, 9, 1},
+    SheetField{"heading_deg", Text::xlsx_heading, 9, 1},
+    SheetField{"turn_deg", Text::xlsx_turn, 9, 1},
+    SheetField{"flux_lm", Text::xlsx_flux_one, 11},
+    SheetField{"power_w", Text::xlsx_power_one, 10},
+    SheetField{"maintenance_factor", Text::xlsx_maintenance_factor, 12}};
+
+// Titles of rooms and planes by their ids.
+struct PlaceNames {
+  std::map<std::string, std::string> rooms, planes;
+
+  PlaceNames() = default;
+  PlaceNames(const Texts& t, const ProjectPart& project) {
+    const std::vector<std::string> titles = room_titles(project);
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+      const SpacePart& space = project.spaces[i];
+      rooms.emplace(space.id, titles[i]);
+      for (const PlanePart& plane : space.planes)
+        planes.emplace(plane.id, plane_name(t, space, plane));
+    }
+  }
+};
+
+// A table as a sheet: the fields for people, and after them, under the names of the CSV file, all
+// other columns that this has.
 class SheetOrder {
  public:
-  SheetOrder(std::span<const TableColumn> columns, std::span<const std::string_view> first) {
-    for (const std::string_view name : first) places_.push_back(column_of(columns, name));
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const bool is_for_data = columns[i].name == "verdict";
-      if (!is_for_data && std::find(places_.begin(), places_.end(), i) == places_.end())
-        places_.push_back(i);
+  SheetOrder(const Texts& t, std::span<const TableColumn> columns,
+             std::span<const SheetField> fields, bool has_projects) {
+    space_ = column_of(columns, "space");
+    const auto plane = std::find_if(columns.begin(), columns.end(), [](const TableColumn& column) {
+      return column.name == "plane";
+    });
+    plane_ = static_cast<std::size_t>(plane - columns.begin());
+    if (has_projects) {
+      places_.push_back(column_of(columns, "project"));
+      head_.push_back({t[Text::xlsx_project], 20, kOfColumn, true});
     }
-    for (const std::size_t place : places_) {
-      const TableColumn& column = columns[place];
-      head_.push_back({std::string(column.heading), column.width, column.decimals,
-                       column.width >= kWrapFrom, role_of(column.name)});
+    for (const SheetField& field : fields) {
+      places_.push_back(field.name == kRoom    ? kRoomPlace
+                        : field.name == kPlane ? kPlanePlace
+                                               : column_of(columns, field.name));
+      head_.push_back({field.head ? t[*field.head] : std::string(columns[places_.back()].heading),
+                       field.width, field.decimals, field.is_wrapped, field.role});
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const TableColumn& column = columns[i];
+      if (!column.is_in_csv || std::find(places_.begin(), places_.end(), i) != places_.end())
+        continue;
+      places_.push_back(i);
+      head_.push_back({std::string(column.name), std::min(column.width, kWidestName),
+                       column.decimals, false, ColumnRole::other, false});
     }
     row_.resize(places_.size());
   }
 
   const std::vector<SheetColumn>& head() const { return head_; }
   // Valid until the next call.
-  std::span<const TableCell> row(std::span<const TableCell> cells) {
-    for (std::size_t i = 0; i < places_.size(); ++i) row_[i] = cells[places_[i]];
+  std::span<const TableCell> row(const PlaceNames& names, std::span<const TableCell> cells) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      row_[i] = places_[i] == kRoomPlace    ? title(names.rooms, cells[space_])
+                : places_[i] == kPlanePlace ? title(names.planes, cells[plane_])
+                                            : cells[places_[i]];
+    }
     return row_;
   }
 
  private:
+  static constexpr std::size_t kRoomPlace = static_cast<std::size_t>(-1),
+                               kPlanePlace = static_cast<std::size_t>(-2);
+  static constexpr int kWidestName = 18;
+
+  // The id where there is no title, such as of a building.
+  static TableCell title(const std::map<std::string, std::string>& titles, const TableCell& id) {
+    const auto* text = std::get_if<std::string>(&id);
+    if (text == nullptr) return id;
+    const auto found = titles.find(*text);
+    return found == titles.end() ? *text : found->second;
+  }
+
+  std::size_t space_ = 0, plane_ = 0;
   std::vector<std::size_t> places_;
   std::vector<SheetColumn> head_;
   std::vector<TableCell> row_;
 };
 
-constexpr std::array<std::string_view, 18> kResultsFirst{
-    "shown",    "project", "space",  "plane",  "requirement", "quantity",
-    "required", "value",   "low",    "high",   "unit",        "margin",
-    "counts",   "reason",  "clause", "source", "waiver",      "note"};
-
 TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
 
-// --- Projects ------------------------------------------------------------------------------------
+// --- Projects, of several ------------------------------------------------------------------------
 
-std::vector<SheetColumn> project_columns() {
-  return {{"Verdict", 15, kOfColumn, false, ColumnRole::verdict},
-          {"Project", 30, kOfColumn, true},
-          {"Name", 24},
-          {"Pass", 9},
-          {"Fail", 9},
-          {"Undecided", 11},
-          {"Not judged", 11},
-          {"Waived", 9},
-          {"With a deviation", 11},
-          {"Warnings", 10},
-          {"That count", 10},
-          {"Client and author", 50, kOfColumn, true}};
+std::vector<SheetColumn> project_columns(const Texts& t) {
+  return {{t[Text::verdict], 15, kOfColumn, false, ColumnRole::verdict},
+          {t[Text::xlsx_project], 30, kOfColumn, true},
+          {t[Text::xlsx_name], 24, kOfColumn, true},
+          {t[Text::xlsx_pass], 9},
+          {t[Text::xlsx_fail], 9},
+          {t[Text::xlsx_undecided], 11},
+          {t[Text::xlsx_not_judged], 11},
+          {t[Text::xlsx_waived], 9},
+          {t[Text::xlsx_deviating], 13},
+          {t[Text::xlsx_warnings], 10},
+          {t[Text::xlsx_warnings_count], 10},
+          {t[Text::about_client], 40, kOfColumn, true}};
 }
 
-std::vector<TableCell> project_row(const ProjectPart& project) {
+std::vector<TableCell> project_row(const Texts& t, const ProjectPart& project) {
   const VerdictCounts counts = count_verdicts(project);
   const WarningCounts warnings = count_warnings(project);
-  return {std::string(outcome_words(outcome_of(project))),
+  return {std::string(outcome_words(t, outcome_of(project))),
           project.path,
           project.name,
           count_cell(counts.pass),
@@ -109,105 +218,140 @@ std::vector<TableCell> project_row(const ProjectPart& project) {
           count_cell(counts.deviating),
           count_cell(warnings.all),
           count_cell(warnings.strict),
-          about_line({}, project.about)};
+          about_line(t, project.about)};
 }
 
-// --- Rooms ---------------------------------------------------------------------------------------
+// --- Rooms of the overview -----------------------------------------------------------------------
 
-std::vector<SheetColumn> room_columns() {
-  return {{"Verdict", 15, kOfColumn, false, ColumnRole::verdict},
-          {"Room", 30, kOfColumn, true},
-          {"Required", 10},
-          {"Met", 8},
-          {"Average (lx)", 12},
-          {"Required (lx)", 12},
-          {"Uo", 9},
-          {"Required Uo", 12},
-          {"UGR", 9},
-          {"Required UGR", 12},
-          {"Power (W/m²)", 12, 2},
-          {"Why it does not pass", 80, kOfColumn, true},
-          {"Project", 30, kOfColumn, true},
-          {"Room id", 24}};
+std::vector<SheetColumn> overview_columns(const Texts& t) {
+  return {{t[Text::verdict], 14, kOfColumn, true, ColumnRole::verdict},
+          {t[Text::xlsx_room], 24, kOfColumn, true},
+          {t[Text::xlsx_use], 20, kOfColumn, true},
+          {t[Text::xlsx_met], 9},
+          {t[Text::xlsx_asked], 9},
+          {t[Text::xlsx_average], 10},
+          {t[Text::xlsx_average_limit], 11},
+          {"Uo", 8},
+          {t[Text::xlsx_uo_limit], 9},
+          {"UGR", 8},
+          {t[Text::xlsx_ugr_limit], 9},
+          {t[Text::xlsx_power_density], 10, 2},
+          {t[Text::xlsx_why], 56, kOfColumn, true},
+          {"space", 14, kOfColumn, false, ColumnRole::other, false},
+          {"project", 18, kOfColumn, false, ColumnRole::other, false}};
 }
 
 // A value and its limit; nothing where it is not asked.
-void add_value(const rules::Finding* finding, std::vector<TableCell>& row) {
+void add_value(const Texts& t, const rules::Finding* finding, std::vector<TableCell>& row) {
   if (finding == nullptr) {
     row.insert(row.end(), 2, TableCell());
     return;
   }
   const rules::Requirement& requirement = finding->requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
   if (finding->verdict == rules::Verdict::not_judged) {
     row.emplace_back();
   } else if (calc::is_nothing(finding->measured)) {
-    row.emplace_back(std::string(english_text(Text::none)));
+    row.emplace_back(std::string(t[Text::none]));
   } else if (is_below_scale(*finding)) {
-    row.emplace_back(measured_words({}, *finding));
+    row.emplace_back(measured_words(t, *finding));
   } else {
-    row.emplace_back(TableNumber{finding->measured.value});
+    const int decimals =
+        interval_decimals(finding->measured, rules::unit_of(requirement), threshold);
+    row.emplace_back(TableNumber{finding->measured.value, decimals});
   }
-  row.emplace_back(format_required(Threshold{requirement.limit, requirement.comparison}, ""));
+  row.emplace_back(format_required(t, threshold, ""));
 }
 
-std::vector<TableCell> room_row(const ProjectPart& project, const RoomSummary& room) {
-  std::vector<TableCell> row{std::string(outcome_words(room.outcome)),
-                             std::string(report::title_of(room.space->name, room.space->id)),
-                             count_cell(room.required), count_cell(room.met)};
+// "EN 12464-1:2021 34.2", each once.
+std::string uses_of(const Texts& t, const SpacePart& space) {
+  std::string uses;
+  std::set<std::string> known;
+  for (const rules::RowCoverage& row : space.coverage) {
+    const std::string use = sentence(t, row.clause);
+    if (known.insert(use).second) uses += (uses.empty() ? "" : "\n") + use;
+  }
+  return uses;
+}
+
+std::vector<TableCell> room_row(const Texts& t, const ProjectPart& project, const RoomSummary& room,
+                                const std::string& title) {
+  std::vector<TableCell> row{std::string(outcome_words(t, room.outcome)), title,
+                             uses_of(t, *room.space), count_cell(room.met),
+                             count_cell(room.required)};
   for (const rules::Finding* value : {room.average, room.uniformity, room.glare})
-    add_value(value, row);
+    add_value(t, value, row);
   const std::optional<double> power_w_m2 = room.space->power.density_w_m2();
   row.push_back(power_w_m2 ? TableCell(TableNumber{*power_w_m2}) : TableCell());
   std::string why;
   for (const RoomCause& cause : room.causes) {
-    const CauseWords words = cause_words({}, room, cause);
+    const CauseWords words = cause_words(t, room, cause);
     why += (why.empty() ? "" : "\n") + words.what;
     for (const std::string& more : words.more) why += "; " + more;
   }
   row.emplace_back(why);
-  row.emplace_back(project.path);
   row.emplace_back(room.space->id);
+  row.emplace_back(project.path);
   return row;
 }
 
 // --- Types ---------------------------------------------------------------------------------------
 
-std::vector<SheetColumn> type_columns() {
-  return {{"Project", 18},
-          {"Position", 9},
-          {"Type", 16},
-          {"Maker", 18},
-          {"Name", 24},
-          {"Article number", 18},
-          {"Luminous flux of one, new (lm)", 14},
-          {"Power of one (W)", 12},
-          {"Efficacy (lm/W)", 11, 0},
-          {"Colour temperature (K)", 12},
-          {"Ra", 8},
-          {"Mounting height of the opening", 18},
-          {"Count", 8},
-          {"Rooms", 30, kOfColumn, true},
-          {"Maintenance factor", 13},
-          {"Luminous flux of all, new (lm)", 14},
-          {"Power of all (W)", 12},
-          {"Lamp", 18},
-          {"Highest intensity (cd)", 12, 0},
-          {"Material of the housing", 16},
-          {"Depth of the housing (m)", 12, 3},
-          {"Photometry file", 24},
-          {"Format", 14},
-          {"SHA-256 of the file", 20}};
+// The project is in front where there are several, else at the end, for programs.
+template <class T>
+std::vector<T> with_project(std::vector<T> row, T project, bool has_projects) {
+  row.insert(has_projects ? row.begin() : row.end(), std::move(project));
+  return row;
+}
+
+constexpr std::size_t kTypeColumn = 1, kCountColumn = 11, kFluxColumn = 14, kPowerColumn = 15;
+
+// What a tender lists; what nobody buys by is for programs, without the project.
+std::vector<SheetColumn> type_fields(const Texts& t) {
+  const auto of_data = [](const char* heading, int width, int decimals = kOfColumn) {
+    return SheetColumn{heading, width, decimals, false, ColumnRole::other, false};
+  };
+  return {{t[Text::schedule_position], 6},
+          {t[Text::type], 16, kOfColumn, true},
+          {t[Text::xlsx_maker], 16, kOfColumn, true},
+          {t[Text::sheet_product], 24, kOfColumn, true},
+          {t[Text::xlsx_article], 16, kOfColumn, true},
+          {t[Text::xlsx_flux_of_one], 13},
+          {t[Text::xlsx_power_of_one], 11},
+          {t[Text::xlsx_efficacy], 11, 0},
+          {t[Text::xlsx_colour_temperature], 12, kOfColumn, true},
+          {"Ra", 7, kOfColumn, true},
+          {t[Text::mounting], 16, kOfColumn, true},
+          {t[Text::count], 8},
+          {t[Text::rooms], 28, kOfColumn, true},
+          {t[Text::xlsx_maintenance_factor], 12},
+          {t[Text::xlsx_flux_of_all], 13},
+          {t[Text::xlsx_power_of_all], 11},
+          {t[Text::xlsx_lamp], 16, kOfColumn, true},
+          of_data("Highest intensity (cd)", 12, 0),
+          of_data("Material of the housing", 16),
+          of_data("Depth of the housing (m)", 12, 3),
+          of_data("Photometry file", 24),
+          of_data("Format", 14),
+          of_data("SHA-256 of the file", 20)};
+}
+
+std::vector<SheetColumn> type_columns(const Texts& t, bool has_projects) {
+  return with_project(type_fields(t),
+                      has_projects
+                          ? SheetColumn{t[Text::xlsx_project], 18, kOfColumn, true}
+                          : SheetColumn{"project", 18, kOfColumn, false, ColumnRole::other, false},
+                      has_projects);
 }
 
 TableCell stated(double value, bool is_stated) {
   return is_stated ? TableCell(TableNumber{value}) : TableCell();
 }
 
-std::vector<TableCell> type_row(const ProjectPart& project, const ScheduleRow& of) {
+std::vector<TableCell> type_row(const Texts& t, const ScheduleRow& of) {
   const LuminaireRow& row = *of.type;
   const bool has_power = row.power_w > 0.0;
-  return {project.path,
-          of.position,
+  return {of.position,
           row.type_id,
           row.maker,
           row.name,
@@ -216,10 +360,10 @@ std::vector<TableCell> type_row(const ProjectPart& project, const ScheduleRow& o
           stated(row.power_w, has_power),
           stated(row.flux_lm / row.power_w, has_power),
           colour_temperature_words(row),
-          colour_rendering_words({}, row),
-          mounting_words({}, of),
+          colour_rendering_words(t, row),
+          mounting_words(t, of),
           count_cell(row.count),
-          rooms_words({}, of),
+          rooms_words(t, of),
           TableNumber{row.maintenance_factor},
           TableNumber{row.count * row.flux_lm},
           stated(row.count * row.power_w, has_power),
@@ -233,41 +377,44 @@ std::vector<TableCell> type_row(const ProjectPart& project, const ScheduleRow& o
 }
 
 // A line of words under the types that they are about.
-std::vector<TableCell> type_remark(const ProjectPart& project, const std::string& words) {
-  std::vector<TableCell> row(type_columns().size());
-  row[0] = project.path;
-  row[2] = words;
+std::vector<TableCell> type_remark(const std::string& words, std::size_t columns) {
+  std::vector<TableCell> row(columns);
+  row[kTypeColumn] = words;
   return row;
 }
 
-std::vector<TableCell> type_totals(const ProjectPart& project, const LuminaireTotals& totals) {
-  std::vector<TableCell> row = type_remark(project, "All luminaires");
-  row[12] = count_cell(totals.count);
-  row[15] = TableNumber{totals.flux_lm};
-  row[16] = stated(totals.power_w, totals.is_power_known);
+std::vector<TableCell> type_totals(const Texts& t, const LuminaireTotals& totals,
+                                   std::size_t columns) {
+  std::vector<TableCell> row = type_remark(t[Text::all_luminaires], columns);
+  row[kCountColumn] = count_cell(totals.count);
+  row[kFluxColumn] = TableNumber{totals.flux_lm};
+  row[kPowerColumn] = stated(totals.power_w, totals.is_power_known);
   return row;
 }
 
 // The types that are used, what they add up to and what must be read with it.
-std::vector<std::vector<TableCell>> type_rows(const ProjectPart& project) {
-  std::vector<std::vector<TableCell>> rows;
-  if (project.luminaires.empty()) return rows;
+void add_types(const Texts& t, const ProjectPart& project, bool has_projects, SheetSeries& sheet) {
+  if (project.luminaires.empty()) return;
+  const auto whole = [&](std::vector<TableCell> row) {
+    return with_project<TableCell>(std::move(row), project.path, has_projects);
+  };
+  const std::size_t columns = type_fields(t).size();
   const LuminaireSchedule schedule = schedule_of(project);
-  for (const ScheduleRow& row : schedule.used) rows.push_back(type_row(project, row));
-  rows.push_back(type_totals(project, schedule.totals));
-  for (const std::string& words : schedule_remarks({}, schedule))
-    rows.push_back(type_remark(project, words));
-  return rows;
+  for (const ScheduleRow& row : schedule.used) sheet.add(whole(type_row(t, row)));
+  sheet.add(whole(type_totals(t, schedule.totals, columns)));
+  // Sentences, which are longer than any column is wide.
+  for (const std::string& words : schedule_remarks(t, schedule))
+    sheet.add(whole(type_remark(words, columns)), TextLook::plain);
 }
 
-// --- Warnings ------------------------------------------------------------------------------------
+// --- Notes ---------------------------------------------------------------------------------------
 
-std::vector<SheetColumn> warning_columns() {
-  return {{"Kind", 18, kOfColumn, false, ColumnRole::verdict},
-          {"Project", 24},
-          {"Where", 30, kOfColumn, true},
-          {"Message", 90, kOfColumn, true},
-          {"Id", 24}};
+std::vector<SheetColumn> note_columns(const Texts& t) {
+  return {{t[Text::xlsx_kind], 18, kOfColumn, true, ColumnRole::verdict},
+          {t[Text::where], 34, kOfColumn, true},
+          {t[Text::xlsx_message], 90, kOfColumn, true},
+          {"id", 24, kOfColumn, false, ColumnRole::other, false},
+          {"project", 24, kOfColumn, false, ColumnRole::other, false}};
 }
 
 // What must be read with the verdicts.
@@ -282,53 +429,59 @@ std::string place_text(const calc::SourceLocation& where) {
   return text;
 }
 
-void add_plane_remarks(const std::string& room, const PlanePart& plane,
-                       std::vector<Remark>& remarks) {
-  const std::string where = room + " / " + std::string(report::title_of(plane.name, plane.id));
-  if (!plane.is_computed) remarks.push_back({"not computed", where, plane.reason.english()});
+// room: its title.
+void add_plane_remarks(const Texts& t, const std::string& room, const SpacePart& space,
+                       const PlanePart& plane, std::vector<Remark>& remarks) {
+  const std::string where = fmt::format("{} / {}", room, plane_in_room(t, space, plane));
+  if (!plane.is_computed)
+    remarks.push_back({t[Text::not_computed], where, sentence(t, plane.reason)});
   for (const rules::Finding& finding : plane.findings) {
-    const std::string place = where + " / " + finding.requirement.id;
-    if (finding.is_close) remarks.push_back({"close", place, close_words(finding)});
+    const std::string place = where + " / " + quantity_words(t, finding.requirement, plane.kernel);
+    if (finding.is_close)
+      remarks.push_back({t[Text::xlsx_kind_close], place, close_words(t, finding)});
     if (finding.is_waived)
       remarks.push_back(
-          {"waived", place, rules::waiver_words(*finding.requirement.waiver).english()});
+          {t[Text::waived], place, sentence(t, rules::waiver_words(*finding.requirement.waiver))});
   }
 }
 
-std::vector<Remark> remarks_of(const ProjectPart& project) {
+std::vector<Remark> remarks_of(const Texts& t, const ProjectPart& project) {
   std::vector<Remark> remarks;
   for (const calc::Diagnostic& message : project.diagnostics) {
-    const char* kind = !is_warning(message)                  ? "error"
-                       : is_strict_warning(project, message) ? "strict warning"
-                                                             : "warning";
+    const char* kind = !is_warning(message)                  ? t[Text::error]
+                       : is_strict_warning(project, message) ? t[Text::xlsx_strict_warning]
+                                                             : t[Text::warning];
     remarks.push_back({kind, place_text(message.where), message.message,
                        std::string(calc::diagnostic_name(message.id))});
   }
-  for (const SpacePart& space : project.spaces) {
-    const std::string room(report::title_of(space.name, space.id));
+  const std::vector<std::string> titles = room_titles(project);
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const SpacePart& space = project.spaces[i];
     for (const Notice& notice : notices_of(space)) {
       if (notice.kind == NoticeKind::row || notice.kind == NoticeKind::left_out) continue;
-      remarks.push_back({std::string(calc::name_of(notice.kind)), notice_place({}, notice),
-                         notice_words({}, notice)});
+      remarks.push_back(
+          {notice_kind_words(t, notice.kind), notice_place(t, notice), notice_words(t, notice)});
     }
-    for (const PlanePart& plane : space.planes) add_plane_remarks(room, plane, remarks);
+    for (const PlanePart& plane : space.planes)
+      add_plane_remarks(t, titles[i], space, plane, remarks);
   }
-  for (const std::string& words : ci_left_out(project)) remarks.push_back({"left out", "", words});
+  for (const std::string& words : ci_left_out(project))
+    remarks.push_back({t[Text::xlsx_kind_left_out], "", words});
   return remarks;
 }
 
-// --- Summary -------------------------------------------------------------------------------------
+// --- Overview and About --------------------------------------------------------------------------
 
-const char* same_bits_text(SameBits same_bits) {
+const char* same_bits_text(const Texts& t, SameBits same_bits) {
   switch (same_bits) {
     case SameBits::any_processor:
-      return english_text(Text::repeatable);
+      return t[Text::repeatable];
     case SameBits::same_device:
-      return english_text(Text::repeatable_on_device);
+      return t[Text::repeatable_on_device];
     case SameBits::nowhere:
       break;
   }
-  return english_text(Text::not_repeatable);
+  return t[Text::not_repeatable];
 }
 
 // "2027-01-31T12:00:00Z" alone is a date for the properties of a file.
@@ -343,12 +496,15 @@ bool is_moment(std::string_view text) {
 }
 
 // What a revision changed, as the other formats for people tell it.
-std::unique_ptr<SheetSeries> revision_sheet(const Document& revised, const SpillPlace& place) {
-  const std::vector<RevisionTable> tables = revision_tables(revised, {}, kMostSheetRows / 4);
+std::unique_ptr<SheetSeries> revision_sheet(const Texts& t, const Document& revised,
+                                            const WorkbookLook& workbook, const SpillPlace& place) {
+  constexpr int kWidth = 30;
+  const std::vector<RevisionTable> tables = revision_tables(revised, t, kMostSheetRows / 4);
   std::size_t columns = 2;
   for (const RevisionTable& table : tables) columns = std::max(columns, table.head.size());
   auto sheet = std::make_unique<SheetSeries>(
-      "Revision", std::vector<SheetColumn>(columns, {"", kWrapFrom, kOfColumn, true}), place,
+      t[Text::xlsx_sheet_revision],
+      std::vector<SheetColumn>(columns, {"", kWidth, kOfColumn, true}), workbook, place,
       kMostSheetRows, SheetHead::without);
   const auto add = [&](const std::vector<std::string>& words, TextLook look) {
     std::vector<TableCell> row(columns);
@@ -359,212 +515,244 @@ std::unique_ptr<SheetSeries> revision_sheet(const Document& revised, const Spill
     add({table.title}, TextLook::title);
     add(table.head, TextLook::head);
     for (const std::vector<std::string>& row : table.rows) add(row, TextLook::wrapped);
-    if (table.left_out > 0)
-      add({Texts().say<Text::more_left_out>(table.left_out)}, TextLook::wrapped);
+    if (table.left_out > 0) add({t.say<Text::more_left_out>(table.left_out)}, TextLook::wrapped);
   }
-  for (const std::string& remark : revision_remarks(revised, {})) add({remark}, TextLook::plain);
+  for (const std::string& remark : revision_remarks(revised, t)) add({remark}, TextLook::plain);
   return sheet;
+}
+
+// Words of verdicts, and of what is beside them, with their colours.
+WorkbookLook workbook_look(const Texts& t, Paper paper) {
+  using enum CellColour;
+  WorkbookLook look;
+  look.is_letter = paper == Paper::letter;
+  look.words = {{t[Text::verdict_pass], good},          {t[Text::verdict_fail], bad},
+                {t[Text::xlsx_strict_warning], bad},    {t[Text::outcome_warned], bad},
+                {t[Text::xlsx_kind_worse], bad},        {t[Text::xlsx_kind_weaker], bad},
+                {t[Text::verdict_undecided], unsure},   {t[Text::warning], unsure},
+                {t[Text::xlsx_kind_in_part], unsure},   {t[Text::xlsx_kind_left_out], unsure},
+                {t[Text::verdict_not_judged], unjudged}};
+  look.uncounted = {t[Text::xlsx_counts_waived], t[Text::xlsx_counts_advice]};
+  return look;
 }
 
 class XlsxWriter : public FormatWriter {
  public:
-  XlsxWriter(const DocumentFrame& frame, const SpillPlace& place, std::size_t most_rows)
+  XlsxWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t, Paper paper,
+             std::size_t most_rows)
       : frame_(frame),
         place_(place),
-        results_order_(results_table().columns, kResultsFirst),
-        points_order_(points_table().columns, {}),
-        luminaires_order_(luminaires_table().columns, {}),
-        rooms_("Rooms", room_columns(), place, most_rows),
-        projects_("Projects", project_columns(), place, most_rows),
-        requirements_("Requirements", results_order_.head(), place, most_rows),
-        points_("Points", points_order_.head(), place, most_rows),
-        luminaires_("Luminaires", luminaires_order_.head(), place, most_rows),
-        types_("Types", type_columns(), place, most_rows),
-        warnings_("Warnings", warning_columns(), place, most_rows) {}
+        t_(t),
+        look_(workbook_look(t, paper)),
+        results_order_(t, results_table().columns, kRequirementFields, has_projects()),
+        points_order_(t, points_table().columns, kPointFields, has_projects()),
+        positions_order_(t, luminaires_table().columns, kPositionFields, has_projects()),
+        projects_(t[Text::xlsx_sheet_projects], project_columns(t), look_, place, most_rows),
+        requirements_(t[Text::xlsx_sheet_requirements], results_order_.head(), look_, place,
+                      most_rows, SheetHead::with, {false, 3}),
+        types_(t[Text::xlsx_sheet_luminaires], type_columns(t, has_projects()), look_, place,
+               most_rows, SheetHead::with, {false, 2}),
+        positions_(t[Text::xlsx_sheet_positions], positions_order_.head(), look_, place, most_rows,
+                   SheetHead::with, {false, 2}),
+        points_(t[Text::xlsx_sheet_points], points_order_.head(), look_, place, most_rows,
+                SheetHead::with, {true, 2}),
+        notes_(t[Text::xlsx_sheet_notes], note_columns(t), look_, place, most_rows) {}
 
   void add(const ProjectPart& project) override;
   void finish(const DocumentEnd& end, Sink& sink) override;
 
  private:
-  static constexpr std::size_t kMostRemarks = 100;  // in the summary; the sheet has all
-
-  void add_remarks(const ProjectPart& project);
-  void write_what(SheetSeries& summary) const;
-  void write_counts(SheetSeries& summary, const DocumentEnd& end) const;
-  void write_provenance(SheetSeries& summary, const Provenance& provenance) const;
-  void write_reading(SheetSeries& summary, const Provenance& provenance) const;
-  void write_remarks(SheetSeries& summary) const;
-  std::vector<const SheetSeries*> tables() const {
-    return {&rooms_, &projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_};
+  bool has_projects() const { return frame_.paths.size() > 1; }
+  // At the head of all pages.
+  void set_titles(const std::string& title);
+  void write_what(SheetSeries& overview) const;
+  void write_outcome(SheetSeries& overview, const DocumentEnd& end) const;
+  void write_counts(SheetSeries& about, const DocumentEnd& end) const;
+  void write_provenance(SheetSeries& about, const Provenance& provenance) const;
+  void write_reading(SheetSeries& about, const Provenance& provenance) const;
+  void write_sizes(SheetSeries& about) const;
+  std::vector<SheetSeries*> tables() {
+    std::vector<SheetSeries*> list{&requirements_, &types_, &positions_, &points_, &notes_};
+    if (has_projects()) list.insert(list.begin(), &projects_);
+    return list;
   }
 
   const DocumentFrame& frame_;
   SpillPlace place_;
-  SheetOrder results_order_, points_order_, luminaires_order_;
-  SheetSeries rooms_, projects_, requirements_, points_, luminaires_, types_, warnings_;
-  std::string title_;  // of the only project
+  Texts t_;
+  WorkbookLook look_;
+  SheetOrder results_order_, points_order_, positions_order_;
+  SheetSeries projects_, requirements_, types_, positions_, points_, notes_;
+  std::vector<std::vector<TableCell>> rooms_;  // of the overview, which begins with what comes last
+  std::string title_;                          // of the only project
+  std::string page_title_;
   std::vector<AboutWords> about_;
-  std::vector<std::pair<std::string, std::string>> first_remarks_;
 };
 
-void XlsxWriter::add(const ProjectPart& project) {
-  for (const RoomSummary& room : room_summaries(project)) rooms_.add(room_row(project, room));
-  projects_.add(project_row(project));
-  results_table().rows(
-      project, [&](std::span<const TableCell> row) { requirements_.add(results_order_.row(row)); });
-  points_table().rows(project, [&](std::span<const TableCell> row) { points_.add(row); });
-  luminaires_table().rows(project, [&](std::span<const TableCell> row) { luminaires_.add(row); });
-  for (const std::vector<TableCell>& row : type_rows(project)) types_.add(row);
-  add_remarks(project);
-  if (frame_.paths.size() > 1) return;
-  title_ = project.name;
-  about_ = about_words({}, project.about);
+void XlsxWriter::set_titles(const std::string& title) {
+  page_title_ = title;
+  for (SheetSeries* table : tables()) table->set_title(title);
 }
 
-void XlsxWriter::add_remarks(const ProjectPart& project) {
-  for (const Remark& remark : remarks_of(project)) {
-    const std::array<TableCell, 5> row{remark.kind, project.path, remark.where, remark.words,
-                                       remark.id};
-    warnings_.add(row);
-    if (first_remarks_.size() >= kMostRemarks) continue;
-    const std::string id = remark.id.empty() ? "" : " [" + remark.id + "]";
-    first_remarks_.emplace_back(
-        remark.kind, (remark.where.empty() ? "" : remark.where + ": ") + remark.words + id);
+void XlsxWriter::add(const ProjectPart& project) {
+  if (!has_projects()) {
+    title_ = project.name;
+    about_ = about_words(t_, project.about);
+    set_titles(std::string(report::title_of(project.name, project.path)));
+  } else {
+    set_titles(t_.say<Text::project_count>(frame_.paths.size()));
+  }
+  const PlaceNames names(t_, project);
+  for (const RoomSummary& room : room_summaries(project))
+    rooms_.push_back(room_row(t_, project, room, names.rooms.at(room.space->id)));
+  projects_.add(project_row(t_, project));
+  results_in(t_, project, [&](std::span<const TableCell> row) {
+    requirements_.add(results_order_.row(names, row));
+  });
+  points_table().rows(
+      project, [&](std::span<const TableCell> row) { points_.add(points_order_.row(names, row)); });
+  luminaires_table().rows(project, [&](std::span<const TableCell> row) {
+    positions_.add(positions_order_.row(names, row));
+  });
+  add_types(t_, project, has_projects(), types_);
+  for (const Remark& remark : remarks_of(t_, project)) {
+    notes_.add(
+        std::array<TableCell, 5>{remark.kind, remark.where, remark.words, remark.id, project.path});
   }
 }
 
-void XlsxWriter::write_what(SheetSeries& summary) const {
-  summary.add_pair("luxgate: lighting checked against requirements", {}, TextLook::title);
-  if (frame_.paths.size() != 1) {
-    summary.add_pair("Projects", static_cast<std::int64_t>(frame_.paths.size()));
+void XlsxWriter::write_what(SheetSeries& overview) const {
+  overview.add_pair(
+      title_.empty() ? std::string("luxgate: ") + t_[Text::compliance_report] : title_, {},
+      TextLook::title);
+  if (has_projects()) {
+    overview.add_pair(t_[Text::xlsx_sheet_projects],
+                      static_cast<std::int64_t>(frame_.paths.size()));
     return;
   }
-  summary.add_pair("Project", frame_.paths.front());
-  if (!title_.empty()) summary.add_pair("Name", title_);
-  for (const AboutWords& one : about_) summary.add_pair(one.name, one.words);
+  for (const AboutWords& one : about_) overview.add_pair(one.name, one.words);
+  if (!frame_.paths.empty()) overview.add_pair(t_[Text::xlsx_project_file], frame_.paths.front());
 }
 
-void XlsxWriter::write_counts(SheetSeries& summary, const DocumentEnd& end) const {
-  const Totals& totals = end.totals;
+void XlsxWriter::write_outcome(SheetSeries& overview, const DocumentEnd& end) const {
   const bool is_revised = frame_.revised != nullptr;
-  const rules::Outcome outcome = is_revised ? gate_outcome(*frame_.revised) : totals.outcome;
-  summary.add_pair("Verdict", std::string(outcome_words(outcome)));
+  const rules::Outcome outcome = is_revised ? gate_outcome(*frame_.revised) : end.totals.outcome;
+  overview.add_pair(t_[Text::verdict], std::string(outcome_words(t_, outcome)));
   if (is_revised) {
-    for (const std::string& remark : revision_remarks(*frame_.revised, {}))
-      summary.add_pair("Against the earlier result", remark);
+    for (const std::string& remark : revision_remarks(*frame_.revised, t_))
+      overview.add_pair(t_[Text::xlsx_against], remark);
   }
-  summary.add_pair("In words", summary_words(totals));
-  const std::string selection = selection_words(end.provenance);
-  if (!selection.empty()) summary.add_pair("Only a part", selection);
-  for (const calc::Diagnostic& error : document_errors(end)) {
-    summary.add_pair("Error", calc::format_diagnostic(error));
+  overview.add_pair(t_[Text::xlsx_in_words], summary_words(t_, end.totals));
+  const std::string selection = selection_words(end.provenance, t_);
+  if (!selection.empty()) overview.add_pair(t_[Text::xlsx_only_a_part], selection);
+  for (const calc::Diagnostic& error : document_errors(end))
+    overview.add_pair(t_[Text::xlsx_error], calc::format_diagnostic(error));
+  if (notes_.rows() > 0) {
+    overview.add_pair(t_[Text::xlsx_notes],
+                      t_.say<Text::xlsx_see_notes>(notes_.rows(), notes_.name()));
   }
-  summary.add_pair("Pass", count_cell(totals.verdicts.pass));
-  summary.add_pair("Fail", count_cell(totals.verdicts.fail));
-  summary.add_pair("Undecided", count_cell(totals.verdicts.undecided));
-  summary.add_pair("Not judged", count_cell(totals.verdicts.not_judged));
-  summary.add_pair("Waived", count_cell(totals.verdicts.waived));
-  summary.add_pair("With a deviation from the standard", count_cell(totals.verdicts.deviating));
-  summary.add_pair("Rows of standards that are asked in part", count_cell(totals.rows_in_part));
-  summary.add_pair("Projects that could not be judged", count_cell(totals.projects_not_judged));
-  summary.add_pair("Warnings", count_cell(totals.warnings.all));
-  summary.add_pair("Warnings that count", count_cell(totals.warnings.strict));
 }
 
-void XlsxWriter::write_provenance(SheetSeries& summary, const Provenance& provenance) const {
-  const auto add_words = [&summary](const char* label, const std::string& words) {
-    if (!words.empty()) summary.add_pair(label, words);
+void XlsxWriter::write_counts(SheetSeries& about, const DocumentEnd& end) const {
+  const Totals& totals = end.totals;
+  for (const auto& [head, count] :
+       {std::pair(Text::xlsx_pass, totals.verdicts.pass),
+        std::pair(Text::xlsx_fail, totals.verdicts.fail),
+        std::pair(Text::xlsx_undecided, totals.verdicts.undecided),
+        std::pair(Text::xlsx_not_judged, totals.verdicts.not_judged),
+        std::pair(Text::xlsx_waived, totals.verdicts.waived),
+        std::pair(Text::xlsx_deviating, totals.verdicts.deviating),
+        std::pair(Text::xlsx_rows_in_part, totals.rows_in_part),
+        std::pair(Text::xlsx_projects_not_judged, totals.projects_not_judged),
+        std::pair(Text::xlsx_warnings, totals.warnings.all),
+        std::pair(Text::xlsx_warnings_count, totals.warnings.strict)})
+    about.add_pair(t_[head], count_cell(count));
+}
+
+void XlsxWriter::write_provenance(SheetSeries& about, const Provenance& provenance) const {
+  const auto add_words = [&](Text label, const std::string& words) {
+    if (!words.empty()) about.add_pair(t_[label], words);
   };
-  summary.add_pair("Where it comes from", {}, TextLook::title);
-  summary.add_pair("Program", "luxgate " + provenance.program_version);
-  summary.add_pair("Version of the numbers", count_cell(provenance.numbers_version));
-  summary.add_pair("Command", provenance.command_line);
-  add_words("Made", provenance.timestamp);
-  add_words("Waivers and deviations are judged as of", provenance.judged_on);
-  add_words("Policy", policy_words(provenance));
-  add_words("SHA-256 of the policy", provenance.policy_sha256);
-  add_words("Left out of paths", redaction_words(provenance));
-  summary.add_pair("Backend", provenance.backend);
-  add_words("Method", provenance.method);
-  summary.add_pair("Seed", fmt::format("{}", provenance.seed));
-  summary.add_pair("Confidence", format_percent(provenance.confidence));
-  summary.add_pair("Goal", std::string(calc::name_of(provenance.goal)));
-  summary.add_pair("Relative half-width aimed at", format_percent(provenance.tolerance));
-  summary.add_pair("Light paths at most, of a plane and replicate",
-                   static_cast<std::int64_t>(provenance.max_paths));
-  summary.add_pair("Replicates", count_cell(provenance.replicates));
-  summary.add_pair("Again the same", std::string(same_bits_text(provenance.same_bits)));
+  about.add_pair(t_[Text::xlsx_where_from], {}, TextLook::title);
+  about.add_pair(t_[Text::program], "luxgate " + provenance.program_version);
+  about.add_pair(t_[Text::numbers_version], count_cell(provenance.numbers_version));
+  about.add_pair(t_[Text::xlsx_command], provenance.command_line);
+  add_words(Text::made, provenance.timestamp);
+  add_words(Text::xlsx_judged_on, provenance.judged_on);
+  add_words(Text::policy, policy_words(provenance, t_));
+  add_words(Text::xlsx_policy_hash, provenance.policy_sha256);
+  add_words(Text::xlsx_redacted, redaction_words(provenance, t_));
+  about.add_pair(t_[Text::backend], provenance.backend);
+  add_words(Text::method, provenance.method);
+  about.add_pair(t_[Text::seed], fmt::format("{}", provenance.seed));
+  about.add_pair(t_[Text::confidence], format_percent(t_, provenance.confidence));
+  about.add_pair(t_[Text::goal], std::string(calc::name_of(provenance.goal)));
+  about.add_pair(t_[Text::aimed_half_width], format_percent(t_, provenance.tolerance));
+  about.add_pair(t_[Text::most_paths], static_cast<std::int64_t>(provenance.max_paths));
+  about.add_pair(t_[Text::replicates], count_cell(provenance.replicates));
+  about.add_pair(t_[Text::xlsx_again], std::string(same_bits_text(t_, provenance.same_bits)));
 }
 
-void XlsxWriter::write_reading(SheetSeries& summary, const Provenance& provenance) const {
-  summary.add_pair("How to read it", {}, TextLook::title);
-  summary.add_pair(
-      "Low and high",
-      fmt::format(
-          "The value lies between them, with {} over all looks of a plane. A verdict looks at "
-          "the whole interval, unless the notes of its requirement say something else.",
-          format_percent(provenance.confidence)));
-  summary.add_pair("Empty cells",
-                   std::string("There is no value: not asked, not stated, not known or not "
-                               "computed. It is never zero."));
-  summary.add_pair("Points",
-                   std::string("Maintained, with every luminaire at full output. Ratings of glare "
-                               "are of the new installation."));
-  std::size_t cut = summary.cut_texts();
-  for (const SheetSeries* table : tables()) {
+void XlsxWriter::write_reading(SheetSeries& about, const Provenance& provenance) const {
+  about.add_pair(t_[Text::xlsx_how_to_read], {}, TextLook::title);
+  about.add_pair(t_[Text::xlsx_low_and_high],
+                 t_.say<Text::xlsx_low_and_high_is>(format_percent(t_, provenance.confidence)));
+  about.add_pair(t_[Text::xlsx_empty_cells], std::string(t_[Text::xlsx_empty_cells_are]));
+  about.add_pair(points_.name(), std::string(t_[Text::xlsx_points_are]));
+  about.add_pair(t_[Text::xlsx_grey_heads], std::string(t_[Text::xlsx_grey_heads_are]));
+}
+
+void XlsxWriter::write_sizes(SheetSeries& about) const {
+  std::size_t cut = about.cut_texts();
+  for (const SheetSeries* table :
+       {&projects_, &requirements_, &types_, &positions_, &points_, &notes_}) {
     cut += table->cut_texts();
-    const std::string rows = fmt::format(
-        "{} rows{}", table->rows(),
+    if (table == &projects_ && !has_projects()) continue;
+    const std::string rows =
         table->sheets() == 1
-            ? ""
-            : fmt::format(" in {} sheets, '{}' to '{} {}': one sheet has no room for them",
-                          table->sheets(), table->name(), table->name(), table->sheets()));
-    summary.add_pair("Sheet " + table->name(), rows);
+            ? t_.say<Text::xlsx_rows>(table->rows())
+            : t_.say<Text::xlsx_rows_in_sheets>(table->rows(), table->sheets(), table->name(),
+                                                table->name(), table->sheets());
+    about.add_pair(t_.say<Text::xlsx_sheet>(table->name()), rows);
   }
   if (cut > 0) {
-    summary.add_pair(
-        "Cut texts",
-        fmt::format("{} texts are longer than the {} characters that a cell may have, and "
-                    "end with a remark; JSON has them whole",
-                    cut, kMostCellCharacters));
-  }
-}
-
-void XlsxWriter::write_remarks(SheetSeries& summary) const {
-  summary.add_pair("Warnings and doubts", {}, TextLook::title);
-  if (first_remarks_.empty()) summary.add_pair("", std::string("There are none."));
-  for (const auto& [kind, words] : first_remarks_) summary.add_pair(kind, words);
-  if (warnings_.rows() > first_remarks_.size()) {
-    summary.add_pair("", fmt::format("{} more are in the sheet '{}'",
-                                     warnings_.rows() - first_remarks_.size(), warnings_.name()));
+    about.add_pair(t_[Text::xlsx_cut_texts],
+                   t_.say<Text::xlsx_cut_texts_are>(cut, kMostCellCharacters));
   }
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries summary("Summary", {{"", 46}, {"", 100, kOfColumn, true, ColumnRole::verdict}},
-                      place_, kMostSheetRows, SheetHead::without);
+  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_), look_, place_,
+                       kMostSheetRows, SheetHead::without);
+  SheetSeries about(t_[Text::xlsx_sheet_about], {{"", 46}, {"", 100, kOfColumn, true}}, look_,
+                    place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;
   const auto visit = [&](std::span<const TableCell> row) {
-    requirements_.add(results_order_.row(row));
+    requirements_.add(results_order_.row({}, row));
   };
-  results_of_errors(end, visit);
+  results_of_errors(t_, end, visit);
   if (frame_.revised != nullptr) {
-    results_of_revision(*frame_.revised, visit);
-    revision = revision_sheet(*frame_.revised, place_);
+    results_of_revision(t_, *frame_.revised, visit);
+    revision = revision_sheet(t_, *frame_.revised, look_, place_);
   }
-  write_what(summary);
-  write_counts(summary, end);
-  write_remarks(summary);
-  write_provenance(summary, end.provenance);
-  write_reading(summary, end.provenance);
+  overview.set_title(page_title_);
+  about.set_title(page_title_);
+  if (revision) revision->set_title(page_title_);
+  write_what(overview);
+  write_outcome(overview, end);
+  overview.add_pair("", {});
+  overview.add_head();
+  for (const std::vector<TableCell>& row : rooms_) overview.add(row);
+  write_counts(about, end);
+  write_provenance(about, end.provenance);
+  write_reading(about, end.provenance);
+  write_sizes(about);
 
   Workbook book;
-  book.add(summary);
-  for (SheetSeries* table :
-       {&rooms_, &projects_, &requirements_, &points_, &luminaires_, &types_, &warnings_}) {
-    book.add(*table);
-  }
+  book.add(overview);
+  for (SheetSeries* table : tables()) book.add(*table);
   if (revision) book.add(*revision);
+  book.add(about);
   const Provenance& provenance = end.provenance;
   book.write({title_.empty() ? "luxgate" : title_, "luxgate " + provenance.program_version,
               is_moment(provenance.timestamp) ? provenance.timestamp : ""},
@@ -574,8 +762,8 @@ void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
 }  // namespace
 
 std::unique_ptr<FormatWriter> xlsx_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                          std::size_t most_rows) {
-  return std::make_unique<XlsxWriter>(frame, place, most_rows);
+                                          const Texts& t, Paper paper, std::size_t most_rows) {
+  return std::make_unique<XlsxWriter>(frame, place, t, paper, most_rows);
 }
 
 }  // namespace report

@@ -1,21 +1,26 @@
 #pragma once
-// A workbook for people who go on working with the numbers: the tables of CSV (table.h) with their
-// heads, units and colours, and a summary. English, as CSV. Numbers are numbers and show so many
-// digits that none contradicts its verdict; no cell is a formula. The same document gives the same
-// bytes.
+// A workbook for people who read results and go on working with the numbers: rooms first, then the
+// tables of CSV (table.h) in the reader's language, with names beside ids. Columns for programs,
+// under their names in CSV, stand on the right and are not printed. Numbers are numbers and show so
+// many digits that none contradicts its verdict; no cell is a formula. The same document gives the
+// same bytes.
 
 #include "report/document/document.h"
 #include "report/formats/xlsx_workbook.h"
+#include "report/html/page/print_pages.h"
 #include "report/stream/format_writer.h"
+#include "report/text/texts.h"
 
 #include <cstddef>
 #include <memory>
 
 namespace report {
 
-// Sheets: Summary, Projects, Requirements, Points, Luminaires, Types, Warnings, and Revision with a
-// baseline. most_rows: of one sheet; the table goes on in another one, which the summary says.
+// Sheets: Overview; Projects, where there are several; Requirements, Luminaires (a schedule of
+// their types), Positions, Points, Notes; Revision with a baseline; About. most_rows: of one sheet;
+// the table goes on in another one, which About says.
 std::unique_ptr<FormatWriter> xlsx_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          const Texts& t = {}, Paper paper = Paper::a4,
                                           std::size_t most_rows = kMostSheetRows);
 
 }  // namespace report

@@ -36,6 +36,7 @@ enum XlsxStyle : int {
   kTitleStyle,
   kQuotedStyle,  // editing the cell does not turn the text into a formula either
   kQuotedWrappedStyle,
+  kNameStyle,  // heads of columns for programs
   kFirstFixedStyle,
   kFirstPercentStyle = kFirstFixedStyle + kMostShownDecimals + 1,
 };
@@ -60,21 +61,10 @@ int style_of(TextLook look, bool is_quoted) {
 struct VerdictColour {
   std::string_view text, fill;  // colours: RRGGBB
 };
-constexpr VerdictColour kGood{"006100", "C6EFCE"}, kBad{"9C0006", "FFC7CE"},
-    kUnsure{"7F6000", "FFEB9C"}, kUnjudged{"5B2C83", "E4D7F1"}, kNotCounting{"7F7F7F", "FFFFFF"};
-constexpr std::array kColours{kGood, kBad, kUnsure, kUnjudged, kNotCounting};
-struct VerdictWord {
-  std::string_view word;
-  std::size_t colour;  // place in kColours
-};
-// A word without a colour is never taken for a good one.
-constexpr std::array kVerdictWords{
-    VerdictWord{"pass", 0},           VerdictWord{"fail", 1},
-    VerdictWord{"strict warning", 1}, VerdictWord{"warnings count", 1},
-    VerdictWord{"worse", 1},          VerdictWord{"weaker question", 1},
-    VerdictWord{"undecided", 2},      VerdictWord{"warning", 2},
-    VerdictWord{"in part", 2},        VerdictWord{"left out", 2},
-    VerdictWord{"not judged", 3}};
+// In the order of CellColour; the last one is of what does not count.
+constexpr std::array kColours{VerdictColour{"006100", "C6EFCE"}, VerdictColour{"9C0006", "FFC7CE"},
+                              VerdictColour{"7F6000", "FFEB9C"}, VerdictColour{"5B2C83", "E4D7F1"},
+                              VerdictColour{"7F7F7F", "FFFFFF"}};
 
 std::string styles_xml() {
   std::string formats, fixed, percent, colours;
@@ -111,15 +101,17 @@ std::string styles_xml() {
   const std::string styles = text_style(0, 0, false, false) + text_style(0, 0, true, false) +
                              text_style(1, 2, true, false) + text_style(1, 0, true, false) +
                              text_style(2, 0, false, false) + text_style(0, 0, false, true) +
-                             text_style(0, 0, true, true) + fixed + percent;
-  const auto font = [](int size, bool is_bold) {
-    return fmt::format("<font>{}<sz val=\"{}\"/><name val=\"Calibri\"/><family val=\"2\"/></font>",
-                       is_bold ? "<b/>" : "", size);
+                             text_style(0, 0, true, true) + text_style(3, 2, true, false) + fixed +
+                             percent;
+  const auto font = [](int size, bool is_bold, std::string_view colour = "") {
+    return fmt::format(
+        "<font>{}<sz val=\"{}\"/>{}<name val=\"Calibri\"/><family val=\"2\"/></font>",
+        is_bold ? "<b/>" : "", size, colour);
   };
   const int numbers = 2 * (kMostShownDecimals + 1);
   return fmt::format(
       "{}<styleSheet xmlns=\"{}\"><numFmts count=\"{}\">{}</numFmts>"
-      "<fonts count=\"3\">{}{}{}</fonts>"
+      "<fonts count=\"4\">{}{}{}{}</fonts>"
       "<fills count=\"3\"><fill><patternFill patternType=\"none\"/></fill>"
       "<fill><patternFill patternType=\"gray125\"/></fill>"
       "<fill><patternFill patternType=\"solid\"><fgColor rgb=\"FFE7E6E6\"/><bgColor "
@@ -132,7 +124,8 @@ std::string styles_xml() {
       "builtinId=\"0\"/></cellStyles>"
       "<dxfs count=\"{}\">{}</dxfs></styleSheet>\n",
       kXmlHead, kMainSpace, numbers, formats, font(11, false), font(11, true), font(14, true),
-      static_cast<int>(kFirstFixedStyle) + numbers, styles, kColours.size(), colours);
+      font(11, false, "<color rgb=\"FF7F7F7F\"/>"), static_cast<int>(kFirstFixedStyle) + numbers,
+      styles, kColours.size(), colours);
 }
 
 // --- texts ---------------------------------------------------------------------------------------
@@ -213,39 +206,49 @@ std::size_t estimated_lines(std::string_view text, int width) {
   return 1 + text.size() / in_line;
 }
 
-// counts: the first cell of the column that says whether a verdict counts; "" = there is none.
-std::string conditional_colours(std::string_view range, std::string_view counts) {
-  std::string rules;
-  if (!counts.empty()) {
-    rules = fmt::format(
-        "<cfRule type=\"expression\" dxfId=\"{}\" priority=\"1\" "
-        "stopIfTrue=\"1\"><formula>LEFT(${},2)=\"no\"</formula></cfRule>",
-        kColours.size() - 1, counts);
+// Of the head and foot of a page, where "&" begins a command.
+std::string page_words(std::string_view text) {
+  constexpr std::size_t kMost = 90;  // both together have room for 255
+  std::string words;
+  std::size_t count = 0;
+  for (std::string_view left = text; !left.empty() && count < kMost; ++count) {
+    const std::size_t length = std::max<std::size_t>(calc::first_character(left).length, 1);
+    words += left.front() == '&' ? std::string_view("&&") : left.substr(0, length);
+    left.remove_prefix(length);
   }
-  for (std::size_t i = 0; i < kVerdictWords.size(); ++i) {
-    rules += fmt::format(
-        "<cfRule type=\"cellIs\" dxfId=\"{}\" priority=\"{}\" "
-        "operator=\"equal\"><formula>\"{}\"</formula></cfRule>",
-        kVerdictWords[i].colour, i + 2, kVerdictWords[i].word);
-  }
-  return fmt::format("<conditionalFormatting sqref=\"{}\">{}</conditionalFormatting>", range,
-                     rules);
+  return words;
+}
+
+// In a formula, between quotes.
+std::string formula_text(std::string_view text) {
+  std::string quoted;
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return "\"" + quoted + "\"";
 }
 
 }  // namespace
 
 SheetSeries::SheetSeries(std::string name, std::vector<SheetColumn> columns,
-                         const SpillPlace& place, std::size_t most_rows, SheetHead head)
+                         const WorkbookLook& look, const SpillPlace& place, std::size_t most_rows,
+                         SheetHead head, const SheetPage& page)
     : name_(std::move(name)),
       columns_(std::move(columns)),
+      look_(look),
       place_(place),
       most_rows_(most_rows),
       has_head_(head == SheetHead::with),
+      page_(page),
       last_texts_(columns_.size()) {
   if (most_rows_ < 2 || most_rows_ > kMostSheetRows)
     throw std::logic_error("a sheet of so many rows is not possible");
   for (std::size_t i = 0; i < columns_.size(); ++i) letters_.push_back(column_letters(i));
   begin_part();
+}
+
+std::size_t SheetSeries::printed_columns() const {
+  const auto first = std::find_if(columns_.begin(), columns_.end(),
+                                  [](const SheetColumn& column) { return !column.is_printed; });
+  return static_cast<std::size_t>(first - columns_.begin());
 }
 
 void SheetSeries::begin_part() {
@@ -254,36 +257,84 @@ void SheetSeries::begin_part() {
   Part& part = parts_.emplace_back();
   part.name = name_ + number;
   part.file = std::make_unique<PackedFile>(place_);
-  std::string widths;
+  std::string widths, frozen;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     widths += fmt::format("<col min=\"{}\" max=\"{}\" width=\"{}\" customWidth=\"1\"/>", i + 1,
                           i + 1, columns_[i].width);
   }
-  const std::string_view frozen =
-      has_head_ ? "<pane ySplit=\"1\" topLeftCell=\"A2\" activePane=\"bottomLeft\" "
-                  "state=\"frozen\"/><selection pane=\"bottomLeft\"/>"
-                : "";
+  if (has_head_) {
+    const auto columns = static_cast<std::size_t>(page_.frozen_columns);
+    const std::string_view pane = columns > 0 ? "bottomRight" : "bottomLeft";
+    frozen = fmt::format(
+        "<pane {}ySplit=\"1\" topLeftCell=\"{}2\" activePane=\"{}\" state=\"frozen\"/><selection "
+        "pane=\"{}\"/>",
+        columns > 0 ? fmt::format("xSplit=\"{}\" ", columns) : "", column_letters(columns), pane,
+        pane);
+  }
   part.file->write(
       fmt::format("{}<worksheet xmlns=\"{}\"><sheetPr><pageSetUpPr fitToPage=\"1\"/></sheetPr>"
                   "<sheetViews><sheetView workbookViewId=\"0\">{}</sheetView></sheetViews>"
                   "<sheetFormatPr defaultRowHeight=\"15\"/><cols>{}</cols><sheetData>",
                   kXmlHead, kMainSpace, frozen, widths));
-  if (!has_head_) return;
+  if (has_head_) add_head();
+}
+
+void SheetSeries::add_head() {
+  parts_.back().head_row = parts_.back().rows + 1;
   begin_row();
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    add_cell(i, columns_[i].heading, TextLook::head);
+    add_cell(i, columns_[i].heading, TextLook::head, columns_[i].width);
   end_row();
+}
+
+// counts: the cell of the first row that says whether a verdict counts; "" = there is none.
+std::string SheetSeries::colours(std::size_t column, std::size_t first, std::size_t last,
+                                 std::string_view counts) const {
+  std::string rules;
+  int priority = 1;
+  if (!counts.empty() && !look_.uncounted.empty()) {
+    std::string any;
+    for (const std::string& words : look_.uncounted)
+      any += fmt::format("{}${}={}", any.empty() ? "" : ",", counts, formula_text(words));
+    rules = fmt::format(
+        "<cfRule type=\"expression\" dxfId=\"{}\" priority=\"{}\" "
+        "stopIfTrue=\"1\"><formula>OR({})</formula></cfRule>",
+        kColours.size() - 1, priority++, xlsx_text(any));
+  }
+  for (const auto& [word, colour] : look_.words) {
+    rules += fmt::format(
+        "<cfRule type=\"cellIs\" dxfId=\"{}\" priority=\"{}\" "
+        "operator=\"equal\"><formula>{}</formula></cfRule>",
+        static_cast<int>(colour), priority++, xlsx_text(formula_text(word)));
+  }
+  return fmt::format("<conditionalFormatting sqref=\"{0}{1}:{0}{2}\">{3}</conditionalFormatting>",
+                     letters_[column], first, last, rules);
+}
+
+std::string SheetSeries::page_xml() const {
+  constexpr int kLetter = 1, kA4 = 9;
+  const std::string head = title_.empty() ? "" : "&L" + page_words(title_) + "&R&A";
+  return fmt::format(
+      "<pageMargins left=\"0.4\" right=\"0.4\" top=\"0.7\" bottom=\"0.6\" header=\"0.3\" "
+      "footer=\"0.3\"/><pageSetup paperSize=\"{}\" orientation=\"{}\" fitToHeight=\"0\"/>"
+      "<headerFooter><oddHeader>{}</oddHeader><oddFooter>&amp;Lluxgate&amp;R&amp;P / "
+      "&amp;N</oddFooter></headerFooter></worksheet>\n",
+      look_.is_letter ? kLetter : kA4, page_.is_portrait ? "portrait" : "landscape",
+      xlsx_text(printable(head)));
 }
 
 void SheetSeries::end_part() {
   const Part& part = parts_.back();
   const std::size_t last = std::max<std::size_t>(part.rows, 1);
-  const auto range = [&](std::size_t from, std::size_t to, std::size_t first_row) {
-    return fmt::format("{}{}:{}{}", column_letters(from), first_row, column_letters(to), last);
-  };
   std::string xml = "</sheetData>";
-  if (has_head_) xml += fmt::format("<autoFilter ref=\"{}\"/>", range(0, columns_.size() - 1, 1));
-  const std::size_t first = has_head_ ? 2 : 1;
+  if (has_head_)
+    xml += fmt::format("<autoFilter ref=\"A1:{}{}\"/>", column_letters(columns_.size() - 1), last);
+  if (!part.merged.empty()) {
+    xml += fmt::format("<mergeCells count=\"{}\">", part.merged.size());
+    for (const std::string& range : part.merged) xml += "<mergeCell ref=\"" + range + "\"/>";
+    xml += "</mergeCells>";
+  }
+  const std::size_t first = part.head_row + 1;
   std::string counts;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].role == ColumnRole::counts)
@@ -291,14 +342,9 @@ void SheetSeries::end_part() {
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].role == ColumnRole::verdict && part.rows >= first)
-      xml += conditional_colours(range(i, i, first), counts);
+      xml += colours(i, first, last, counts);
   }
-  xml +=
-      "<pageMargins left=\"0.5\" right=\"0.5\" top=\"0.6\" bottom=\"0.6\" header=\"0.3\" "
-      "footer=\"0.3\"/><pageSetup paperSize=\"9\" orientation=\"landscape\" fitToHeight=\"0\"/>"
-      "<headerFooter><oddFooter>&amp;C&amp;A, &amp;P / "
-      "&amp;N</oddFooter></headerFooter></worksheet>\n";
-  part.file->write(xml);
+  part.file->write(xml + page_xml());
   part.file->finish();
 }
 
@@ -317,7 +363,7 @@ void SheetSeries::end_row() {
   parts_.back().file->write(begin + ">" + row_ + "</row>");
 }
 
-void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook look) {
+void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook look, int width) {
   const auto begin = [&](int style, std::string_view more) {
     fmt::format_to(std::back_inserter(row_), "<c r=\"{}{}\" s=\"{}\"{}>", letters_[column],
                    parts_.back().rows, style, more);
@@ -331,10 +377,12 @@ void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook l
       last.xml = "<is><t xml:space=\"preserve\">" + xlsx_text(safe) + "</t></is></c>";
     }
     if (last.is_cut) ++cut_texts_;
-    begin(style_of(look, last.is_quoted), " t=\"inlineStr\"");
+    const bool is_name = look == TextLook::head && !columns_[column].is_printed;
+    begin(is_name ? static_cast<int>(kNameStyle) : style_of(look, last.is_quoted),
+          " t=\"inlineStr\"");
     row_ += last.xml;
     if (look != TextLook::plain && look != TextLook::title)
-      lines_ = std::max(lines_, estimated_lines(*text, columns_[column].width));
+      lines_ = std::max(lines_, estimated_lines(*text, width));
   } else if (const auto* number = std::get_if<TableNumber>(&cell)) {
     if (!std::isfinite(number->value)) return;
     const int decimals =
@@ -362,9 +410,31 @@ void SheetSeries::add(std::span<const TableCell> row, TextLook look) {
 }
 
 void SheetSeries::add_pair(std::string_view label, const TableCell& value, TextLook look) {
-  const std::array<TableCell, 2> row{std::string(label), value};
   const TextLook of_label = look == TextLook::title ? look : TextLook::label;
-  add_row(row, [&](std::size_t i) { return i == 0 ? of_label : look; });
+  const std::size_t printed = printed_columns(), of_value = printed > 2 ? 2 : 1;
+  if (parts_.back().rows == most_rows_) begin_part();
+  begin_row();
+  const auto width = [&](std::size_t from, std::size_t to) {
+    int characters = 0;
+    for (std::size_t i = from; i < to; ++i) characters += columns_[i].width;
+    return characters;
+  };
+  add_cell(0, std::string(label), of_label, width(0, of_value));
+  add_cell(of_value, value, look, width(of_value, printed));
+  const std::size_t row = parts_.back().rows;
+  const auto merge = [&](std::size_t from, std::size_t to) {
+    if (to - from < 2) return;
+    parts_.back().merged.push_back(
+        fmt::format("{}{}:{}{}", letters_[from], row, letters_[to - 1], row));
+  };
+  if (look == TextLook::title) {
+    merge(0, printed);
+  } else {
+    merge(0, of_value);
+    merge(of_value, printed);
+  }
+  end_row();
+  ++rows_;
 }
 
 template <class LookOf>
@@ -372,7 +442,7 @@ void SheetSeries::add_row(std::span<const TableCell> row, LookOf look_of) {
   if (row.size() != columns_.size()) throw std::logic_error("a row has as many cells as columns");
   if (parts_.back().rows == most_rows_) begin_part();
   begin_row();
-  for (std::size_t i = 0; i < row.size(); ++i) add_cell(i, row[i], look_of(i));
+  for (std::size_t i = 0; i < row.size(); ++i) add_cell(i, row[i], look_of(i), columns_[i].width);
   end_row();
   ++rows_;
 }
@@ -418,17 +488,25 @@ void Workbook::write(const WorkbookFacts& facts, const SpillPlace& place, Sink& 
           "ContentType=\"application/"
           "vnd.openxmlformats-officedocument.spreadsheetml.worksheet+xml\"/>",
           number);
-      sheets += fmt::format("<sheet name=\"{}\" sheetId=\"{}\" r:id=\"rId{}\"/>", part.name, number,
-                            number);
+      sheets += fmt::format("<sheet name=\"{}\" sheetId=\"{}\" r:id=\"rId{}\"/>",
+                            xlsx_text(part.name), number, number);
       links += relation(number, fmt::format("{}/worksheet", kOfficeSpace),
                         fmt::format("worksheets/sheet{}.xml", number));
-      if (!series->has_head_) continue;
-      names += fmt::format(
-          "<definedName name=\"_xlnm._FilterDatabase\" localSheetId=\"{}\" "
-          "hidden=\"1\">'{}'!$A$1:${}${}</definedName><definedName name=\"_xlnm.Print_Titles\" "
-          "localSheetId=\"{}\">'{}'!$1:$1</definedName>",
-          index, part.name, column_letters(series->columns_.size() - 1),
-          std::max<std::size_t>(part.rows, 1), index, part.name);
+      const std::size_t rows = std::max<std::size_t>(part.rows, 1);
+      const std::size_t printed = series->printed_columns();
+      const auto add_name = [&](std::string_view name, std::string_view more, std::string range) {
+        names += fmt::format(
+            "<definedName name=\"_xlnm.{}\" localSheetId=\"{}\"{}>'{}'!{}</definedName>", name,
+            index, more, xlsx_text(part.name), range);
+      };
+      if (series->has_head_) {
+        add_name("_FilterDatabase", " hidden=\"1\"",
+                 fmt::format("$A$1:${}${}", column_letters(series->columns_.size() - 1), rows));
+      }
+      if (printed < series->columns_.size()) {
+        add_name("Print_Area", "", fmt::format("$A$1:${}${}", column_letters(printed - 1), rows));
+      }
+      if (part.head_row > 0) add_name("Print_Titles", "", fmt::format("${0}:${0}", part.head_row));
     }
   }
   links += relation(parts.size() + 1, fmt::format("{}/styles", kOfficeSpace), "styles.xml");

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -19,7 +20,8 @@ inline constexpr std::size_t kMostSheetRows =
     1'048'576;  // of every spreadsheet, the head with them
 inline constexpr std::size_t kMostCellCharacters = 32'767;  // UTF-16 units
 
-// Verdicts get a colour beside their word, but where the row's cell of `counts` begins with "no".
+// Cells of `verdict` get a colour by their word, but where the row's cell of `counts` has a word
+// that says that it does not count.
 enum class ColumnRole { other, verdict, counts };
 
 struct SheetColumn {
@@ -28,6 +30,7 @@ struct SheetColumn {
   int decimals = kOfColumn;  // of numbers that do not say it
   bool is_wrapped = false;   // long texts: in several lines
   ColumnRole role = ColumnRole::other;
+  bool is_printed = true;  // false: for programs. Such columns come last, and are not on paper
 };
 
 // The first row: it stays in sight, and filters the others.
@@ -35,19 +38,41 @@ enum class SheetHead { with, without };
 
 enum class TextLook { plain, wrapped, head, label, title };
 
+enum class CellColour { good, bad, unsure, unjudged };
+
+// What all sheets of a workbook have in common.
+struct WorkbookLook {
+  bool is_letter = false;                                 // paper; else A4
+  std::vector<std::pair<std::string, CellColour>> words;  // of verdicts, in the reader's language;
+                                                          // one without a colour is never good
+  std::vector<std::string> uncounted;                     // words of `counts`
+};
+
+// How a sheet is printed: all columns that are printed on one page width, whatever that takes.
+struct SheetPage {
+  bool is_portrait = false;
+  int frozen_columns = 0;  // that stay in sight, as the head does
+};
+
 // Rows of one kind; beyond `most_rows` they go on in a sheet "NAME 2", which has the same head.
 class SheetSeries {
  public:
-  // name: up to 25 ASCII letters. most_rows: of one sheet, >= 2.
-  SheetSeries(std::string name, std::vector<SheetColumn> columns, const SpillPlace& place,
-              std::size_t most_rows = kMostSheetRows, SheetHead head = SheetHead::with);
+  // name: up to 25 letters. most_rows: of one sheet, >= 2. look: outlives it.
+  SheetSeries(std::string name, std::vector<SheetColumn> columns, const WorkbookLook& look,
+              const SpillPlace& place, std::size_t most_rows = kMostSheetRows,
+              SheetHead head = SheetHead::with, const SheetPage& page = {});
 
   // As many cells as columns. Texts are made safe, and never taken for a formula. Throws
   // WriteFailure.
   void add(std::span<const TableCell> row);
   void add(std::span<const TableCell> row, TextLook look);  // of all its texts
-  // The same of a sheet without a head: a label, and its value.
+  // The same of a sheet without a head: a label in the first column (two, where there are more than
+  // two), and its value in all others that are printed.
   void add_pair(std::string_view label, const TableCell& value, TextLook look = TextLook::wrapped);
+  // The head of a table in a sheet without a head: on every page from here on.
+  void add_head();
+  // At the top of its pages; before the first row. "" = nothing.
+  void set_title(std::string title) { title_ = std::move(title); }
 
   std::size_t rows() const { return rows_; }  // all sheets together, without heads
   std::size_t sheets() const { return parts_.size(); }
@@ -59,7 +84,9 @@ class SheetSeries {
   struct Part {
     std::string name;
     std::unique_ptr<PackedFile> file;
-    std::size_t rows = 0;  // with the head
+    std::size_t rows = 0;                  // with the head
+    std::size_t head_row = 0;              // from 1; 0: none
+    std::vector<std::string> merged = {};  // ranges
   };
 
   void begin_part();
@@ -68,13 +95,20 @@ class SheetSeries {
   void add_row(std::span<const TableCell> row, LookOf look_of);
   void begin_row();
   void end_row();
-  void add_cell(std::size_t column, const TableCell& cell, TextLook look);
+  // width: of the cell, characters.
+  void add_cell(std::size_t column, const TableCell& cell, TextLook look, int width);
+  std::size_t printed_columns() const;
+  std::string colours(std::size_t column, std::size_t first, std::size_t last,
+                      std::string_view counts) const;
+  std::string page_xml() const;
 
-  std::string name_;
+  std::string name_, title_;
   std::vector<SheetColumn> columns_;
+  const WorkbookLook& look_;
   SpillPlace place_;
   std::size_t most_rows_;
   bool has_head_;
+  SheetPage page_;
   struct LastText {
     std::string text, xml;
     bool is_quoted = false, is_cut = false;

@@ -186,10 +186,10 @@ void RoomOverview::drop(Column column) {
 
 bool has_overview(const ProjectPart& project) { return room_summaries(project).size() >= 2; }
 
-RoomOverview room_overview(const Texts& t, const ProjectPart& project) {
+RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least) {
   RoomOverview table;
   const std::vector<RoomSummary> rooms = room_summaries(project);
-  if (rooms.size() < 2) return table;
+  if (rooms.empty() || rooms.size() < least) return table;
   using enum RoomOverview::Column;
   table.columns = {verdict,    room,  use,   met,         average, minimum,
                    uniformity, glare, walls, cylindrical, power,   leni};

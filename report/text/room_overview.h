@@ -43,8 +43,9 @@ struct RoomOverview {
 // Whether a project has two rooms or more of which something is asked.
 bool has_overview(const ProjectPart& project);
 
-// Nothing where it has none. Columns that no room has anything in are left out.
-RoomOverview room_overview(const Texts& t, const ProjectPart& project);
+// Nothing where a project has fewer than `least` rooms of which something is asked. Columns that no
+// room has anything in are left out.
+RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least = 2);
 
 // What a room came to: "412", or "503.0 ±9.0" near the limit; "–" where it is not judged.
 // with_interval: false where there is no room for it.

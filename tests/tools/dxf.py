@@ -146,7 +146,14 @@ def compare(name, drawing, result):
                 is_there = any(text not in ("x", "-") and abs(float(text) - row[value_at]) <= 0.011 * abs(row[value_at]) + 0.006 for text in shown)
                 expect(is_there, f"{name}: {plane['id']}: {row[value_at]} at {row[2:5]} shows {shown}")
 
-    legend = "\n".join(words(drawing, "LUX_LEGEND"))
+    blocks = of(drawing, "INSERT", "LUX_ROOM_DATA")
+    said = [{attribute.dxf.tag: attribute.dxf.text for attribute in block.attribs} for block in blocks]
+    expect([one["ID"] for one in said] == [room["id"] for room in rooms], f"{name}: blocks of rooms {said}")
+    heights = {round(text.dxf.height, 6) for text in drawing.modelspace().query("TEXT")}
+    expect(len(heights) == 1, f"{name}: texts have the heights {heights}")
+    legend = " ".join(words(drawing, "LUX_LEGEND"))
+    frame = [v.dxf.location.y for line in of(drawing, "POLYLINE", "LUX_LEGEND") for v in line.vertices]
+    expect(max(frame) - min(frame) <= drawing.header["$EXTMAX"][1] - drawing.header["$EXTMIN"][1] + 1e-6, f"{name}: the legend is taller than the plan")
     for project in result["projects"]:
         for message in project["diagnostics"]:
             expect(f"[{message['id']}]" in legend, f"{name}: the legend does not have {message['id']}")
@@ -164,12 +171,21 @@ def check(name, project, *more):
 
 evil = check("evil", "evil.xml")
 expect(b"B\xfcro" in (WORK / "evil.dxf").read_bytes(), "letters of Western Europe are no bytes of Windows-1252")
-expect(SHOWN in words(evil, "LUX_ROOM_NAMES"), f"names: {words(evil, 'LUX_ROOM_NAMES')}")
-names = words(evil, "LUX_PLANE_NAMES")
+shown_names = words(evil, "LUX_ROOM_NAMES") + [decode_dxf_unicode(attribute.dxf.text) for insert in of(evil, "INSERT", "LUX_ROOM_DATA") for attribute in insert.attribs]
+expect(SHOWN in shown_names, f"names: {shown_names}")
+names = " | ".join(words(evil, "LUX_PLANE_NAMES"))
 expect(SHOWN + ": pass" in names and "over: fail" in names, f"planes: {names}")
-expect(evil.layers.get("LUX_VALUES_2").is_off() and evil.layers.get("LUX_VALUES").is_on(), "values that lie over others are not off")
-expect(len(of(evil, "TEXT", "LUX_VALUES_2")) == 24 and len(of(evil, "TEXT", "LUX_VALUES")) == 24 + 12, "the wall's values are not drawn")
+expect(evil.layers.get("LUX_VALUES_2").is_frozen() and not evil.layers.get("LUX_VALUES").is_frozen(), "values over others are not frozen")
+# Nothing is required of the wall, and something of the others.
+expect(len(of(evil, "TEXT", "LUX_VALUES_2")) == 24 and len(of(evil, "TEXT", "LUX_VALUES_OTHER")) == 12, "values are missing")
+expect(len(of(evil, "TEXT", "LUX_VALUES") + of(evil, "TEXT", "LUX_VALUES_MORE")) >= 24, "values of the desk are missing")
 expect(len({insert.dxf.name for insert in of(evil, "INSERT", "LUX_LUMINAIRES")}) == 1, "one type has several blocks")
+luxgate("report", "evil.json", "--format", "dxf=inches.dxf", "--dxf-unit", "in", "--dxf-scale", "1:100")
+inches = read(WORK / "inches.dxf")
+expect(inches.header["$INSUNITS"] == 1, "the unit is not said")
+corner = of(inches, "POLYLINE", "LUX_ROOMS")[0].vertices[2].dxf.location
+expect(near(corner, (5 / 0.0254, 4 / 0.0254, 0), 1e-5), f"a corner in inches: {corner}")
+expect(all(abs(text.dxf.height - 0.25 / 0.0254) < 1e-5 for text in inches.modelspace().query("TEXT")), "texts are not 2.5 mm high at 1:100")
 for example in ("01-one-luminaire", "13-escape-route", "17-storey"):
     check(example, EXAMPLES / example / "project.xml", "--tolerance", "0.2")
 

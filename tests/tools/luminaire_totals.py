@@ -81,10 +81,10 @@ def of_csv(path):
 
 
 def of_xlsx(path):
-    """Rows of the sheet 'Types', by the heads of its columns."""
+    """Rows of the sheet 'Luminaires', by the heads of its columns."""
     with zipfile.ZipFile(path) as book:
         sheets = [sheet.get("name") for sheet in tree.fromstring(book.read("xl/workbook.xml")).iter(MAIN + "sheet")]
-        root = tree.fromstring(book.read(f"xl/worksheets/sheet{sheets.index('Types') + 1}.xml"))
+        root = tree.fromstring(book.read(f"xl/worksheets/sheet{sheets.index('Luminaires') + 1}.xml"))
     rows = []
     for row in root.iter(MAIN + "row"):
         cells = {}
@@ -134,8 +134,8 @@ def check(path, name):
         mine = [row for row in luminaires if row["project"] == project["path"]]
         expect(f"{where}: CSV", added([(1, float(row["flux_lm"]), float(row["power_w"]) if row["power_w"] else None)
                                        for row in mine]), sums)
-        rows = [row for row in sheet if row["Project"] == project["path"]]
-        types = [row for row in rows if row.get("Position")]
+        rows = [row for row in sheet if row.get("Project", row.get("project")) == project["path"]]
+        types = [row for row in rows if row.get("Pos.")]
         if project["luminaires"]:
             expect(f"{where}: XLSX, types", added([(row["Count"], row["Luminous flux of one, new (lm)"], row.get("Power of one (W)"))
                                                    for row in types]), sums)

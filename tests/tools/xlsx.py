@@ -17,7 +17,7 @@ import zipfile
 import small_designs
 
 PROGRAM, WORK, EXAMPLES = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
-SHEETS = ["Summary", "Rooms", "Projects", "Requirements", "Points", "Luminaires", "Types", "Warnings"]
+SHEETS = ["Overview", "Requirements", "Luminaires", "Positions", "Points", "Notes"]
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 LINK = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 problems = []
@@ -90,32 +90,29 @@ def same(of_csv, of_sheet):
     return without_apostrophe(of_csv) == of_sheet
 
 
-# Headings of the sheet for names of the CSV file: the program's own table has them, too, but who reads it must not.
+# Headings for people of columns of the CSV file: the program's own table has them, too, but who reads it must not. All others have the name that they have there.
 HEADS = {
-    "Requirements": {"project": "Project", "space": "Space", "plane": "Plane", "requirement": "Requirement", "quantity": "Quantity",
-                     "percent": "Percentile (%)", "unit": "Unit", "scene": "Scene", "state": "State", "clause": "Clause", "comparison": "Comparison",
-                     "limit": "Limit (in the unit)", "value": "Calculated (in the unit)", "low": "Low (in the unit)", "high": "High (in the unit)",
-                     "margin": "Margin (% of the limit)", "verdict": "Verdict", "reason": "Reason", "place_x_m": "Place x (m)", "place_y_m": "Place y (m)",
-                     "place_z_m": "Place z (m)", "pack": "Rule pack", "row": "Row", "check": "Check", "severity": "Severity", "waiver": "Waived by",
-                     "note": "Notes (also trust in the requirement)", "source": "Who says the limit"},
-    "Points": {"project": "Project", "space": "Space", "plane": "Plane", "column": "Column", "row": "Row", "x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)",
-               "nx": "Axis x", "ny": "Axis y", "nz": "Axis z", "illuminance_lx": "Illuminance (lx)", "low_lx": "Low (lx)", "high_lx": "High (lx)",
-               "direct_lx": "Of it direct (lx)", "indirect_lx": "Of it reflected (lx)", "quantity": "Quantity", "rating": "Rating or ratio",
-               "rating_low": "Low of it", "rating_high": "High of it"},
-    "Luminaires": {"project": "Project", "space": "Space", "number": "Number in the plans", "id": "Id", "type": "Type", "maker": "Maker",
-                   "article": "Article number", "group": "Dimming group", "x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)",
-                   "height_m": "Height above the floor (m)", "tilt_deg": "Tilt (°)", "heading_deg": "Heading (°)", "turn_deg": "Turn (°)",
-                   "flux_lm": "Luminous flux, new (lm)", "power_w": "Power (W)", "maintenance_factor": "Maintenance factor",
-                   "position": "Position in the schedule", "product": "Product", "efficacy_lm_w": "Efficacy (lm/W)",
-                   "colour_temperature": "Colour temperature (K)", "colour_rendering": "Ra"}}
+    "Requirements": {"unit": "Unit", "value": "Calculated", "low": "Low", "high": "High", "margin": "Margin (% of the limit)",
+                     "reason": "Reason", "clause": "Clause", "waiver": "Waived by", "note": "Notes"},
+    "Points": {"x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)", "illuminance_lx": "Illuminance (lx)", "low_lx": "Low (lx)", "high_lx": "High (lx)",
+               "direct_lx": "Direct (lx)", "indirect_lx": "Reflected (lx)", "rating": "Rating or ratio", "rating_low": "Low", "rating_high": "High"},
+    "Positions": {"number": "Number in the plans", "id": "Id", "type": "Type", "maker": "Maker", "article": "Article number", "group": "Dimming group",
+                  "x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)", "height_m": "Height above the floor (m)", "tilt_deg": "Tilt (°)",
+                  "heading_deg": "Heading (°)", "turn_deg": "Turn (°)", "flux_lm": "Luminous flux, new (lm)", "power_w": "Power (W)",
+                  "maintenance_factor": "Maintenance factor", "position": "Pos.", "product": "Product"}}
+
+
+def place_of(name, sheet, heads):
+    if name == "project" and "Project" in heads:
+        return heads.index("Project")
+    return heads.index(HEADS[sheet].get(name, name))
 
 
 def hold_against(csv_file, sheet, rows):
     with open(csv_file, newline="", encoding="utf-8") as file:
         lines = list(csv.reader(file))
-    expect(set(lines[0]) == set(HEADS[sheet]), f"{sheet}: the CSV file has other columns: {lines[0]}")
     expect(len(rows) == len(lines), f"{sheet}: {len(rows)} rows, the CSV file has {len(lines)}")
-    places = [rows[0].index(HEADS[sheet][name]) for name in lines[0]]
+    places = [place_of(name, sheet, rows[0]) for name in lines[0]]
     for line, row in zip(lines[1:], rows[1:]):
         row = row + [None] * (len(rows[0]) - len(row))
         for name, field, place in zip(lines[0], line, places):
@@ -130,11 +127,12 @@ def both(name, *projects, code, options=(), more=()):
     run("check", *projects, "--pictures", "off", *options, "--format", f"xlsx={name}.xlsx", "--format", f"csv={name}-results.csv", "--format",
         f"points-csv={name}-points.csv", "--format", f"luminaires-csv={name}-luminaires.csv", "--format", f"json={name}.json", code=code)
     sheets, roots, core = read(WORK / f"{name}.xlsx")
-    expect(list(sheets) == SHEETS + list(more), f"{name}: sheets {list(sheets)}")
-    for kind, sheet in (("results", "Requirements"), ("points", "Points"), ("luminaires", "Luminaires")):
+    wanted = SHEETS[:1] + (["Projects"] if len(projects) > 1 else []) + SHEETS[1:] + list(more) + ["About"]
+    expect(list(sheets) == wanted, f"{name}: sheets {list(sheets)}")
+    for kind, sheet in (("results", "Requirements"), ("points", "Points"), ("luminaires", "Positions")):
         expect(hold_against(WORK / f"{name}-{kind}.csv", sheet, sheets[sheet]), f"{name}: nothing was compared in {sheet}")
     for sheet, root in roots.items():
-        if sheet in ("Summary", "Revision"):
+        if sheet in ("Overview", "About", "Revision"):
             continue
         expect(root.find(f"{MAIN}sheetViews/{MAIN}sheetView/{MAIN}pane").get("state") == "frozen", f"{sheet}: the head does not stay")
         reach = root.find(MAIN + "autoFilter").get("ref")
@@ -148,7 +146,8 @@ def column(rows, head):
 
 
 def summary(sheets):
-    return [(row + [None, None])[:2] for row in sheets["Summary"]]
+    """Labels and values; in the overview a label has two columns."""
+    return [[row[0], (row + [None] * 3)[2] or (row + [None] * 3)[1]] for row in sheets["Overview"] + sheets["About"] if row]
 
 
 shutil.rmtree(WORK, ignore_errors=True)
@@ -160,8 +159,8 @@ sheets, core = both("corridor", example, code=1, options=["--tolerance", "0.1"])
 expect("fail" in column(sheets["Requirements"], "Verdict"), "no requirement fails")
 expect(["Verdict", "fail"] in summary(sheets), f"the summary has no verdict: {summary(sheets)[:12]}")
 expect("dcterms:created" not in core, "a date that nobody asked for")
-types = sheets["Types"]
-expect(types[-1][2] == "All luminaires" and column(types, "Count")[-1] == len(sheets["Luminaires"]) - 1, "types do not add up to the luminaires")
+types = sheets["Luminaires"]
+expect(types[-1][1] == "All luminaires" and column(types, "Count")[-1] == len(sheets["Positions"]) - 1, "types do not add up to the luminaires")
 
 # The same again has the same bytes, also from the result; with a date it has that date.
 first = (WORK / "corridor.xlsx").read_bytes()
@@ -179,8 +178,8 @@ for number, name in enumerate(EVIL):
     design = small_designs.write(WORK / f"evil{number}.xml", room=escaped, name=escaped)
     sheets, _ = both(f"evil{number}", design, code=1, options=["--max-paths", "256"])
     shown = name.replace("\u202e", " ")
-    expect(["Name", shown] in summary(sheets), f"{shown!r} is not the name in the summary: {summary(sheets)[:4]}")
-    expect(shown in column(sheets["Projects"], "Name"), f"{shown!r} is not in Projects")
+    expect(sheets["Overview"][0][0] == shown, f"{shown!r} is not the title of the overview: {sheets['Overview'][0]}")
+    expect(shown in column(sheets["Requirements"], "Room"), f"{shown!r} is not in Requirements")
 
 # Longer than a cell may be (results may hold such names, projects not): cut, and said. Longest that fits: whole.
 result = json.loads((WORK / "corridor.json").read_text())
@@ -188,21 +187,22 @@ for length, is_cut in ((32767, False), (32768, True)):
     result["projects"][0]["name"] = "n" * length
     (WORK / "long.json").write_text(json.dumps(result))
     run("report", "long.json", "--format", "xlsx=long.xlsx", code=0)
-    told = dict(summary(read(WORK / "long.xlsx")[0]))
-    expect(len(told["Name"]) <= 32767 and (told["Name"] == "n" * length) != is_cut, f"a name of {length} characters has {len(told['Name'])} in the sheet")
+    sheets = read(WORK / "long.xlsx")[0]
+    told, title = dict(summary(sheets)), sheets["Overview"][0][0]
+    expect(len(title) <= 32767 and (title == "n" * length) != is_cut, f"a name of {length} characters has {len(title)} in the sheet")
     expect(("Cut texts" in told) == is_cut, f"cut texts are not told rightly at {length}")
 
 # Doubts: a part of a project, a waiver, a project that cannot be read.
 design = small_designs.write(WORK / "doubts.xml", far_waiver=small_designs.WAIVER)
 sheets, _ = both("doubts", design, code=0, options=["--max-paths", "256"])
-expect("A. Meier" in str(sheets["Requirements"]) and "waived" in column(sheets["Warnings"], "Kind"), "the waiver is not told")
+expect("A. Meier" in str(sheets["Requirements"]) and "waived" in column(sheets["Notes"], "Kind"), "the waiver is not told")
 expect("no: waived" in column(sheets["Requirements"], "Counts"), "what is waived seems to count")
 sheets, _ = both("part", design, code=0, options=["--max-paths", "256", "--plane", "desk"])
 expect("--plane desk" in str(dict(summary(sheets)).get("Only a part")), "the summary does not say that a part was judged")
-expect("part-selected" in column(sheets["Warnings"], "Id"), "part-selected is not among the warnings")
+expect("part-selected" in column(sheets["Notes"], "id"), "part-selected is not among the warnings")
 (WORK / "broken.xml").write_text("<luxgate")
 sheets, _ = both("broken", "broken.xml", design, code=2, options=["--max-paths", "256"])
-expect("not judged" in column(sheets["Projects"], "Verdict") and "error" in column(sheets["Warnings"], "Kind"), "a broken project looks judged")
+expect("not judged" in column(sheets["Projects"], "Verdict") and "error" in column(sheets["Notes"], "Kind"), "a broken project looks judged")
 
 # Against an earlier result: what is asked less.
 weaker = small_designs.write(WORK / "doubts.xml", far_waiver=small_designs.WAIVER, limit="80")

@@ -21,6 +21,14 @@ inline constexpr std::size_t kMostAnnexValues = 2500;
 // client, author, company or logo.
 enum class Cover { automatic, always, never };
 
+// The unit of lengths in a drawing for CAD.
+enum class DrawingUnit { m, cm, mm, in, ft };
+
+struct DrawingStyle {
+  int scale = 0;  // 1:scale, at which texts have their height on paper; 0: chosen by the drawing
+  DrawingUnit unit = DrawingUnit::m;
+};
+
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").
 using PageNumbers = std::map<std::string, int>;
 
@@ -36,6 +44,7 @@ struct PageStyle {
   Annex annex = Annex::automatic;
   Cover cover = Cover::automatic;
   std::shared_ptr<SheetSource> sheets = nullptr;  // of luminaires; null: no data sheets
+  DrawingStyle drawing = {};
 };
 
 }  // namespace report

@@ -40,9 +40,9 @@ constexpr std::array kSettings = {
     SettingRow{"max-paths"},   SettingRow{"by-luminaire"}, SettingRow{"strict"},
     SettingRow{"language"},    SettingRow{"decimal"},      SettingRow{"paper"},
     SettingRow{"detail"},      SettingRow{"annex"},        SettingRow{"cover"},
-    SettingRow{"scale"},       SettingRow{"palette"},      SettingRow{"passes"},
-    SettingRow{"notes"},       SettingRow{"pictures"},     SettingRow{"datasheets"},
-    SettingRow{"advice"}};
+    SettingRow{"scale"},       SettingRow{"palette"},      SettingRow{"dxf-scale"},
+    SettingRow{"dxf-unit"},    SettingRow{"passes"},       SettingRow{"notes"},
+    SettingRow{"pictures"},    SettingRow{"datasheets"},   SettingRow{"advice"}};
 
 const SettingRow* find_row(std::string_view name) {
   const auto* row = std::find_if(kSettings.begin(), kSettings.end(),

@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace cli {
@@ -64,6 +67,28 @@ ValueParser format_item(std::vector<OutputFormat>& target) {
   return {parse, std::move(words)};
 }
 
+// "1:100" or "auto".
+ValueParser drawing_scale(int& target) {
+  return {
+      [&target](const std::string& text) -> std::string {
+        constexpr std::string_view kStart = "1:";
+        constexpr int kMost = 100'000;
+        int scale = 0;
+        if (text != "auto") {
+          const char* const end = text.data() + text.size();
+          const bool has_start = text.starts_with(kStart);
+          const auto read =
+              std::from_chars(text.data() + (has_start ? kStart.size() : 0), end, scale);
+          if (!has_start || read.ec != std::errc() || read.ptr != end || scale < 1 || scale > kMost)
+            return fmt::format("'{}' is not a scale: 1:1 to 1:{}, such as 1:100, or auto", text,
+                               kMost);
+        }
+        target = scale;
+        return "";
+      },
+      {"auto", "1:20", "1:50", "1:100", "1:200", "1:500"}};
+}
+
 bool writes_html_file(const OutputOptions& options) {
   return !options.folder.empty() ||
          std::any_of(options.formats.begin(), options.formats.end(), [](const OutputFormat& item) {
@@ -91,13 +116,12 @@ std::vector<Option> output_options(OutputOptions& options) {
        "a folder '<name>-rooms' beside it: for hundreds of planes",
        &options.html_split},
       {"--language", "LANG",
-       "Words of html, pdf, dxf, markdown and text: " + language_names() +
-           "; default en. All other\nformats are English, and so are messages about the input and "
-           "the "
-           "texts of projects and\nrule packs",
+       "Words of html, pdf, xlsx, dxf, markdown and text: " + language_names() +
+           "; default en. All\nother formats are English, and so are messages about the input and "
+           "the texts of projects\nand rule packs",
        language_choice(options.language)},
       decimal_option(options.decimal, "html, pdf, dxf, markdown and text"),
-      paper_option(options.page.paper, "pdf, and of html when it is printed"),
+      paper_option(options.page.paper, "pdf, and of html and xlsx when they are printed"),
       {"--detail", "FOR",
        "How much pdf and html say: client, what is sent to people, room first, or full, with what "
        "a\nchecker needs: grids, sampling, messages, hashes; default client for pdf, full for html",
@@ -139,6 +163,18 @@ std::vector<Option> output_options(OutputOptions& options) {
        choice<report::ColourMap>(options.page.palette,
                                  {{"cividis", report::ColourMap::cividis},
                                   {"false-colour", report::ColourMap::false_colour}})},
+      {"--dxf-scale", "1:N",
+       "Scale at which dxf is plotted: all its texts are 2.5 mm high then. auto: the coarsest of\n"
+       "1:20 to 1:1000 at which at least half of the values have room and the plan is 150 mm "
+       "long;\n"
+       "default auto. Values that would overlap are on a frozen layer",
+       drawing_scale(options.page.drawing.scale)},
+      {"--dxf-unit", "UNIT", "Unit of lengths in dxf: m, cm, mm, in or ft; default m",
+       choice<report::DrawingUnit>(options.page.drawing.unit, {{"m", report::DrawingUnit::m},
+                                                               {"cm", report::DrawingUnit::cm},
+                                                               {"mm", report::DrawingUnit::mm},
+                                                               {"in", report::DrawingUnit::in},
+                                                               {"ft", report::DrawingUnit::ft}})},
       {"--images", "",
        "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
        "picture too,\na PNG file of a rendered view",

@@ -29,9 +29,9 @@ struct OutputOptions {
   std::string folder;  // "" = none
   bool images = false;
   bool html_split = false;                                // HTML as an index and a page per room
-  report::Language language = report::Language::english;  // of HTML, PDF, Markdown and text
+  report::Language language = report::Language::english;  // of what people read
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
-  report::PageStyle page;                                 // of HTML, PDF and images
+  report::PageStyle page;                                 // of HTML, PDF, XLSX, DXF and images
   bool redact = false;                                    // see report::redact()
   bool lists_passes = false;                              // see report::TextOptions
   bool shows_notes = false;                               // the same

@@ -1,5 +1,6 @@
 #include "report/formats/dxf.h"
 
+#include "report/formats/dxf_layout.h"
 #include "report/formats/dxf_text.h"
 #include "report/formats/format.h"
 #include "report/html/drawings/html_plan.h"
@@ -192,9 +193,18 @@ Drawing read_strictly(const std::string& dxf) {
   return drawing;
 }
 
-std::string rendered_dxf(const Document& document, const Texts& t = {}) {
+// Lines of the legend as one text.
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : " ") + line;
+  return text;
+}
+
+std::string rendered_dxf(const Document& document, const Texts& t = {},
+                         const DrawingStyle& drawing = {}) {
   FormatStyle style;
   style.texts = t;
+  style.page.drawing = drawing;
   return rendered("dxf", document, style);
 }
 
@@ -219,6 +229,17 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
   EXPECT_NEAR(a.x, b.x, 1e-6);
   EXPECT_NEAR(a.y, b.y, 1e-6);
   EXPECT_NEAR(a.z, b.z, 1e-6);
+}
+
+// Of task areas, shown or not, in the order of the file.
+std::vector<Entity> values_of(const Drawing& drawing) {
+  std::vector<Entity> values;
+  for (const Entity& entity : drawing.entities) {
+    const std::string layer = entity.layer();
+    if (entity.kind == "TEXT" && (layer == "LUX_VALUES" || layer == "LUX_VALUES_MORE"))
+      values.push_back(entity);
+  }
+  return values;
 }
 
 TEST(DxfText, NoNameIsAControlCode) {
@@ -296,7 +317,7 @@ TEST(Dxf, ValuesAreAsInHtmlAndAtTheirPlaces) {
   const PlanePart& plane = document.projects[0].spaces[0].planes[0];
   const Drawing drawing = drawn(document);
   std::map<std::pair<long long, long long>, std::string> at;  // in millimetres
-  for (const Entity& text : drawing.of("TEXT", "LUX_VALUES")) {
+  for (const Entity& text : values_of(drawing)) {
     const glm::dvec3 place = text.point(11);
     if (place.z == plane.grid.origin_m.z)
       at[{std::llround(place.x * 1000), std::llround(place.y * 1000)}] = text.text(1);
@@ -326,7 +347,7 @@ TEST(Dxf, AValueThatIsNoneIsMarked) {
   document.projects[0].spaces[0].planes[0].points[0].measured = no_estimate();
   const Drawing drawing = drawn(document);
   EXPECT_THAT(drawing.words("LUX_VALUES"), Contains("-"));
-  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("no isolux lines")));
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("no isolux lines"));
 }
 
 TEST(Dxf, RoomsAreClosedAndInTheirPlaces) {
@@ -375,6 +396,7 @@ TEST(Dxf, LuminairesAreInsertsOfABlockOfTheirType) {
   EXPECT_THAT(drawing.words("LUX_LUMINAIRE_NUMBERS"), testing::ElementsAre("1", "2", "3"));
   std::vector<std::map<std::string, std::string>> attributes;
   for (const Entity& entity : drawing.entities) {
+    if (entity.layer() != "LUX_LUMINAIRES") continue;
     if (entity.kind == "INSERT") attributes.emplace_back();
     if (entity.kind == "ATTRIB") attributes.back()[entity.text(2)] = entity.text(1);
   }
@@ -425,7 +447,7 @@ TEST(Dxf, WhatWasNotComputedIsNamedAndHasNoValues) {
   EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"),
               testing::ElementsAre("Work plane: not judged, not computed"));
   EXPECT_TRUE(drawing.words("LUX_VALUES").empty());
-  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("no point of the grid is left")));
+  EXPECT_THAT(drawing.words("LUX_NOTES"), Contains(HasSubstr("no point of the grid is left")));
 }
 
 TEST(Dxf, IsoluxLinesAreThoseOfHtml) {
@@ -450,15 +472,18 @@ TEST(Dxf, IsoluxLinesAreThoseOfHtml) {
                corners.size() == line.points_m.size() - (line.is_closed ? 1 : 0);
       }));
     }
+    std::vector<std::string> labels = drawing.words("LUX_ISOLUX_LABELS");
+    const std::vector<std::string> without_place = drawing.words("LUX_VALUES_MORE");
+    labels.insert(labels.end(), without_place.begin(), without_place.end());
     if (!level.lines.empty()) {
-      EXPECT_THAT(drawing.words("LUX_ISOLUX_LABELS"), Contains(format_shortest(level.value)));
+      EXPECT_THAT(labels, Contains(format_shortest(level.value)));
     }
   }
   EXPECT_GT(count, 3u);
 }
 
 // The numbers of one would be mixed with those of the other.
-TEST(Dxf, ValuesOverOthersAreOnLayersThatAreOffAndSaidToBe) {
+TEST(Dxf, ValuesOverOthersAreOnFrozenLayersAndSaidToBe) {
   Document document = small_document();
   std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
   planes.push_back(planes[0]);
@@ -469,12 +494,13 @@ TEST(Dxf, ValuesOverOthersAreOnLayersThatAreOffAndSaidToBe) {
   EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES").size(), 2u);
   EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES_2").size(), 2u);
   ASSERT_NE(drawing.layer("LUX_VALUES_2"), nullptr);
-  EXPECT_LT(drawing.layer("LUX_VALUES_2")->number(62), 0.0);
-  EXPECT_GT(drawing.layer("LUX_VALUES")->number(62), 0.0);
-  EXPECT_THAT(drawing.words("LUX_LEGEND"),
-              Contains("Office / Faces: its values lie over those of another plane. They are on "
-                       "layers that are off: LUX_VALUES_2."));
-  EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"), Contains("Faces: fail"));  // on a layer that is on
+  EXPECT_EQ(drawing.layer("LUX_VALUES_2")->text(70), "1");
+  EXPECT_EQ(drawing.layer("LUX_VALUES")->text(70), "0");
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")),
+              HasSubstr("Office / Faces: its values are over those of another plane. They are on "
+                        "frozen layers: LUX_VALUES_2."));
+  EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"),
+              Contains("Faces: fail"));  // on a layer that is not frozen
   EXPECT_EQ(drawn(small_document()).layer("LUX_VALUES_2"), nullptr);
 }
 
@@ -482,13 +508,13 @@ TEST(Dxf, UprightPlanesAreDrawnBesideThePlan) {
   const Document document = sample_document();
   const PlanePart& board = document.projects[0].spaces[0].planes[1];
   const Drawing drawing = drawn(document);
-  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains(HasSubstr("Planes that are not level")));
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("Planes that are not level"));
   std::vector<std::string> values;
-  for (const Entity& text : drawing.of("TEXT", "LUX_VALUES")) {
+  for (const Entity& text : values_of(drawing)) {
     if (text.point(11).y < 0.0) values.push_back(text.text(1));
   }
-  ASSERT_EQ(values.size(), board.points.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
+  ASSERT_GE(values.size(), board.points.size());  // labels of isolux lines come after them
+  for (std::size_t i = 0; i < board.points.size(); ++i)
     EXPECT_EQ(values[i], format_cell(board.points[i].measured.value, point_thresholds(board)));
   // In place as a line in space, and flat.
   std::size_t in_place = 0;
@@ -503,22 +529,134 @@ TEST(Dxf, ProjectsLieBesideEachOther) {
   const Drawing drawing = drawn(document);
   const auto rooms = polylines(drawing, "LUX_ROOMS");
   ASSERT_EQ(rooms.size(), 2u);
-  expect_near(rooms[1][0], {5.0, 0.0, 0.0});  // the first is 4 m long
-  EXPECT_THAT(
-      drawing.words("LUX_LEGEND"),
-      Contains("Small office: drawn 5.00 m further in x than it is, so that it does not lie "
-               "over the project before it."));
+  // The first is 4 m long; what has no free place in its room is right of it.
+  EXPECT_GE(rooms[1][0].x, 5.0);
+  EXPECT_EQ(rooms[1][0].y, 0.0);
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("m further in x than it is"));
 }
 
-TEST(Dxf, TheLegendHasTheTableAndSpeaksTheLanguage) {
-  const std::vector<std::string> legend = drawn(small_document()).words("LUX_LEGEND");
-  EXPECT_THAT(legend, Contains(HasSubstr("metres")));
-  EXPECT_THAT(legend, Contains(HasSubstr("95 %")));
-  EXPECT_THAT(legend, Contains(HasSubstr("average   >= 500 lx  512.5")));
-  EXPECT_THAT(legend, Contains(HasSubstr("2 requirements: 1 pass, 1 fail")));
+TEST(Dxf, TheLegendHasTheRoomsAndSpeaksTheLanguage) {
+  const Drawing drawing = drawn(small_document());
+  const std::string legend = joined(drawing.words("LUX_LEGEND"));
+  EXPECT_THAT(legend, HasSubstr("lengths in m,"));
+  EXPECT_THAT(legend, HasSubstr("95 %"));
+  EXPECT_THAT(legend, HasSubstr("2 requirements: 1 pass, 1 fail"));
+  EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains("Office"));
+  EXPECT_THAT(joined(drawing.words("LUX_NOTES")), HasSubstr("512.5"));
+  EXPECT_EQ(drawing.layer("LUX_NOTES")->text(70), "1");
   const Drawing german =
       read_strictly(rendered_dxf(sample_document(), Texts(Language::german, true)));
-  EXPECT_THAT(german.words("LUX_LEGEND"), Contains(HasSubstr("Metern")));
+  EXPECT_THAT(joined(german.words("LUX_LEGEND")), HasSubstr("Zeichnung der Ergebnisse"));
+}
+
+TEST(Dxf, TheLegendIsNoTallerThanThePlan) {
+  const Document document = sample_document();
+  double low = 1e9, high = -1e9, plan_low = 0.0;
+  const Drawing drawing = drawn(document);
+  for (const glm::dvec3& corner : polylines(drawing, "LUX_LEGEND").at(0)) {
+    low = std::min(low, corner.y);
+    high = std::max(high, corner.y);
+  }
+  for (const auto& outline : polylines(drawing, "LUX_PLANES")) {
+    for (const glm::dvec3& corner : outline) plan_low = std::min(plan_low, corner.y);
+  }
+  EXPECT_GE(low, plan_low - 1.0);
+  for (const Entity& text : drawing.of("TEXT", "LUX_LEGEND")) {
+    EXPECT_GT(text.point(10).y, low);
+    EXPECT_LT(text.point(10).y, high);
+  }
+}
+
+TEST(Dxf, ARoomIsABlockWithItsResults) {
+  const Drawing drawing = drawn(small_document());
+  const std::vector<Entity> inserts = drawing.of("INSERT", "LUX_ROOM_DATA");
+  ASSERT_EQ(inserts.size(), 1u);
+  EXPECT_EQ(inserts[0].text(2), "LUX_ROOM");
+  std::map<std::string, std::string> said;
+  for (const Entity& attribute : drawing.of("ATTRIB", "LUX_ROOM_DATA"))
+    said[attribute.text(2)] = attribute.text(1);
+  EXPECT_EQ(said["ROOM"], "Office");
+  EXPECT_EQ(said["VERDICT"], "fail");
+  EXPECT_THAT(said["EM"], HasSubstr(">= 500"));
+  EXPECT_EQ(said["UGR"], "-");
+}
+
+// 2.5 mm on paper, whatever the text.
+TEST(Dxf, AllTextsHaveTheHeightOfTheScale) {
+  for (const int scale : {20, 100}) {
+    const Drawing drawing = read_strictly(rendered_dxf(sample_document(), {}, {scale}));
+    for (const Entity& entity : drawing.entities) {
+      if (entity.kind == "TEXT" || entity.kind == "ATTRIB") {
+        EXPECT_NEAR(entity.number(40), 0.0025 * scale, 1e-6) << entity.text(1);
+      }
+    }
+  }
+}
+
+TEST(Dxf, NoVisibleValueOverlapsAnother) {
+  for (const int scale : {0, 200}) {
+    const Drawing drawing = read_strictly(rendered_dxf(sample_document(), {}, {scale}));
+    const std::vector<Entity> values = drawing.of("TEXT", "LUX_VALUES");
+    ASSERT_FALSE(values.empty());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const glm::dvec3 apart = glm::abs(values[i].point(11) - values[k].point(11));
+        const double height = values[i].number(40);
+        const double wide =
+            0.5 * height * static_cast<double>(values[i].text(1).size() + values[k].text(1).size());
+        EXPECT_TRUE(apart.x > wide - 1e-6 || apart.y > height - 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Dxf, LengthsAreInTheUnit) {
+  const std::string metres = rendered_dxf(small_document()),
+                    feet = rendered_dxf(small_document(), {}, {0, DrawingUnit::ft});
+  EXPECT_THAT(metres, HasSubstr("$INSUNITS\r\n 70\r\n6\r\n"));
+  EXPECT_THAT(feet, HasSubstr("$INSUNITS\r\n 70\r\n2\r\n"));
+  const auto in_metres = polylines(read_strictly(metres), "LUX_ROOMS").at(0),
+             in_feet = polylines(read_strictly(feet), "LUX_ROOMS").at(0);
+  for (std::size_t i = 0; i < in_metres.size(); ++i) expect_near(in_metres[i], 0.3048 * in_feet[i]);
+}
+
+// Walls and observers are there, but not in sight.
+TEST(Dxf, WhatIsNoTaskAreaIsOnFrozenLayers) {
+  Document document = small_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes.push_back(planes[0]);
+  planes[1].id = planes[1].name = "ceiling";
+  planes[1].made_by = calc::Message::words("workplace");
+  for (rules::Finding& finding : planes[1].findings)
+    finding.requirement.origin.is_of_own_role = false;
+  const Drawing drawing = drawn(document);
+  EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES").size(), 2u);
+  EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES_OTHER").size(), 2u);
+  for (const char* layer : {"LUX_VALUES_OTHER", "LUX_PLANES_OTHER", "LUX_PLANE_NAMES_OTHER"})
+    EXPECT_EQ(drawing.layer(layer)->text(70), "1") << layer;
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("1 planes beside the task areas"));
+}
+
+TEST(DxfLayout, TheScaleIsTheCoarsestAtWhichHalfOfTheValuesHaveRoom) {
+  std::vector<DxfPlacedText> texts;
+  for (int i = 0; i < 20; ++i) texts.push_back({{0.4 * i, 0.0}, "500"});
+  EXPECT_EQ(chosen_scale({texts}, 40.0), 100);  // each second one, which is 0.75 m wide
+  EXPECT_EQ(chosen_scale({texts}, 8.0), 50);    // 160 mm on paper
+  EXPECT_EQ(chosen_scale({}, 0.0), 50);
+  const std::vector<bool> shown = shown_texts(texts, text_height_m(100));
+  EXPECT_EQ(std::count(shown.begin(), shown.end(), true), 10);
+}
+
+TEST(DxfLayout, AFreePlaceIsInTheRoomAndWhereNothingIs) {
+  const std::vector<glm::dvec2> room{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  TakenPlaces taken(0.1);
+  EXPECT_TRUE(free_place(room, {1.0, 1.0}, taken).has_value());
+  EXPECT_FALSE(free_place(room, {5.0, 1.0}, taken).has_value());
+  taken.add({{0, 0}, {4, 2.5}});
+  EXPECT_FALSE(free_place(room, {1.0, 1.0}, taken).has_value());
+  const auto place = free_place(room, {1.0, 0.3}, taken);
+  ASSERT_TRUE(place.has_value());
+  EXPECT_GE(place->y - 0.3, 2.5);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <string>
@@ -83,9 +84,10 @@ class Book {
   std::vector<std::string> names_;
 };
 
-// Columns of Requirements, by their heads.
-std::string column_with(const Book& book, const std::string& head) {
-  for (const pugi::xml_node cell : book.sheet("Requirements").child("sheetData").first_child()) {
+// Columns of a sheet, by their heads.
+std::string column_with(const Book& book, const std::string& head,
+                        const std::string& sheet = "Requirements") {
+  for (const pugi::xml_node cell : book.sheet(sheet).child("sheetData").first_child()) {
     if (head == cell.child("is").child("t").text().get()) {
       const std::string place = cell.attribute("r").value();
       return place.substr(0, place.size() - 1);
@@ -97,8 +99,8 @@ std::string column_with(const Book& book, const std::string& head) {
 
 TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
   const Book book(rendered("xlsx", small_document()));
-  EXPECT_THAT(book.sheets(), ElementsAre("Summary", "Rooms", "Projects", "Requirements", "Points",
-                                         "Luminaires", "Types", "Warnings"));
+  EXPECT_THAT(book.sheets(), ElementsAre("Overview", "Requirements", "Luminaires", "Positions",
+                                         "Points", "Notes", "About"));
   EXPECT_EQ(book.words("Requirements", "A1"), "Verdict");
   EXPECT_EQ(book.words("Requirements", "A2"), "pass");
   EXPECT_EQ(book.words("Requirements", "A3"), "fail");
@@ -106,13 +108,123 @@ TEST(Xlsx, HasItsSheetsAndTheVerdictFirst) {
   EXPECT_EQ(book.rows("Points"), 3U);
 }
 
+// Whether a cell of the sheet has these words.
+bool says(const Book& book, const std::string& sheet, const std::string& words) {
+  return !book.sheet(sheet)
+              .find_node([&](const pugi::xml_node& node) {
+                return std::string(node.text().get()).find(words) != std::string::npos;
+              })
+              .empty();
+}
+
+// Of the row whose second cell is that.
+std::string row_with(const Book& book, const std::string& sheet, const std::string& words) {
+  for (const pugi::xml_node row : book.sheet(sheet).child("sheetData")) {
+    const std::string number = row.attribute("r").value();
+    if (book.words(sheet, "B" + number) == words) return number;
+  }
+  ADD_FAILURE() << "no row " << words;
+  return "1";
+}
+
 TEST(Xlsx, ARoomHasARowThatSaysWhy) {
   const Book book(rendered("xlsx", small_document()));
-  EXPECT_EQ(book.rows("Rooms"), 2U);
-  EXPECT_EQ(book.words("Rooms", "A2"), "fail");
-  EXPECT_EQ(book.words("Rooms", "B2"), "Office");
-  EXPECT_THAT(book.words("Rooms", "L2"),
+  const std::string row = row_with(book, "Overview", "Office");
+  EXPECT_EQ(book.words("Overview", "A" + row), "fail");
+  EXPECT_THAT(book.words("Overview", "M" + row),
               testing::AllOf(HasSubstr("Work plane: "), HasSubstr("required ")));
+}
+
+TEST(Xlsx, NamesStandBesideIdsAndWhatIsForProgramsIsNotPrinted) {
+  const Book book(rendered("xlsx", small_document()));
+  EXPECT_EQ(book.words("Requirements", "B2"), "Office");
+  EXPECT_EQ(book.words("Requirements", "C2"), "Work plane");
+  EXPECT_EQ(book.words("Requirements", column_with(book, "plane") + "2"),
+            small_document().projects[0].spaces[0].planes[0].id);
+  EXPECT_THAT(book.text("xl/workbook.xml"),
+              HasSubstr("<definedName name=\"_xlnm.Print_Area\" localSheetId=\"1\">"
+                        "'Requirements'!$A$1:$P$"));
+}
+
+// 11 pt, on A4 with its margins; a character is 7 of 96 pixels per inch.
+TEST(Xlsx, WhatIsPrintedIsSixPointsHighAtLeast) {
+  const Book book(rendered("xlsx", sample_document()));
+  for (const std::string& name : book.sheets()) {
+    const pugi::xml_node sheet = book.sheet(name);
+    double width_in = 0.0;
+    int printed = 0;
+    const std::string start = "'" + name + "'!$A$1:$";
+    const std::string& names = book.text("xl/workbook.xml");
+    std::string last;
+    const std::size_t area = names.find("Print_Area\" localSheetId=\"" +
+                                        std::to_string(&name - book.sheets().data()) + "\"");
+    if (area != std::string::npos) {
+      const std::size_t at = names.find(start, area) + start.size();
+      last = names.substr(at, names.find('$', at) - at);
+    }
+    for (const pugi::xml_node column : sheet.child("cols")) {
+      if (!last.empty() && printed++ > last[0] - 'A') break;
+      width_in += (7.0 * column.attribute("width").as_double() + 5.0) / 96.0;
+    }
+    const bool is_wide =
+        sheet.child("pageSetup").attribute("orientation").value() == std::string("landscape");
+    const double page_in = (is_wide ? 11.69 : 8.27) - 0.8;
+    EXPECT_GE(11.0 * std::min(1.0, page_in / width_in), 6.0) << name << ": " << width_in;
+    EXPECT_STREQ(sheet.child("pageSetup").attribute("fitToHeight").value(), "0");
+  }
+}
+
+TEST(Xlsx, SpeaksTheLanguageAndKeepsNumbers) {
+  FormatStyle style;
+  style.texts = Texts(Language::german, true);
+  const Book book(rendered("xlsx", small_document(), style));
+  EXPECT_EQ(book.sheets().front(), "Übersicht");
+  EXPECT_EQ(book.words("Anforderungen", "A3"), "nicht erfüllt");
+  const std::string column = column_with(book, "Berechnet", "Anforderungen");
+  EXPECT_TRUE(book.cell("Anforderungen", column + "2").child("v"));
+  const pugi::xml_node rules = book.sheet("Anforderungen").child("conditionalFormatting");
+  EXPECT_TRUE(rules.find_node([](const pugi::xml_node& node) {
+    return std::string(node.text().get()) == "\"nicht erfüllt\"";
+  }));
+}
+
+// What people read, in their language; programs read the verdict of CSV in every language.
+TEST(Xlsx, AdviceThatIsNotKeptToIsAFailForProgramsAlone) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[1];
+  ASSERT_EQ(finding.verdict, rules::Verdict::fail);
+  finding.requirement.severity = rules::Severity::advice;
+  const Book book(rendered("xlsx", document));
+  EXPECT_EQ(book.words("Requirements", "A3"), "outside the recommended range");
+  EXPECT_EQ(book.words("Requirements", column_with(book, "verdict") + "3"), "fail");
+  FormatStyle style;
+  style.texts = Texts(Language::german, true);
+  const Book german(rendered("xlsx", document, style));
+  EXPECT_EQ(german.words("Anforderungen", "A3"), "außerhalb der Empfehlung");
+  EXPECT_EQ(german.words("Anforderungen", column_with(german, "verdict", "Anforderungen") + "3"),
+            "fail");
+}
+
+TEST(Xlsx, RoomsOfOneNameHaveTheirIds) {
+  Document document = small_document();
+  std::vector<SpacePart>& spaces = document.projects[0].spaces;
+  spaces.push_back(spaces[0]);
+  spaces[1].id = "other";
+  const Book book(rendered("xlsx", document));
+  EXPECT_EQ(book.words("Requirements", "B2"), "Office (" + spaces[0].id + ")");
+  EXPECT_EQ(book.words("Requirements", "B4"), "Office (other)");
+}
+
+TEST(Xlsx, PagesHaveTheirHeadsAndThePaper) {
+  FormatStyle style;
+  style.page.paper = Paper::letter;
+  Document document = small_document();
+  document.projects[0].name = "A & B";
+  const Book book(rendered("xlsx", document, style));
+  EXPECT_STREQ(book.sheet("Points").child("pageSetup").attribute("paperSize").value(), "1");
+  EXPECT_STREQ(book.sheet("Points").child("headerFooter").child("oddHeader").text().get(),
+               "&LA && B&R&A");
+  EXPECT_THAT(book.text("xl/workbook.xml"), HasSubstr("'Points'!$1:$1</definedName>"));
 }
 
 TEST(Xlsx, SameDocumentSameBytesAndNoDateUnlessAskedFor) {
@@ -129,24 +241,23 @@ TEST(Xlsx, SameDocumentSameBytesAndNoDateUnlessAskedFor) {
               Not(HasSubstr("dcterms:created")));
 }
 
-TEST(Xlsx, ATableThatIsTooLongGoesOnAndTheSummarySaysSo) {
+TEST(Xlsx, ATableThatIsTooLongGoesOnAndAboutSaysSo) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.points.resize(7, plane.points[0]);
   const Book whole(rendered("xlsx", document));
   EXPECT_EQ(whole.rows("Points"), 8U);
-  EXPECT_THAT(whole.text("xl/worksheets/sheet1.xml"), Not(HasSubstr("Points 2")));
+  EXPECT_FALSE(says(whole, "About", "Points 2"));
   const Book parts(render_whole(document, [](const DocumentFrame& frame, const SpillPlace& place) {
-    return xlsx_writer(frame, place, 4);
+    return xlsx_writer(frame, place, {}, Paper::a4, 4);
   }));
   EXPECT_THAT(parts.sheets(),
               testing::IsSupersetOf({"Points", "Points 2", "Points 3", "Requirements"}));
   EXPECT_EQ(parts.rows("Points"), 4U);
   EXPECT_EQ(parts.rows("Points 2"), 4U);
   EXPECT_EQ(parts.rows("Points 3"), 2U);  // 3 + 3 + 1 points, each sheet with a head
-  EXPECT_EQ(parts.words("Points 3", "A1"), "Project");
-  EXPECT_THAT(parts.text("xl/worksheets/sheet1.xml"),
-              HasSubstr("7 rows in 3 sheets, 'Points' to 'Points 3'"));
+  EXPECT_EQ(parts.words("Points 3", "A1"), "Room");
+  EXPECT_TRUE(says(parts, "About", "7 rows in 3 sheets, 'Points' to 'Points 3'"));
 }
 
 TEST(Xlsx, HostileNamesAreTextInEveryCell) {
@@ -159,9 +270,9 @@ TEST(Xlsx, HostileNamesAreTextInEveryCell) {
 
 TEST(Xlsx, WhatBeginsLikeAFormulaIsMarkedAsText) {
   Document document = small_document();
-  document.projects[0].name = "=1+1";
+  document.projects[0].spaces[0].name = "=1+1";
   const Book book(rendered("xlsx", document));
-  const pugi::xml_node cell = book.cell("Projects", "C2");
+  const pugi::xml_node cell = book.cell("Requirements", "B2");
   EXPECT_STREQ(cell.child("is").child("t").text().get(), "=1+1");
   pugi::xml_document styles;
   ASSERT_TRUE(styles.load_string(book.text("xl/styles.xml").c_str()));
@@ -178,8 +289,7 @@ TEST(Xlsx, NoNumberLooksAsIfItMetItsLimit) {
     finding.measured = {value, value - spread, value + spread};
     finding.verdict = rules::Verdict::fail;
     const Book book(rendered("xlsx", document));
-    return book.format_of(
-        book.cell("Requirements", column_with(book, "Calculated (in the unit)") + "2"));
+    return book.format_of(book.cell("Requirements", column_with(book, "Calculated") + "2"));
   };
   EXPECT_EQ(shown(412.5, 8.0), "0.0");
   EXPECT_EQ(shown(499.97, 0.0), "0.00");
@@ -206,8 +316,7 @@ TEST(Xlsx, WhatIsNotJudgedHasNoNumbersAndOnlyAPassIsGreen) {
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
   finding.verdict = rules::Verdict::not_judged;
   const Book book(rendered("xlsx", document));
-  for (const char* head : {"Calculated (in the unit)", "Low (in the unit)", "High (in the unit)",
-                           "Margin (% of the limit)"}) {
+  for (const char* head : {"Calculated", "Low", "High", "Margin (% of the limit)"}) {
     EXPECT_FALSE(book.cell("Requirements", column_with(book, head) + "2")) << head;
     EXPECT_TRUE(book.cell("Requirements", column_with(book, head) + "3")) << head;
   }
@@ -232,22 +341,22 @@ TEST(Xlsx, TypesAddUpAndUnknownPowerIsNoSum) {
   other.count = 2;
   document.projects[0].luminaires = {type, other};
   const auto total = [&](const char* place) {
-    return Book(rendered("xlsx", document)).cell("Types", place);
+    return Book(rendered("xlsx", document)).cell("Luminaires", place);
   };
-  EXPECT_EQ(total("M4").child("v").text().as_int(), 5);
-  EXPECT_EQ(total("P4").child("v").text().as_double(), 5000.0);
-  EXPECT_EQ(total("Q4").child("v").text().as_double(), 50.0);
+  EXPECT_EQ(total("L4").child("v").text().as_int(), 5);
+  EXPECT_EQ(total("O4").child("v").text().as_double(), 5000.0);
+  EXPECT_EQ(total("P4").child("v").text().as_double(), 50.0);
   document.projects[0].luminaires[1].power_w = 0.0;
-  EXPECT_FALSE(total("Q4"));
-  EXPECT_FALSE(total("H3"));
+  EXPECT_FALSE(total("P4"));
+  EXPECT_FALSE(total("G3"));
 }
 
 TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
   Document document = small_document();
   std::string name;
   for (int i = 0; i < 20'000; ++i) name += "\U0001F4A1";  // two units of UTF-16 each
-  document.projects[0].name = name;
-  const std::string shown = Book(rendered("xlsx", document)).words("Projects", "C2");
+  document.projects[0].spaces[0].name = name;
+  const std::string shown = Book(rendered("xlsx", document)).words("Requirements", "B2");
   EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: longer than a cell may be]"));
   EXPECT_LE(shown.size() / 2, kMostCellCharacters);
 }

@@ -77,9 +77,10 @@ TEST(Texts, EveryLanguageHasTheSamePlaceholders) {
 // Words that are the same as in English.
 std::set<std::string_view> loanwords(Language language) {
   std::set<std::string_view> words{
-      "in_lx",        "colon",      "count_of",         "statistic_minimum", "statistic_maximum",
-      "statistic_ud", "about_logo", "clause_and_source"};
-  if (language == Language::german) words.insert("about_revision");
+      "in_lx",        "colon",      "count_of",          "statistic_minimum", "statistic_maximum",
+      "statistic_ud", "about_logo", "clause_and_source", "road_surface_is"};
+  if (language == Language::german)
+    words.insert({"about_revision", "schedule_position", "xlsx_name"});
   if (language == Language::french) {
     words.erase("colon");
     words.erase("count_of");
@@ -125,7 +126,12 @@ std::set<std::string_view> loanwords(Language language) {
                   "role_luminaire",
                   "footnotes",
                   "aspect_orientation",
-                  "aspect_points"});
+                  "aspect_points",
+                  "xlsx_sheet_luminaires",
+                  "xlsx_sheet_positions",
+                  "xlsx_sheet_points",
+                  "xlsx_direct_lx",
+                  "xlsx_message"});
   }
   return words;
 }

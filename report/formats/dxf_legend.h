@@ -1,0 +1,53 @@
+#pragma once
+// The frame beside a plan: lines of text in columns, no taller than the plan.
+
+#include "report/formats/dxf_entities.h"
+#include "report/html/drawings/flat_box.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace report {
+
+// From base line to base line, in heights of the text.
+inline constexpr double kDxfLine = 1.6;
+
+// A line in pieces, each with its distance from the left edge in characters.
+struct DxfLine {
+  std::vector<std::pair<std::size_t, std::string>> pieces;  // words as dxf_text() makes them
+  DxfColour colour = DxfColour::by_layer;
+};
+
+class DxfColumns {
+ public:
+  // columns: characters at which long texts are broken; >= 1.
+  explicit DxfColumns(std::size_t columns) : columns_(columns) {}
+
+  // A text, in as many lines as it needs.
+  void add(std::string_view utf8, DxfColour colour = DxfColour::by_layer);
+  // All lines of another one.
+  void add(const DxfColumns& other) {
+    lines_.insert(lines_.end(), other.lines_.begin(), other.lines_.end());
+  }
+  // A table: rows as long as the head, whose columns are as wide as they must be, each at most 40
+  // characters. colours: of the rows.
+  void add_table(const std::vector<std::string>& head,
+                 const std::vector<std::vector<std::string>>& rows,
+                 const std::vector<DxfColour>& colours);
+
+  // From the corner (upper left, metres) to the right and down, in as many columns as are needed
+  // for that height (one line at least), in a frame. The box of the frame.
+  FlatBox draw(std::string_view layer, const glm::dvec2& corner_m, double height_m, double text_m,
+               DxfText& dxf) const;
+
+ private:
+  std::size_t columns_;
+  std::vector<DxfLine> lines_;
+};
+
+}  // namespace report
