@@ -50,6 +50,7 @@ std::string html_room(const Texts& t, const SpacePart& space, bool is_brief) {
   std::string html = "<figure class=\"room\">\n";
   for (const RoomPicture& picture : pictures.list) html += picture_html(t, space, picture, "");
   html += html_colour_bar(t, scale, {});
+  if (is_brief) html += html_paper_colour_bar(t, scale, {}, "lx");
   std::string beyond;
   if (pictures.highest_lx > scale.high()) {
     beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
