@@ -460,9 +460,16 @@ void HtmlAttention::copy_to(Sink& sink) const {
   sink.write(all.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
 }
 
+std::string html_summary_title(const Texts& t, bool is_folded) {
+  return fmt::format("<section aria-labelledby=\"summary\"><h2 id=\"summary\">{}</h2>\n{}",
+                     t[Text::summary],
+                     is_folded ? fmt::format("<details class=\"list\"><summary>{}</summary>\n",
+                                             t[Text::summary_of_planes])
+                               : "");
+}
+
 std::string html_summary_start(const Texts& t, const std::string& region, double confidence) {
-  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">" +
-         std::string(t[Text::summary]) + "</h2>\n" + tools(t) + scroll_box_start(region) +
+  return tools(t) + scroll_box_start(region) +
          fmt::format(
              "<table class=\"summary\"><caption>{}</caption>\n"
              "<thead><tr><th scope=\"col\" data-sort=\"\">{}</th>{}</tr></thead>\n",
@@ -485,7 +492,10 @@ std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::s
   return rows;
 }
 
-std::string html_summary_end() { return std::string("</table>") + kScrollBoxEnd + "</section>\n"; }
+std::string html_summary_end(bool is_folded) {
+  return std::string("</table>") + kScrollBoxEnd +
+         (is_folded ? "</details></section>\n" : "</section>\n");
+}
 
 std::string html_plane_findings(const Texts& t, const SpacePart& space, const PlanePart& plane,
                                 const Footnotes& footnotes) {

@@ -61,10 +61,12 @@ class HtmlAttention {
 
 // Building, room, plane; sorted and filtered by the page's script. What comes before, between and
 // after the rows of projects.
+// is_folded: behind a line of words.
+std::string html_summary_title(const Texts& t, bool is_folded);
 std::string html_summary_start(const Texts& t, const std::string& region, double confidence);
 std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
                               bool is_only, const std::string& folder, const Footnotes& footnotes);
-std::string html_summary_end();
+std::string html_summary_end(bool is_folded);
 // The requirements of one plane; "" when it has none.
 std::string html_plane_findings(const Texts& t, const SpacePart& space, const PlanePart& plane,
                                 const Footnotes& footnotes);

@@ -232,14 +232,6 @@ RoomNotes notes_of(const Texts& t, const SpacePart& space, const Footnotes& foot
   return notes;
 }
 
-std::string outcome_badge(const Texts& t, rules::Outcome outcome) {
-  for (const rules::Verdict verdict : rules::kGravestFirst) {
-    if (rules::outcome_of(verdict) == outcome) return badge(t, verdict);
-  }
-  return fmt::format("<span class=\"badge free\">{} {}</span>", outcome_symbol(outcome),
-                     escape_html(outcome_words(t, outcome)));
-}
-
 }  // namespace
 
 std::string client_causes(const Texts& t, const RoomSummary& room) {

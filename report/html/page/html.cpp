@@ -1,6 +1,7 @@
 #include "report/html/page/html.h"
 
 #include "calc/base/file_hash.h"
+#include "report/document/room_summary.h"
 #include "report/html/chapters/data_sheets.h"
 #include "report/html/chapters/html_about.h"
 #include "report/html/chapters/html_advice.h"
@@ -31,6 +32,7 @@
 #include "report/html/room/html_values.h"
 #include "report/text/base64.h"
 #include "report/text/markup.h"
+#include "report/text/room_overview.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 
@@ -114,17 +116,24 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
                        const ColourScales& scales, bool folds_passed, Paper paper,
-                       const Footnotes& footnotes) {
+                       const Footnotes& footnotes, const RoomSummary* summary) {
   const SpacePart& space = project.spaces[s];
   const std::vector<std::string> groups = level_groups(space);
-  std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
-                                 space_anchor(p, s), space_title(space));
+  // Rooms that the overview names are folded; a browser that goes to a place inside opens them.
+  const bool is_folded = folds_passed && summary != nullptr;
+  std::string html =
+      is_folded ? fmt::format(
+                      "<section class=\"space\"><details class=\"room-fold\"><summary><h3>{}</h3>"
+                      " {}</summary>\n<div id=\"{}\">\n",
+                      space_title(space), outcome_badge(t, summary->outcome), space_anchor(p, s))
+                : fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
+                              space_anchor(p, s), space_title(space));
   html += html_room(t, space) + html_room_data(t, project, space) + html_layout(t, project, space) +
           notes_html(t, space) + html_levels(t, project, groups);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups, paper,
                        footnotes);
-  return html + "</section>\n";
+  return html + (is_folded ? "</div></details></section>\n" : "</section>\n");
 }
 
 std::string page_links(const Texts& t, const ProjectPart& project, std::size_t p,
@@ -299,10 +308,19 @@ std::string HtmlWriter::project_html(const ProjectPart& project,
             html_storeys(t_, project, project_, style_.paper);
   }
   html += messages;
+  const std::vector<RoomSummary> rooms =
+      has_overview(project) ? room_summaries(project) : std::vector<RoomSummary>();
+  const auto summary_of = [&](std::size_t s) {
+    const auto found = std::find_if(rooms.begin(), rooms.end(), [&](const RoomSummary& room) {
+      return room.space == &project.spaces[s];
+    });
+    return found == rooms.end() ? nullptr : &*found;
+  };
   for (const RoomRun& run : runs) {
     if (run.first > 0 || !is_first_run_open) html += run_start(run);
     for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
-      html += space_html(t_, project, project_, s, scales, folds_passed, style_.paper, footnotes_);
+      html += space_html(t_, project, project_, s, scales, folds_passed, style_.paper, footnotes_,
+                         summary_of(s));
     if (!run.is_all) html += "</div>\n";
   }
   if (!folder_.empty() && !project.spaces.empty()) {
@@ -431,9 +449,10 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   write_masthead(end, sink);
   sink.write(kMainStart + revision_ + rooms_ + storeys_);
   attention_.copy_to(sink);
-  sink.write(summary_start_);
+  const bool is_folded = planes_ > kFewPlanes && !rooms_.empty();
+  sink.write(html_summary_title(t_, is_folded) + summary_start_);
   summary_rows_.copy_to(sink);
-  sink.write(html_summary_end());
+  sink.write(html_summary_end(is_folded));
   (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
   RegionNames regions = regions_;
   sink.write(html_method(t_, end.provenance.confidence, footnotes_) +

@@ -1,6 +1,7 @@
 #include "report/html/page/html_markup.h"
 
 #include "report/html/page/html_pages.h"
+#include "report/text/markup.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
@@ -75,6 +76,14 @@ std::string scroll_box_start(std::string_view label) {
 
 std::string fact(std::string_view name, std::string_view value) {
   return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", name, value);
+}
+
+std::string outcome_badge(const Texts& t, rules::Outcome outcome) {
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    if (rules::outcome_of(verdict) == outcome) return badge(t, verdict);
+  }
+  return fmt::format("<span class=\"badge free\">{} {}</span>", outcome_symbol(outcome),
+                     escape_html(outcome_words(t, outcome)));
 }
 
 }  // namespace report

@@ -22,6 +22,9 @@ std::string badge(const Texts& t, rules::Verdict verdict, bool counts = true);
 std::string badge_of(const Texts& t, const rules::Requirement& requirement, rules::Verdict verdict,
                      bool counts = true);
 
+// What a room came to: the badge of its gravest verdict, or plain words where there is none.
+std::string outcome_badge(const Texts& t, rules::Outcome outcome);
+
 // Link target of a plane: by position, since ids may hold anything.
 struct PlaneIndex {
   std::size_t project = 0, space = 0, plane = 0;

@@ -60,14 +60,6 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
          "<td>" + nearest.place + "</td></tr>\n";
 }
 
-// What a room came to; the gravest of it has a verdict's colours.
-std::string outcome_cell(const Texts& t, const RoomOverview::Row& row) {
-  for (const rules::Verdict verdict : rules::kGravestFirst) {
-    if (rules::outcome_of(verdict) == row.outcome) return badge(t, verdict);
-  }
-  return escape_html(row.cells.front());
-}
-
 }  // namespace
 
 std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t index,
@@ -86,7 +78,7 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
     const std::string address = folder.empty() ? "#" + space_anchor(index, row.space)
                                                : fmt::format("{}/{}", folder, page_name(room));
     rows += fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
-                        outcome_cell(t, row), address, escape_html(row.cells[1]));
+                        outcome_badge(t, row.outcome), address, escape_html(row.cells[1]));
     for (std::size_t c = 2; c < row.cells.size(); ++c)
       rows += fmt::format("<td{}>{}</td>", class_of(c), escape_html(row.cells[c]));
     rows += "</tr>\n";
