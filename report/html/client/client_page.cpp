@@ -177,7 +177,11 @@ void ClientWriter::add(const ProjectPart& project) {
     foot_ = foot_words(t_, project);
     head_ = head_words(t_, project.about);
   }
-  body_.write("<section class=\"client\">\n");
+  // Few rooms have pages of their own; many follow each other, so that no page is left half empty.
+  constexpr std::size_t kOwnPages = 12;
+  const bool has_own_pages = project.spaces.size() <= kOwnPages;
+  body_.write(has_own_pages ? "<section class=\"client\">\n"
+                            : "<section class=\"client many\">\n");
   for (const ClientChapter& chapter : chapters_of(project)) {
     if (chapter.html.empty()) continue;
     body_.write(regions_.with_unique_regions(chapter.html));

@@ -159,7 +159,7 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 80, kLow_mm = 62, kLong = 2.6;
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 70, kLow_mm = 62, kLong = 2.6;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
   const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
