@@ -30,7 +30,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,19 +52,6 @@ std::string causes_html(const Texts& t, const std::vector<RoomSummary>& rooms) {
             causes;
   }
   return html.empty() ? html : "<div class=\"causes\">\n" + html + "</div>\n";
-}
-
-// How many warnings there were, by kind: what they say names elements of the project.
-std::string warnings_html(const Texts& t, const ProjectPart& project) {
-  std::map<std::string, int> count;
-  for (const calc::Diagnostic& diagnostic : project.diagnostics)
-    ++count[calc::diagnostic_name(diagnostic.id)];
-  if (count.empty()) return {};
-  std::string kinds;
-  for (const auto& [kind, times] : count)
-    kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : ", ", kind, times);
-  return "<p>" + t.say<Text::client_warnings>(project.diagnostics.size(), escape_html(kinds)) +
-         "</p>\n";
 }
 
 // words: not escaped; "" = none.
@@ -98,7 +84,7 @@ class ClientWriter : public FormatWriter {
   Footnotes footnotes_;
   std::size_t project_ = 0;  // the next one
   std::size_t sheets_ = 0;   // data sheets so far
-  std::string only_title_, about_, on_cover_, head_, foot_, warnings_;
+  std::string only_title_, about_, on_cover_, head_, foot_, messages_;
   std::vector<ContentsEntry> contents_;
   Spill body_;
 };
@@ -180,15 +166,14 @@ void ClientWriter::add(const ProjectPart& project) {
   // Few rooms have pages of their own; many follow each other, so that no page is left half empty.
   constexpr std::size_t kOwnPages = 12;
   const bool has_own_pages = project.spaces.size() <= kOwnPages;
-  body_.write(has_own_pages ? "<section class=\"client\">\n"
-                            : "<section class=\"client many\">\n");
+  body_.write(has_own_pages ? "<section class=\"client\">\n" : "<section class=\"client many\">\n");
   for (const ClientChapter& chapter : chapters_of(project)) {
     if (chapter.html.empty()) continue;
     body_.write(regions_.with_unique_regions(chapter.html));
     if (!chapter.address.empty()) contents_.push_back({"#" + chapter.address, chapter.title});
   }
   body_.write("</section>\n");
-  warnings_ += warnings_html(t_, project);
+  if (project.is_judged) messages_ += regions_.with_unique_regions(html_messages(t_, project));
   ++project_;
 }
 
@@ -210,7 +195,7 @@ void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
              "</header>\n<main id=\"main\">\n" + revision);
   body_.copy_to(sink);
   sink.write(html_method(t_, end.provenance.confidence, footnotes_) + "<section>\n" +
-             paragraph(provenance_remarks(end.provenance, t_)) + warnings_ +
+             paragraph(provenance_remarks(end.provenance, t_)) + messages_ +
              paragraph(t_[Text::client_more]) + "</section>\n");
   sink.write(
       tool_page_end(t_.say<Text::made_by_program>(escape_html(end.provenance.program_version))));

@@ -7,7 +7,9 @@
 #include "report/html/room/html_room.h"
 #include "report/html/room/html_room_data.h"
 #include "report/images/heatmap.h"
+#include "report/text/clause_words.h"
 #include "report/text/markup.h"
+#include "report/text/notices.h"
 #include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
 #include "report/text/sentences.h"
@@ -77,6 +79,11 @@ std::vector<NoteItem> items_of(const Texts& t, const RoomCause::Part& part) {
   return items;
 }
 
+// Without how well the row's numbers are founded, which footnotes tell.
+std::string clause_of(const Texts& t, const rules::Requirement& requirement) {
+  return clause_words(t, without_source(requirement.clause), rules::source_of(requirement));
+}
+
 std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& line,
                       const std::string& main_clause, const Footnotes& footnotes) {
   const RoomCause::Part& worst = line.worst();
@@ -97,7 +104,7 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
     items.insert(items.end(), own.begin(), own.end());
   }
   const std::string marks = footnotes.marks(items);
-  const std::string clause = sentence(t, without_source(requirement.clause));
+  const std::string clause = clause_of(t, requirement);
   const std::string note = requirement.clause.empty() || clause == main_clause
                                ? ""
                                : "<span class=\"note\">" + escape_html(clause) + "</span>";
@@ -116,8 +123,7 @@ std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
   std::map<std::string, std::size_t> count;
   for (const RoomLine& line : lines) {
     const rules::Requirement& requirement = line.parts.front().finding->requirement;
-    if (!requirement.clause.empty())
-      count[sentence(t, without_source(requirement.clause))] += line.parts.size();
+    if (!requirement.clause.empty()) count[clause_of(t, requirement)] += line.parts.size();
   }
   const auto most = std::max_element(
       count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -203,32 +209,47 @@ std::string anchors(const SpacePart& space, PlaneIndex room) {
   return html;
 }
 
+// What must be read beside requirements: of the room, of its rows, of its planes.
+void add_notices(const Texts& t, const SpacePart& space, const Footnotes& footnotes,
+                 RoomNotes& notes) {
+  for (const Notice& notice : notices_of(space)) {
+    const std::string place = notice.plane == nullptr ? "" : plane_in_room(t, space, *notice.plane);
+    if (notice.kind != NoticeKind::remark) {
+      notes.add(place, escape_html(notice_words(t, notice)));
+      continue;
+    }
+    for (const NoteItem& item : note_items(t, *notice.message))
+      if (!footnotes.has(item)) notes.add(place, item.html);
+  }
+}
+
+// What a plane came to of which nothing is required, or why it came to nothing.
+std::string unasked_html(const Texts& t, const PlanePart& plane) {
+  if (!plane.is_computed) return t.say<Text::not_computed_because>(sentence_html(t, plane.reason));
+  const char* unit = plane_unit(plane);
+  if (calc::is_plain_number(plane.derived)) {
+    return escape_html(t.say<Text::brief_extremes>(format_measured(t, plane.minimum, unit),
+                                                   format_measured(t, plane.maximum, unit)));
+  }
+  return t.say<Text::brief_statistics>(format_measured(t, plane.average, unit),
+                                       format_measured(t, plane.minimum, unit),
+                                       format_measured(t, plane.uniformity_min_avg, ""));
+}
+
 RoomNotes notes_of(const Texts& t, const SpacePart& space, const Footnotes& footnotes) {
   RoomNotes notes;
-  for (const rules::RowCoverage& row : space.coverage) {
-    if (!row.is_whole()) notes.add({}, escape_html(coverage_words(t, row)));
-  }
   for (const PlanePart& plane : space.planes) {
     const std::string name = plane_in_room(t, space, plane);
-    notes.add(name, escape_html(doubt_words(t, plane)));
-    if (plane.made_by.empty() && !plane.changed.empty())
-      notes.add(name, sentence_html(t, plane.changed));
     for (const rules::Finding& finding : plane.findings) {
       notes.add(name, escape_html(close_words(t, finding)));
       if (finding.verdict != rules::Verdict::not_judged)
         notes.add(name, sentence_html(t, finding.reason));
-      for (const NoteItem& item : items_of(t, {&plane, &finding}))
+      for (const NoteItem& item : note_items(t, finding))
         if (!footnotes.has(item)) notes.add(name, item.html);
     }
-    if (plane.findings.empty() && plane.is_computed && is_plain_illuminance(plane)) {
-      notes.add(name,
-                t.say<Text::brief_statistics>(format_measured(t, plane.average, plane_unit(plane)),
-                                              format_measured(t, plane.minimum, plane_unit(plane)),
-                                              format_measured(t, plane.uniformity_min_avg, "")));
-    }
-    if (!plane.is_computed && plane.findings.empty())
-      notes.add(name, t.say<Text::not_computed_because>(sentence_html(t, plane.reason)));
+    if (plane.findings.empty()) notes.add(name, unasked_html(t, plane));
   }
+  add_notices(t, space, footnotes, notes);
   return notes;
 }
 

@@ -11,7 +11,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace report {
@@ -60,6 +63,15 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
          "<td>" + nearest.place + "</td></tr>\n";
 }
 
+// A limit stays with its sign where a narrow cell takes two lines.
+std::string unbroken(std::string cell) {
+  for (const std::string_view sign : {"≥ ", "≤ "}) {
+    for (std::size_t at = cell.find(sign); at != std::string::npos; at = cell.find(sign, at))
+      cell.replace(at + sign.size() - 1, 1, "\u00a0");
+  }
+  return cell;
+}
+
 }  // namespace
 
 std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t index,
@@ -80,7 +92,7 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
     rows += fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
                         outcome_badge(t, row.outcome), address, escape_html(row.cells[1]));
     for (std::size_t c = 2; c < row.cells.size(); ++c)
-      rows += fmt::format("<td{}>{}</td>", class_of(c), escape_html(row.cells[c]));
+      rows += fmt::format("<td{}>{}</td>", class_of(c), unbroken(escape_html(row.cells[c])));
     rows += "</tr>\n";
   }
   const char* title = t[Text::overview_title];

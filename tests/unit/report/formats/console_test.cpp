@@ -217,11 +217,11 @@ TEST(Console, RatingsHaveNoUnit) {
   plane.findings = {finding};
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));
-  EXPECT_THAT(text, HasSubstr("18.50 ± 0.25  "));
+  EXPECT_THAT(text, HasSubstr("18.5 ± 0.2  "));
   EXPECT_THAT(text, HasSubstr("└ how it was rated\n"));
   plane.findings.clear();
   EXPECT_THAT(rendered("text", document),
-              HasSubstr("└ glare rating UGR: minimum 15.50 ± 0.25, maximum 18.50 ± 0.25\n"));
+              HasSubstr("└ glare rating UGR: minimum 15.5 ± 0.2, maximum 18.5 ± 0.2\n"));
 }
 
 TEST(Console, WhatWasNotJudgedSaysWhy) {

@@ -1,12 +1,14 @@
 #include "report/formats/pdf.h"
 
 #include "report/html/page/html.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace report::pdf_test {
 namespace {
@@ -25,17 +27,25 @@ class PrinterOfTest : public PagePrinter {
   int prints = 0;
 };
 
-std::string rendered(PagePrinter* printer) {
+std::string rendered(PagePrinter* printer, Detail detail = Detail::full) {
   return render_whole(sample_document(), [&](const DocumentFrame& frame, const SpillPlace& place) {
-    return pdf_writer(frame, place, {}, {}, printer);
+    PageStyle style;
+    style.detail = detail;
+    return pdf_writer(frame, place, {}, style, printer);
   });
 }
 
 TEST(Pdf, IsThePageAsItsPrinterMakesIt) {
-  const std::string page = render_html(sample_document());
-  PrinterOfTest printer;
-  EXPECT_EQ(rendered(&printer), "%PDF of " + page + "/CreationDate (D:20000101000000+00'00')");
-  EXPECT_EQ(rendered(nullptr), page);
+  FormatStyle client;
+  client.page.detail = Detail::client;
+  for (const auto& [detail, page] :
+       {std::pair{Detail::full, render_html(sample_document())},
+        std::pair{Detail::automatic, report::rendered("html", sample_document(), client)}}) {
+    PrinterOfTest printer;
+    EXPECT_EQ(rendered(&printer, detail),
+              "%PDF of " + page + "/CreationDate (D:20000101000000+00'00')");
+    EXPECT_EQ(rendered(nullptr, detail), page);
+  }
 }
 
 TEST(Pdf, ContentsOfLongOnesNamePages) {

@@ -183,7 +183,7 @@ TEST(Texts, AreFilledInInTheirLanguage) {
   EXPECT_EQ(kGerman.language_tag(), "de");
   const Texts french(Language::french, true);
   EXPECT_STREQ(french[Text::verdict_fail], "non conforme");
-  EXPECT_EQ(french.say<Text::count_of>(2, "conforme"), "conforme\u00a0: 2");
+  EXPECT_EQ(french.say<Text::count_of>(2, "conforme"), "conforme\u202f: 2");
 }
 
 TEST(Texts, DecimalSignsChangeAndListsStayReadable) {

@@ -147,6 +147,7 @@ TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
   plane.looks = {look(1024, 16, undecided), look(2048, 8, pass), look(4096, 4, pass)};
   plane.groups = {{"row <2>", estimate(400, 3), 300}, {"", estimate(112.5, 1), 50}};
   LuminaireRow row;
+  row.count = 1;
   row.c0_cd.assign(2 * kPolarHalfSteps + 1, 0);
   row.c0_cd[kPolarHalfSteps] = 480;
   project.luminaires = {row};
