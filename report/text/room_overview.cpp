@@ -50,7 +50,8 @@ std::string value_and_interval(const Texts& t, const rules::Finding& finding,
   const bool tells_the_same =
       std::isfinite(wider) && holds_limit(measured.low, measured.high) ==
                                   holds_limit(measured.value - wider, measured.value + wider);
-  const EstimateText text = format_estimate(measured, "", threshold);
+  const EstimateText text =
+      format_estimate(measured, rules::unit_of(finding.requirement), threshold);
   if (!tells_the_same || text.spread.empty()) return format_measured(t, measured, "", threshold);
   return t.number(fmt::format("{} ±{}", text.value, text.spread));
 }

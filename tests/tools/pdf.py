@@ -217,7 +217,7 @@ def client_document():
     if not all(map(shutil.which, ["pdftoppm", "pdftohtml"])):
         print("skipped: pages and type of the client's document, since there is no pdftoppm or pdftohtml")
         return
-    for project, most in [("17-storey", 20), ("19-school-tender", 12)]:
+    for project, most in [("11-classroom", 12), ("17-storey", 20), ("19-school-tender", 18)]:
         done = luxgate("check", EXAMPLES / project / "project.xml", "--format", f"json={project}.json")
         expect(done.returncode in (0, 1), f"{project}: {done.returncode}, {done.stderr}")
         for language in ["en", "de"]:

@@ -42,6 +42,7 @@ std::string picture_words(const Texts& t, const SpacePart& space, const RoomPict
 std::string html_room(const Texts& t, const SpacePart& space, bool is_brief) {
   const RoomPictures& pictures = space.pictures;
   if (!pictures.problem.empty()) {
+    if (is_brief) return {};
     return "<p class=\"quiet\">" +
            t.say<Text::no_pictures>(t.english_html(escape_html(pictures.problem))) + "</p>\n";
   }

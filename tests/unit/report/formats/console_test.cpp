@@ -309,20 +309,21 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
 }
 
 TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
-  const std::string text = rendered("text", small_document(), {{false, 90}});
-  EXPECT_THAT(text, HasSubstr("  Office / W…lane  "));
+  const std::string text = rendered("text", small_document(), {{false, 84}});
+  EXPECT_THAT(text, testing::ContainsRegex("  Office .*…lane  "));
   EXPECT_THAT(text, HasSubstr("424 ± 4 lx  -5.7 %  (2.75, 1.00, 0.80)"));
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 90U) << line;
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 84U) << line;
 }
 
-// Where the columns do not fit, all of them are there, one below the other.
+// Where the columns do not fit, all of them are there, with their heads, one behind the other.
 TEST(Console, RowsThatAreTooWideAreStacked) {
   const std::string text = rendered("text", small_document(), {{false, 40}});
+  EXPECT_THAT(text,
+              HasSubstr("  verdict  room / plane  quantity\n    required  calculated  margin"));
   EXPECT_THAT(text, HasSubstr("  ✗ FAIL  Office / Work plane  minimum\n"
-                              "    ≥ 450 lx  424 ± 4 lx  -5.7 %\n"
-                              "    (2.75, 1.00, 0.80)\n"));
-  EXPECT_THAT(text, Not(HasSubstr("verdict")));
+                              "    ≥ 450 lx  424 ± 4 lx  -5.7 %  (2.75,\n"
+                              "    1.00, 0.80)\n"));
 }
 
 TEST(Console, SceneAndStateAreNamed) {
