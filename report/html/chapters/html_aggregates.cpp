@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace report {
 namespace {
@@ -31,9 +32,16 @@ std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
 
-std::string member_text(const Texts& t, const rules::AggregateFinding& finding,
+// Rooms of a sum are not judged one by one.
+std::string member_text(const Texts& t, const ProjectPart& project,
+                        const rules::AggregateFinding& finding,
                         const rules::AggregateMember& member) {
-  std::string text = fmt::format("{} {}", verdict_symbol(member.verdict), escape_html(member.name));
+  const auto room = std::find_if(project.spaces.begin(), project.spaces.end(),
+                                 [&](const SpacePart& space) { return space.id == member.name; });
+  std::string text =
+      finding.sum ? escape_html(room == project.spaces.end() ? std::string_view(member.name)
+                                                             : title_of(room->name, room->id))
+                  : fmt::format("{} {}", verdict_symbol(member.verdict), escape_html(member.name));
   if (finding.sum && member.value)
     text += " " + format_fixed(t, *member.value, 2);  // in the unit of what was found
   if (member.area_m2)
@@ -47,7 +55,8 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
   constexpr std::size_t kMostMembers = 100;  // of a building with very many rooms
   std::string members;
   for (std::size_t i = 0; i < std::min(finding.members.size(), kMostMembers); ++i) {
-    members += (members.empty() ? "" : "<br/>") + member_text(t, finding, finding.members[i]);
+    members +=
+        (members.empty() ? "" : "<br/>") + member_text(t, project, finding, finding.members[i]);
   }
   if (finding.members.size() > kMostMembers) {
     members += "<br/>" + t.say<Text::more_left_out>(finding.members.size() - kMostMembers);

@@ -7,9 +7,9 @@
 #include "report/html/room/html_convergence.h"
 #include "report/text/factor_words.h"
 #include "report/text/markup.h"
+#include "report/text/plane_names.h"
 #include "report/text/schedule_words.h"
 #include "report/text/svg.h"
-#include "report/text/plane_names.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -48,6 +48,16 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 
+// What the file has where the project states another flux or power; "" = nothing does.
+std::string file_words(const Texts& t, const LuminaireRow& type) {
+  const auto differs = [](double file, double own) { return file > 0.0 && file != own; };
+  std::string words;
+  if (differs(type.file_flux_lm, type.flux_lm)) words = format_lumens(t, type.file_flux_lm) + " lm";
+  if (differs(type.file_power_w, type.power_w))
+    words += (words.empty() ? "" : ", ") + format_watts(t, type.file_power_w) + " W";
+  return words.empty() ? words : t.say<Text::schedule_overridden>(words);
+}
+
 // Maker, name, article and lamp as the photometry file has them, the opening and the housing; the
 // project's own id where nothing is said of them.
 std::string product_html(const Texts& t, const ScheduleRow& row) {
@@ -66,6 +76,7 @@ std::string product_html(const Texts& t, const ScheduleRow& row) {
                                         format_metres(t, type.housing_depth_m))
             : t.say<Text::housing_face>(escape_html(type.housing_material)));
   }
+  add(file_words(t, type));
   std::string title = escape_html(type.maker);
   if (!type.name.empty()) title += (title.empty() ? "" : " · ") + escape_html(type.name);
   if (title.empty()) title = escape_html(type.type_id);
@@ -180,7 +191,7 @@ const char* repeatability(const Texts& t, SameBits same_bits) {
 
 }  // namespace
 
-std::string html_messages(const Texts& t, const ProjectPart& project) {
+std::string html_messages(const Texts& t, const ProjectPart& project, bool with_places) {
   if (project.diagnostics.empty()) return {};
   std::string items;
   for (const calc::Diagnostic& diagnostic : project.diagnostics) {
@@ -192,11 +203,11 @@ std::string html_messages(const Texts& t, const ProjectPart& project) {
     std::string place = escape_html(where.file);
     if (where.line > 0) place += fmt::format(":{}", where.line);
     if (where.column > 0) place += fmt::format(":{}", where.column);
-    items += fmt::format(
-        "<li class=\"{}\"><b>{}</b> {} <span class=\"note\"><code>{}</code> {}</span></li>\n",
-        kind == Text::warning ? "warning" : "error", t[kind],
-        t.english_html(escape_html(diagnostic.message)), place,
-        calc::diagnostic_name(diagnostic.id));
+    if (with_places) place = "<code>" + place + "</code> ";
+    items += fmt::format("<li class=\"{}\"><b>{}</b> {} <span class=\"note\">{}{}</span></li>\n",
+                         kind == Text::warning ? "warning" : "error", t[kind],
+                         t.english_html(escape_html(diagnostic.message)), with_places ? place : "",
+                         calc::diagnostic_name(diagnostic.id));
   }
   return std::string("<h3>") + t[Text::messages] + "</h3>\n<ul class=\"messages\">\n" + items +
          "</ul>\n";

@@ -11,7 +11,8 @@
 namespace report {
 
 // index: of the project, from 0; for anchors.
-std::string html_messages(const Texts& t, const ProjectPart& project);
+// with_places: with the files and lines that they are about.
+std::string html_messages(const Texts& t, const ProjectPart& project, bool with_places = true);
 std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index);
 std::string html_calculation(const Texts& t, const Provenance& provenance,
                              const ProjectPart& project, std::size_t index);

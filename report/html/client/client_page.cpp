@@ -84,7 +84,7 @@ class ClientWriter : public FormatWriter {
   Footnotes footnotes_;
   std::size_t project_ = 0;  // the next one
   std::size_t sheets_ = 0;   // data sheets so far
-  std::string only_title_, about_, on_cover_, head_, foot_, messages_;
+  std::string only_title_, about_, on_cover_, head_, foot_, notes_, messages_;
   std::vector<ContentsEntry> contents_;
   Spill body_;
 };
@@ -139,11 +139,11 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
                         *address == '\0' ? "" : fmt::format("{}{}", address, project_ + 1),
                         t_[title]});
   };
-  add(html_aggregates(t_, project, project_), "", {});
   add(html_roads(t_, project, project_), "roads", Text::roads);
   add(html_emergency(t_, project, project_, "", footnotes_), "emergency", Text::emergency);
   add(html_luminaires(t_, project, project_), "luminaires", Text::luminaires);
   add(html_energy(t_, project, project_), "energy", Text::energy);
+  add(html_aggregates(t_, project, project_), "", {});
   add(html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan);
   add(html_deviations(t_, project, project_, ""), "deviations", Text::deviations);
   if (style_.sheets) {
@@ -173,7 +173,9 @@ void ClientWriter::add(const ProjectPart& project) {
     if (!chapter.address.empty()) contents_.push_back({"#" + chapter.address, chapter.title});
   }
   body_.write("</section>\n");
-  if (project.is_judged) messages_ += regions_.with_unique_regions(html_messages(t_, project));
+  notes_ += client_notes(t_, project, footnotes_);
+  if (project.is_judged)
+    messages_ += regions_.with_unique_regions(html_messages(t_, project, false));
   ++project_;
 }
 
@@ -195,7 +197,7 @@ void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
              "</header>\n<main id=\"main\">\n" + revision);
   body_.copy_to(sink);
   sink.write(html_method(t_, end.provenance.confidence, footnotes_) + "<section>\n" +
-             paragraph(provenance_remarks(end.provenance, t_)) + messages_ +
+             paragraph(provenance_remarks(end.provenance, t_)) + notes_ + messages_ +
              paragraph(t_[Text::client_more]) + "</section>\n");
   sink.write(
       tool_page_end(t_.say<Text::made_by_program>(escape_html(end.provenance.program_version))));

@@ -165,7 +165,7 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 70, kLow_mm = 62, kLong = 2.6;
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 66, kLow_mm = 58, kLong = 4;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
   const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
@@ -209,18 +209,19 @@ std::string anchors(const SpacePart& space, PlaneIndex room) {
   return html;
 }
 
-// What must be read beside requirements: of the room, of its rows, of its planes.
-void add_notices(const Texts& t, const SpacePart& space, const Footnotes& footnotes,
-                 RoomNotes& notes) {
-  for (const Notice& notice : notices_of(space)) {
-    const std::string place = notice.plane == nullptr ? "" : plane_in_room(t, space, *notice.plane);
-    if (notice.kind != NoticeKind::remark) {
-      notes.add(place, escape_html(notice_words(t, notice)));
-      continue;
-    }
-    for (const NoteItem& item : note_items(t, *notice.message))
-      if (!footnotes.has(item)) notes.add(place, item.html);
+bool is_of_room_page(NoticeKind kind) {
+  switch (kind) {
+    case NoticeKind::in_part:
+    case NoticeKind::left_out:
+    case NoticeKind::changed:
+    case NoticeKind::doubt:
+      return true;
+    case NoticeKind::note:
+    case NoticeKind::row:
+    case NoticeKind::remark:
+      break;
   }
+  return false;
 }
 
 // What a plane came to of which nothing is required, or why it came to nothing.
@@ -249,11 +250,31 @@ RoomNotes notes_of(const Texts& t, const SpacePart& space, const Footnotes& foot
     }
     if (plane.findings.empty()) notes.add(name, unasked_html(t, plane));
   }
-  add_notices(t, space, footnotes, notes);
+  for (const Notice& notice : notices_of(space)) {
+    if (!is_of_room_page(notice.kind)) continue;
+    notes.add(notice.plane == nullptr ? "" : plane_in_room(t, space, *notice.plane),
+              escape_html(notice_words(t, notice)));
+  }
   return notes;
 }
 
 }  // namespace
+
+std::string client_notes(const Texts& t, const ProjectPart& project, const Footnotes& footnotes) {
+  RoomNotes notes;
+  for (const Notice& notice : notices_of(project)) {
+    if (is_of_room_page(notice.kind)) continue;
+    const std::string room(title_of(notice.space->name, notice.space->id));
+    if (notice.kind != NoticeKind::remark) {
+      notes.add(room, escape_html(notice_words(t, notice)));
+      continue;
+    }
+    for (const NoteItem& item : note_items(t, *notice.message))
+      if (!footnotes.has(item)) notes.add(room, item.html);
+  }
+  const std::string list = notes.html(t);
+  return list.empty() ? list : fmt::format("<h3>{}</h3>\n{}", t[Text::client_notes_title], list);
+}
 
 std::string client_causes(const Texts& t, const RoomSummary& room) {
   if (room.causes.empty()) return {};

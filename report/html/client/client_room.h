@@ -18,6 +18,10 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
                         const RoomSummary* summary, const ColourScales& scales, Paper paper,
                         const Footnotes& footnotes);
 
+// What is to be known of rooms and weakens nothing there: how quantities were come by, which rows
+// are met as a whole, what of them is judged otherwise. Each once, with its rooms; "" = nothing.
+std::string client_notes(const Texts& t, const ProjectPart& project, const Footnotes& footnotes);
+
 // Causes of a room that does not pass, a list item each; "" where there are none.
 std::string client_causes(const Texts& t, const RoomSummary& room);
 
