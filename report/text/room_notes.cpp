@@ -194,7 +194,7 @@ void add_room(const Texts& t, const SpacePart& space, const std::string& room, N
   for (const Notice& notice : notices_of(space)) {
     // Of planes of which nothing is asked the table of the rest tells; rows follow.
     const bool is_told = notice.plane != nullptr && notice.plane->findings.empty();
-    if (notice.row != nullptr || is_told) continue;
+    if (is_told) continue;
     add_notice(t,
                notice.plane == nullptr
                    ? room
@@ -202,7 +202,7 @@ void add_room(const Texts& t, const SpacePart& space, const std::string& room, N
                notice, notes);
   }
   for (const rules::RowCoverage& row : together(t, space.coverage)) {
-    notes.add(room, coverage_words(t, row), row.is_whole());
+    notes.add(room, coverage_words(t, row), row.is_whole() && !row.has_exceptions());
   }
 }
 
