@@ -41,9 +41,9 @@ constexpr std::string_view kOfCheck[] = {
     "--strict",       "--timestamp", "--timing"};
 constexpr std::string_view kOfValidate[] = {"--rules", "--allow", "--set", "--limit",
                                             "--timestamp"};
-constexpr std::string_view kOfWrite[] = {"--language", "--decimal", "--paper",     "--annex",
-                                         "--cover",    "--scale",   "--palette",   "--redact",
-                                         "--passes",   "--notes",   "--dxf-scale", "--dxf-unit"};
+constexpr std::string_view kOfWrite[] = {
+    "--language", "--decimal", "--paper",  "--detail", "--annex",     "--cover",   "--scale",
+    "--palette",  "--redact",  "--passes", "--notes",  "--dxf-scale", "--dxf-unit"};
 
 bool is_of(Use use, std::string_view name) {
   const auto has = [name](const auto& names) {

@@ -2,8 +2,8 @@
 
 #include "report/text/aggregate_words.h"
 #include "report/text/pass_factor.h"
-#include "report/text/plane_names.h"
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_titles.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"

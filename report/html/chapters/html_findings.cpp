@@ -341,7 +341,8 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding,
   note(footnotes.inline_html(items));
   const std::string marks = footnotes.marks(items);
   if (notes.empty() && marks.empty()) return {};
-  return "<span class=\"note\">" + notes + (notes.empty() || marks.empty() ? "" : " ") + marks + "</span>";
+  return "<span class=\"note\">" + notes + (notes.empty() || marks.empty() ? "" : " ") + marks +
+         "</span>";
 }
 
 std::string html_verdict(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {

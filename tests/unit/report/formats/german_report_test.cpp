@@ -293,16 +293,15 @@ TEST(GermanReport, MarkdownIsGerman) {
 
 TEST(GermanReport, TheTerminalsTableIsGerman) {
   const std::string text = rendered("text", small_document(), {{}, kGerman});
-  EXPECT_EQ(
-      text,
-      "office.xml: Small office\n"
-      "  Bewertung        Raum / Fläche        Größe       gefordert   berechnet  Reserve  "
-      "Ort (m)\n"
-      "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512 ± 4 lx   +2,5 %\n"
-      "                   └ EN 12464-1:2021 34.2 (vom Projekt selbst)\n"
-      "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424 ± 4 lx   -5,7 %  "
-      "(2,75; 1,00; 0,80)\n\n"
-      "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
+  EXPECT_EQ(text,
+            "office.xml: Small office\n"
+            "  Bewertung        Raum / Fläche        Größe       gefordert   berechnet  Reserve  "
+            "Ort (m)\n"
+            "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512 ± 4 lx   +2,5 %\n"
+            "                   └ EN 12464-1:2021 34.2 (vom Projekt selbst)\n"
+            "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424 ± 4 lx   -5,7 %  "
+            "(2,75; 1,00; 0,80)\n\n"
+            "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
 }
 
 }  // namespace
