@@ -239,7 +239,7 @@ def german():
     check(0.8, ' scene="evening"', "--format", "html=g.html", "--language", "de")
     told = look("g.html")
     if told is not None:
-        expect(of(told["moved"], "grid")["Uo"] == [of(told["moved"], "grid")["Uo"][0], "Vorschau, kein Urteil"] and "," in of(told["moved"], "grid")["Uo"][0],
+        expect(of(told["moved"], "grid")["Uo"] == [of(told["moved"], "grid")["Uo"][0], "Vorschau, keine Bewertung"] and "," in of(told["moved"], "grid")["Uo"][0],
                f"German: {of(told['moved'], 'grid')['Uo']}")
 
 
