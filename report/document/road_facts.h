@@ -6,7 +6,7 @@
 //   annual energy            AECI = P t / sum of A      kWh / m2
 //
 // P: of the luminaires of one spacing, at full output. E, A: maintained average illuminance and
-// size of each area over one spacing, at full output. [EN 13201-5; formulas from public sources]
+// size of each area over one spacing, at full output. [EN 13201-5]
 
 #include "calc/base/field.h"
 #include "calc/base/message.h"

@@ -130,8 +130,12 @@ class PartWriter : public report::Visitor {
     }
   }
   template <class Make, class Choices = int>
-  void written(const char* key, const Make& make, const About& /*about*/ = {},
+  void written(const char* key, const Make& make, const About& about = {},
                const Choices& /*choices*/ = {}) {
+    if (!about.presence.is_there) {
+      fields_[key] = py::none();
+      return;
+    }
     fields_[key] = object_of(makers_, make(), child(key));
   }
   template <class Fields>

@@ -177,7 +177,8 @@ for words in ("not used, so not counted: B (spare)", f"Street: the {len(street['
         problems.append(f"the report does not say '{words}'")
 
 found = sorted(path for folder in RESULTS for path in folder.glob("*/result.json"))
-found += sorted(path for folder in RESULTS for path in folder.glob("*.json") if path.name != "again.json")
+# Another test breaks results on purpose: what is no result tells nothing.
+found += sorted(path for folder in RESULTS for path in folder.glob("*.json") if path.name not in ("again.json", "changed.json"))
 for i, path in enumerate(found):
     told += check(path.resolve(), f"{i}-{path.parent.name}-{path.stem}")
 print(f"{len(found)} results of other tests, {told} projects with luminaires")

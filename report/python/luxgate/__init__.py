@@ -130,7 +130,7 @@ class Result:
         """The text of a report; format is one of formats(), but "xlsx", which is no text: write() writes it."""
         rendered = self._bytes("render", format, style)
         try:
-            return rendered.decode("utf-8")
+            return rendered.decode("cp1252" if format == "dxf" else "utf-8")  # as the drawing's code page says
         except UnicodeDecodeError:
             raise SettingError(f"format '{format}': this is no text; write() writes it") from None
 

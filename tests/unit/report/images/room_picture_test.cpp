@@ -91,7 +91,7 @@ TEST(RoomPicture, FramesHaveTitleNoteAndOutlines) {
     return count;
   };
   EXPECT_GT(dark(0, 0, framed.width, 55), 100);                    // the title
-  EXPECT_GT(dark(0, 270, framed.width, framed.height - 270), 50);  // the note
+  EXPECT_GT(dark(0, 270, framed.width, framed.height - 270), 40);  // the note
   const int top = 24 + 36;
   EXPECT_GT(dark(24 + 110, top + 48, 180, 4), 300);  // upper side of the outline
   EXPECT_EQ(dark(24 + 110, top + 60, 180, 80), 0);   // inside
@@ -118,7 +118,7 @@ TEST(RoomPicture, LegendHasNumbersThatCanBeRead) {
   bool was_ink = false;
   for (int x = 0; x < raster.width; ++x) {
     bool has_ink = false;
-    for (int y = raster.height - 46; y < raster.height; ++y) has_ink = has_ink || is_ink(x, y);
+    for (int y = raster.height - 42; y < raster.height; ++y) has_ink = has_ink || is_ink(x, y);
     if (has_ink && (!was_ink || blank >= 8)) ++numbers;
     was_ink = was_ink || has_ink;
     blank = has_ink ? 0 : blank + 1;

@@ -111,13 +111,13 @@ TEST(Waivers, OfWhatIsNotAskedAreErrors) {
   EXPECT_THAT(in_require(waiver("wall.Em")).errors,
               ElementsAre(HasSubstr("error[waiver-not-asked]: attribute 'checks' of <waiver>: the "
                                     "check 'wall.Em', of the role 'wall', is not asked here; "
-                                    "asked: task.Em or task.Uo")));
+                                    "asked: task.Em, task.Uo or colour")));
   EXPECT_THAT(in_require(waiver("task.Em"), "row='34.2' role='wall'").errors,
               ElementsAre(HasSubstr("asked: wall.Em or wall.Uo")));
 }
 
-// A task of the whole room has no surround; a ceiling that is left out is not asked either; colour
-// is not measured on planes.
+// A task of the whole room has no surround; a ceiling that is left out is not asked either. Colour
+// is asked along with the task.
 TEST(Waivers, OfWhatAWorkplaceDoesNotMakeAreErrors) {
   EXPECT_THAT(in_workplace(waiver("surround.Em")).errors,
               ElementsAre(HasSubstr("'surround.Em', of the role 'surround', is not asked here")));
@@ -125,8 +125,7 @@ TEST(Waivers, OfWhatAWorkplaceDoesNotMakeAreErrors) {
                            waiver("ceiling.Em"))
                   .errors,
               ElementsAre(HasSubstr("'ceiling.Em', of the role 'ceiling', is not asked here")));
-  EXPECT_THAT(in_workplace(waiver("colour")).errors,
-              ElementsAre(HasSubstr("'colour', of the role 'lamp', is not asked here")));
+  EXPECT_THAT(in_workplace(waiver("colour")).errors, testing::IsEmpty());
   EXPECT_THAT(in_workplace("<without role='wall.1' because='glass' by='A' until='2099-12-31'/>" +
                            waiver("wall.Em"))
                   .checks,
@@ -159,7 +158,7 @@ TEST(Waivers, OfARowNameTheirChecks) {
           .errors,
       ElementsAre(HasSubstr(
           "error[waiver-of-whole-row]: attribute 'waived-because' of <require>: on a row of a rule "
-          "pack it would waive every check; write <waiver checks=\"task.Em task.Uo\" ")));
+          "pack it would waive every check; write <waiver checks=\"task.Em task.Uo colour\" ")));
   EXPECT_THAT(in_require("", "row='34.2' waived-by='o'").errors,
               ElementsAre(HasSubstr("attribute 'waived-by' of <require>: on a row")));
 }

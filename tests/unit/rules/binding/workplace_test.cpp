@@ -742,7 +742,7 @@ TEST(WorkplaceMessage, AWorkplaceWithoutItsTask) {
           "error[workplace-without-task]: workplace 'w': 'task' is its task, and without it "
           "nothing "
           "else of the row means anything; change it by <zone role=\"task\" .../>, waive its "
-          "checks by <waiver checks=\"task.Em task.Uo\" ")));
+          "checks by <waiver checks=\"task.Em task.Uo colour\" ")));
 }
 
 TEST(Workplace, WhatIsLeftOutHasOwnerAndLastDay) {
