@@ -4,6 +4,8 @@ find_program(LUXGATE_QEMU_USER qemu-x86_64)
 set(numbers_folder ${CMAKE_CURRENT_SOURCE_DIR}/numbers)
 file(GLOB numbers_projects CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/[0-9]*/*.xml ${numbers_folder}/*/project.xml)
 list(FILTER numbers_projects EXCLUDE REGEX "/\\.[^/]*$")  # what 'luxgate import' keeps beside a project
+# What it calculates is what 11, 13, 15 and 16 do, and it takes half a minute.
+list(FILTER numbers_projects EXCLUDE REGEX "/19-school-tender/")
 foreach(case far-away-in-millimetres quantities-of-planes ratings-and-power)
   list(APPEND numbers_projects ${CMAKE_CURRENT_SOURCE_DIR}/golden/${case}/project.xml)
 endforeach()

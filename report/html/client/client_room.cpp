@@ -92,8 +92,7 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::unit_of(requirement);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  std::string measured =
-      is_judged ? format_measured(t, finding.measured, unit, threshold) : std::string("–");
+  std::string measured = is_judged ? escape_html(measured_words(t, finding)) : std::string("–");
   if (is_judged && line.parts.size() > 1) {
     measured +=
         "<span class=\"note\">" + escape_html(plane_in_room(t, space, *worst.plane)) + "</span>";
