@@ -182,4 +182,4 @@ found += sorted(path for folder in RESULTS for path in folder.glob("*.json") if 
 for i, path in enumerate(found):
     told += check(path.resolve(), f"{i}-{path.parent.name}-{path.stem}")
 print(f"{len(found)} results of other tests, {told} projects with luminaires")
-sys.exit("\n".join(problems))
+sys.exit("\n".join(problems) or 0)
