@@ -58,9 +58,11 @@ void DxfColumns::add_table(const std::vector<std::string>& head,
 FlatBox DxfColumns::draw(std::string_view layer, const glm::dvec2& corner_m, double height_m,
                          double text_m, DxfText& dxf) const {
   const double line_m = kDxfLine * text_m;
-  // Half a line is free above and below.
-  const auto in_column =
-      static_cast<std::size_t>(std::max(1.0, std::floor(height_m / line_m - 1.0)));
+  // Half a line is free above and below. A plan may be as high as numbers go.
+  const double fitting = std::floor(height_m / line_m - 1.0);
+  const auto most = static_cast<double>(lines_.size() + 1);
+  const std::size_t in_column =
+      fitting > 1.0 ? static_cast<std::size_t>(std::min(fitting, most)) : 1;
   std::size_t width = 1;
   for (const DxfLine& line : lines_) width = std::max(width, width_of(line));
   const double column_m = static_cast<double>(width + kBetweenCells) * text_m;
