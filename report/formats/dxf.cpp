@@ -69,7 +69,7 @@ const std::vector<RoomLine> kRoomLines{{RoomOverview::Column::average, "EM", "Em
                                        {RoomOverview::Column::uniformity, "UO", "Uo"},
                                        {RoomOverview::Column::glare, "UGR", "UGR"},
                                        {RoomOverview::Column::power, "W_M2", "W/m2"}};
-constexpr double kRoomLabel = 6.0, kRoomValue = 14.0;  // characters of label and value
+constexpr double kRoomLabel = 6.0;  // characters of label and value
 
 struct UnitRow {
   DrawingUnit unit;
