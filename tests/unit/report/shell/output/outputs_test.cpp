@@ -145,8 +145,7 @@ TEST_F(Outputs, ImageNamesAreSafeFileNames) {
 TEST_F(Outputs, LanguageIsForReadersAlone) {
   const report::Document document = report::sample_document();
   const report::Texts german(report::Language::german, true);
-  const std::set<std::string_view> for_people = {"dxf",      "html", "pdf",
-                                                   "markdown", "text", "xlsx"};
+  const std::set<std::string_view> for_people = {"dxf", "html", "pdf", "markdown", "text", "xlsx"};
   for (const report::Format& format : report::formats()) {
     const std::string in_german = format.render(document, {{}, german});
     const std::string in_english = format.render(document, {});
