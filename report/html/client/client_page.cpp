@@ -24,6 +24,8 @@
 #include "report/html/room/html_room.h"
 #include "report/html/room/html_uses.h"
 #include "report/text/markup.h"
+#include "report/text/notices.h"
+#include "report/text/room_titles.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -43,13 +45,15 @@ struct ClientChapter {
   std::string title;    // escaped
 };
 
-std::string causes_html(const Texts& t, const std::vector<RoomSummary>& rooms) {
+std::string causes_html(const Texts& t, const ProjectPart& project,
+                        const std::vector<RoomSummary>& rooms) {
+  const std::vector<std::string> titles = room_titles(project);
   std::string html;
   for (const RoomSummary& room : rooms) {
     const std::string causes = client_causes(t, room);
     if (causes.empty()) continue;
-    html += fmt::format("<h3>{}</h3>\n", escape_html(title_of(room.space->name, room.space->id))) +
-            causes;
+    const auto s = static_cast<std::size_t>(room.space - project.spaces.data());
+    html += fmt::format("<h3>{}</h3>\n", escape_html(titles[s])) + causes;
   }
   return html.empty() ? html : "<div class=\"causes\">\n" + html + "</div>\n";
 }
@@ -101,7 +105,7 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
     body += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n" + html_messages(t_, project);
   }
-  body += html_rooms(t_, project, project_, "") + causes_html(t_, rooms);
+  body += html_rooms(t_, project, project_, "") + causes_html(t_, project, rooms);
   if (!body.empty())
     chapter.html =
         fmt::format("<h2 id=\"{}\" class=\"overview\">{}</h2>\n", chapter.address, chapter.title) +
@@ -112,15 +116,17 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
 void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomSummary>& rooms,
                              std::vector<ClientChapter>& chapters) const {
   const ColourScales scales(project, style_.scale, style_.palette);
+  const std::vector<std::string> titles = room_titles(project);
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
     const auto summary = std::find_if(rooms.begin(), rooms.end(),
                                       [&](const auto& room) { return room.space == &space; });
-    if (space.planes.empty()) continue;
-    chapters.push_back(
-        {client_room(t_, project, {project_, s, 0}, summary == rooms.end() ? nullptr : &*summary,
-                     scales, style_.paper, footnotes_),
-         space_anchor(project_, s), escape_html(title_of(space.name, space.id))});
+    // A room without planes may still have something that was asked and could not be made.
+    if (space.planes.empty() && summary == rooms.end() && notices_of(space).empty()) continue;
+    chapters.push_back({client_room(t_, project, {project_, s, 0}, titles[s],
+                                    summary == rooms.end() ? nullptr : &*summary, scales,
+                                    style_.paper, footnotes_),
+                        space_anchor(project_, s), escape_html(titles[s])});
   }
 }
 

@@ -236,14 +236,20 @@ std::string unasked_html(const Texts& t, const PlanePart& plane) {
                                        format_measured(t, plane.uniformity_min_avg, ""));
 }
 
+// The causes of its room tell its reason.
+bool is_cause(const rules::Finding& finding) {
+  return finding.verdict != rules::Verdict::pass &&
+         outcome_of(finding) != rules::Outcome::nothing_asked;
+}
+
 RoomNotes notes_of(const Texts& t, const SpacePart& space, const Footnotes& footnotes) {
   RoomNotes notes;
   for (const PlanePart& plane : space.planes) {
     const std::string name = plane_in_room(t, space, plane);
+    if (is_charted(plane)) notes.add(name, escape_html(other_light_words(t, *ShownPlane(plane))));
     for (const rules::Finding& finding : plane.findings) {
       notes.add(name, escape_html(close_words(t, finding)));
-      if (finding.verdict != rules::Verdict::not_judged)
-        notes.add(name, sentence_html(t, finding.reason));
+      if (!is_cause(finding)) notes.add(name, sentence_html(t, finding.reason));
       for (const NoteItem& item : note_items(t, finding))
         if (!footnotes.has(item)) notes.add(name, item.html);
     }
@@ -290,17 +296,17 @@ std::string client_causes(const Texts& t, const RoomSummary& room) {
 }
 
 std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
-                        const RoomSummary* summary, const ColourScales& scales, Paper paper,
-                        const Footnotes& footnotes) {
+                        const std::string& title, const RoomSummary* summary,
+                        const ColourScales& scales, Paper paper, const Footnotes& footnotes) {
   const SpacePart& space = project.spaces[room.space];
   const std::vector<RoomLine> lines = room_lines(space);
   const std::string clause = main_clause(t, lines);
   const std::string facts = html_room_facts(t, project, space);
-  std::string html = fmt::format(
-      "<section class=\"client-room\"><header><h2 id=\"{}\">{}</h2>{}{}</header>\n",
-      space_anchor(room.project, room.space), escape_html(title_of(space.name, space.id)),
-      summary == nullptr ? "" : outcome_badge(t, summary->outcome),
-      clause.empty() ? "" : "<p class=\"quiet\">" + escape_html(clause) + "</p>");
+  std::string html =
+      fmt::format("<section class=\"client-room\"><header><h2 id=\"{}\">{}</h2>{}{}</header>\n",
+                  space_anchor(room.project, room.space), escape_html(title),
+                  summary == nullptr ? "" : outcome_badge(t, summary->outcome),
+                  clause.empty() ? "" : "<p class=\"quiet\">" + escape_html(clause) + "</p>");
   html += anchors(space, room);
   if (!facts.empty())
     html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +

@@ -13,10 +13,11 @@
 
 namespace report {
 
-// room: the place of its first plane. summary: null where nothing is asked of it.
+// room: the place of its first plane. title: see room_titles(). summary: null where nothing is
+// asked of it.
 std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
-                        const RoomSummary* summary, const ColourScales& scales, Paper paper,
-                        const Footnotes& footnotes);
+                        const std::string& title, const RoomSummary* summary,
+                        const ColourScales& scales, Paper paper, const Footnotes& footnotes);
 
 // What is to be known of rooms and weakens nothing there: how quantities were come by, which rows
 // are met as a whole, what of them is judged otherwise. Each once, with its rooms; "" = nothing.
