@@ -9,7 +9,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 namespace report {
@@ -27,6 +26,21 @@ double rounded(double value, int decimals) {
   const std::string text = format_fixed(value, decimals);
   std::from_chars(text.data(), text.data() + text.size(), result);
   return result;
+}
+
+// An end of an interval: what is shown holds all of it. Differences of doubles are noise.
+double rounded_outward(double end, int decimals, bool upwards) {
+  const double step = calc::pow(10.0, -decimals), nearest = rounded(end, decimals);
+  const double noise = std::max(1e-6 * step, 1e-13 * std::abs(end));
+  if (upwards && nearest < end - noise) return rounded(nearest + step, decimals);
+  if (!upwards && nearest > end + noise) return rounded(nearest - step, decimals);
+  return nearest;
+}
+
+// Of the interval around the value that is shown in so many decimals.
+double shown_width(const calc::Estimate& estimate, int decimals) {
+  const double shown = rounded(estimate.value, decimals);
+  return rounded_outward(std::max(estimate.high - shown, shown - estimate.low), decimals, true);
 }
 
 // On the same side of every threshold.
@@ -66,20 +80,28 @@ bool tells_the_truth(const calc::Estimate& estimate, double spread, int decimals
   const double value = rounded(estimate.value, decimals);
   if (!are_alike(value, estimate.value, thresholds)) return false;
   if (!(spread > 0.0)) return true;
-  const double width = rounded(spread, decimals);
+  const double width = shown_width(estimate, decimals);
   return are_alike(value - width, estimate.value - spread, thresholds) &&
          are_alike(value + width, estimate.value + spread, thresholds);
 }
 
-// Decimals with which all of them are on their true side; kMostDecimals + 1: there are none.
-int true_decimals(std::initializer_list<double> values, int from, const Thresholds& thresholds) {
+// Decimals with which the value and both ends are on their true side; kMostDecimals + 1: there are
+// none.
+int true_decimals(const calc::Estimate& estimate, int from, const Thresholds& thresholds) {
+  const auto is_true = [&](int decimals) {
+    return are_alike(rounded(estimate.value, decimals), estimate.value, thresholds) &&
+           are_alike(rounded_outward(estimate.low, decimals, false), estimate.low, thresholds) &&
+           are_alike(rounded_outward(estimate.high, decimals, true), estimate.high, thresholds);
+  };
   int decimals = from;
-  while (decimals <= kMostDecimals && !std::all_of(values.begin(), values.end(), [&](double value) {
-           return are_alike(rounded(value, decimals), value, thresholds);
-         })) {
-    ++decimals;
-  }
+  while (decimals <= kMostDecimals && !is_true(decimals)) ++decimals;
   return decimals;
+}
+
+// Both ends in so many decimals; in more than there may be as they are.
+std::string end_text(double end, int decimals, bool upwards) {
+  return decimals > kMostDecimals ? format_shortest(end)
+                                  : format_fixed(rounded_outward(end, decimals, upwards), decimals);
 }
 
 int decimals_of(const std::string& number) {
@@ -98,14 +120,12 @@ bool is_symmetric(const calc::Estimate& estimate, int decimals) {
 // "21.35 (20.90 to 21.40)"
 std::string with_ends(const calc::Estimate& estimate, std::string_view unit,
                       const Thresholds& thresholds, std::string_view to) {
-  const int decimals =
-      true_decimals({estimate.value, estimate.low, estimate.high},
-                    plain_decimals(estimate.value, spread_of(estimate), unit), thresholds);
-  const auto text = [&](double value) {
-    return decimals > kMostDecimals ? format_shortest(value) : format_fixed(value, decimals);
-  };
-  return fmt::format("{} ({} {} {})", text(estimate.value), text(estimate.low), to,
-                     text(estimate.high));
+  const int decimals = true_decimals(
+      estimate, plain_decimals(estimate.value, spread_of(estimate), unit), thresholds);
+  const std::string value = decimals > kMostDecimals ? format_shortest(estimate.value)
+                                                     : format_fixed(estimate.value, decimals);
+  return fmt::format("{} ({} {} {})", value, end_text(estimate.low, decimals, false), to,
+                     end_text(estimate.high, decimals, true));
 }
 
 std::string with_unit(std::string text, std::string_view unit) {
@@ -159,11 +179,7 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
   }
   EstimateText text{format_fixed(estimate.value, decimals), ""};
   if (!(spread > 0.0)) return text;
-  // A half width too small for these digits is rounded up to the last one rather than shown as
-  // zero.
-  text.spread = rounded(spread, decimals) > 0.0
-                    ? format_fixed(spread, decimals)
-                    : format_fixed(calc::pow(10.0, -decimals), decimals);
+  text.spread = format_fixed(shown_width(estimate, decimals), decimals);
   return text;
 }
 
@@ -202,10 +218,11 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kNoNumber;
   if (estimate.low == estimate.high) return "exact";
   const int plain = plain_decimals(estimate.value, spread_of(estimate), unit);
-  const int wanted = true_decimals({estimate.low, estimate.high}, plain, thresholds);
+  const int wanted = true_decimals(estimate, plain, thresholds);
   const int decimals = wanted > kMostDecimals ? plain : wanted;
   return with_unit(
-      format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
+      end_text(estimate.low, decimals, false) + " – " + end_text(estimate.high, decimals, true),
+      unit);
 }
 
 int interval_decimals(const calc::Estimate& estimate, std::string_view unit,

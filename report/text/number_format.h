@@ -48,7 +48,7 @@ struct Thresholds {
 // the value ends at the same place, with at most three significant digits, or whole; a ratio has
 // two decimals at most, or two digits where it is small, and a rating, which is one of 10 or more,
 // one. With thresholds, digits are added until value and interval ends are on their true side of
-// all of them. spread is the larger of high - value and value - low.
+// all of them. The half width is rounded up, so that what is shown holds all of the interval.
 struct EstimateText {
   std::string value, spread;
 };
@@ -62,7 +62,8 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds = {}, std::string_view to = "to");
 
-// "508.2 – 516.4 lx"; "exact" when nothing was sampled. Both ends are on their true side.
+// "508 – 517 lx", rounded outwards; "exact" when nothing was sampled. Both ends are on their true
+// side.
 std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds = {});
 

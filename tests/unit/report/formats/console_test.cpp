@@ -20,9 +20,9 @@ TEST(Console, SmallDocument) {
   EXPECT_EQ(rendered("text", small_document()),
             R"(office.xml: Small office
   verdict  room / plane         quantity  required  calculated  margin  at (m)
-  ✓ pass   Office / Work plane  average   ≥ 500 lx  512 ± 4 lx  +2.5 %
+  ✓ pass   Office / Work plane  average   ≥ 500 lx  512 ± 5 lx  +2.5 %
            └ EN 12464-1:2021 34.2 (project's own)
-  ✗ FAIL   Office / Work plane  minimum   ≥ 450 lx  424 ± 4 lx  -5.7 %  (2.75, 1.00, 0.80)
+  ✗ FAIL   Office / Work plane  minimum   ≥ 450 lx  424 ± 5 lx  -5.7 %  (2.75, 1.00, 0.80)
 
 2 requirements: 1 pass, 1 fail
 )");
@@ -50,8 +50,8 @@ TEST(Console, WhatIsWaivedOrAdviceStandsWithItsNumbers) {
       if (!is_waived) finding.requirement.severity = rules::Severity::advice;
     }
     const std::string text = rendered("text", document);
-    EXPECT_THAT(text, HasSubstr("Office / Work plane  average   ≥ 500 lx  512 ± 4 lx  +2.5 %"));
-    EXPECT_THAT(text, HasSubstr("Office / Work plane  minimum   ≥ 450 lx  424 ± 4 lx  -5.7 %"));
+    EXPECT_THAT(text, HasSubstr("Office / Work plane  average   ≥ 500 lx  512 ± 5 lx  +2.5 %"));
+    EXPECT_THAT(text, HasSubstr("Office / Work plane  minimum   ≥ 450 lx  424 ± 5 lx  -5.7 %"));
   }
 }
 
@@ -62,7 +62,7 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
             R"(office.xml: Small office
   verdict     room / plane
     no limit  Office / Work plane
-              └ average 512 ± 4 lx, minimum 424 ± 4 lx, Uo 0.83 ± 0.01
+              └ average 512 ± 5 lx, minimum 424 ± 5 lx, Uo 0.83 ± 0.01
 
 0 requirements: nothing was asked
 )");
@@ -108,8 +108,8 @@ TEST(Console, PassesOfAWorkplaceShareALine) {
             R"(office.xml: Small office
   verdict  room / plane               quantity        required  calculated  margin
   ✓ pass   Office / Desk              2 requirements                        +1.0 %
-           └ task, surround; nearest to its limit: surround, average 512 ± 4 lx, required ≥ 500 lx
-  ✗ FAIL   Office / Desk: observer 1  average         ≥ 500 lx  512 ± 4 lx  +2.5 %
+           └ task, surround; nearest to its limit: surround, average 512 ± 5 lx, required ≥ 500 lx
+  ✗ FAIL   Office / Desk: observer 1  average         ≥ 500 lx  512 ± 5 lx  +2.5 %
 
 3 requirements: 2 pass, 1 fail
 )");
@@ -200,7 +200,7 @@ TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
   plane.findings.clear();
   plane.kernel = calc::ReceiverKernel::semicylindrical;
   EXPECT_THAT(rendered("text", document),
-              HasSubstr("└ semicylindrical illuminance Esz: average 512 ± 4 lx, minimum"));
+              HasSubstr("└ semicylindrical illuminance Esz: average 512 ± 5 lx, minimum"));
 }
 
 TEST(Console, RatingsHaveNoUnit) {
@@ -217,11 +217,11 @@ TEST(Console, RatingsHaveNoUnit) {
   plane.findings = {finding};
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));
-  EXPECT_THAT(text, HasSubstr("18.5 ± 0.2  "));
+  EXPECT_THAT(text, HasSubstr("18.5 ± 0.3  "));
   EXPECT_THAT(text, HasSubstr("└ how it was rated\n"));
   plane.findings.clear();
   EXPECT_THAT(rendered("text", document),
-              HasSubstr("└ glare rating UGR: minimum 15.5 ± 0.2, maximum 18.5 ± 0.2\n"));
+              HasSubstr("└ glare rating UGR: minimum 15.5 ± 0.3, maximum 18.5 ± 0.3\n"));
 }
 
 TEST(Console, WhatWasNotJudgedSaysWhy) {
@@ -311,7 +311,7 @@ TEST(Console, NotesTakeTheLinesThatATerminalNeeds) {
 TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
   const std::string text = rendered("text", small_document(), {{false, 84}});
   EXPECT_THAT(text, testing::ContainsRegex("  Office .*…lane  "));
-  EXPECT_THAT(text, HasSubstr("424 ± 4 lx  -5.7 %  (2.75, 1.00, 0.80)"));
+  EXPECT_THAT(text, HasSubstr("424 ± 5 lx  -5.7 %  (2.75, 1.00, 0.80)"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 84U) << line;
 }
@@ -322,7 +322,7 @@ TEST(Console, RowsThatAreTooWideAreStacked) {
   EXPECT_THAT(text,
               HasSubstr("  verdict  room / plane  quantity\n    required  calculated  margin"));
   EXPECT_THAT(text, HasSubstr("  ✗ FAIL  Office / Work plane  minimum\n"
-                              "    ≥ 450 lx  424 ± 4 lx  -5.7 %  (2.75,\n"
+                              "    ≥ 450 lx  424 ± 5 lx  -5.7 %  (2.75,\n"
                               "    1.00, 0.80)\n"));
 }
 

@@ -297,9 +297,9 @@ TEST(GermanReport, TheTerminalsTableIsGerman) {
             "office.xml: Small office\n"
             "  Bewertung        Raum / Fläche        Größe       gefordert   berechnet  Reserve  "
             "Ort (m)\n"
-            "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512 ± 4 lx   +2,5 %\n"
+            "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512 ± 5 lx   +2,5 %\n"
             "                   └ EN 12464-1:2021 34.2 (vom Projekt selbst)\n"
-            "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424 ± 4 lx   -5,7 %  "
+            "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424 ± 5 lx   -5,7 %  "
             "(2,75; 1,00; 0,80)\n\n"
             "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
 }

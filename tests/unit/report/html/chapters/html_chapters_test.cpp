@@ -74,7 +74,7 @@ TEST(HtmlDeviations, ListWaiversWhateverTheirEffect) {
   findings[1].requirement.waiver = kOldHall;
   findings[1].is_waived = true;
   EXPECT_THAT(rows_of_table(deviations(document)),
-              ElementsAre("waived | Work plane Office | minimum ≥ 450 lx, found 424 ± 4 lx: "
+              ElementsAre("waived | Work plane Office | minimum ≥ 450 lx, found 424 ± 5 lx: "
                           "fail | old <hall> | A. Meier, until 2099-12-31"));
   findings[1].is_waived = false;  // its day is over
   EXPECT_THAT(deviations(document), HasSubstr("waiver without effect"));
@@ -315,7 +315,7 @@ TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   space.planes[0].findings[1].reason = calc::Message::words("");
   EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "", Footnotes{Texts()})),
               ElementsAre("Work plane Office | minimum end-of-duration · scene battery | battery | "
-                          "2 | ≥ 450 lx | 424 ± 4 lx "
+                          "2 | ≥ 450 lx | 424 ± 5 lx "
                           "| ✗ fail"));
 }
 
