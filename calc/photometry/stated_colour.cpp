@@ -1,5 +1,7 @@
 #include "calc/photometry/stated_colour.h"
 
+#include "calc/base/text.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -19,12 +21,21 @@ constexpr std::array kGroups{Group{"1a", {90.0, kBest}}, Group{"1b", {80.0, 89.0
                              Group{"2a", {70.0, 79.0}},  Group{"2b", {60.0, 69.0}},
                              Group{"3", {40.0, 59.0}},   Group{"4", {20.0, 39.0}}};
 
-// ASCII alone, without blanks: what else there is makes the text unknown.
+// ASCII alone, without blanks that divide nothing: "Ra 80" is "ra80", but "9 0" are two numbers.
+// What else there is makes the text unknown.
 std::string without_blanks(std::string_view text) {
   std::string small;
+  bool is_divided = false;  // by a blank, from what is there already
   for (const char c : text) {
-    if (c == ' ' || c == '\t') continue;
-    small += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (c == ' ' || c == '\t') {
+      is_divided = true;
+      continue;
+    }
+    const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const bool goes_on = is_digit(lower) || (lower >= 'a' && lower <= 'z');
+    if (is_divided && !small.empty() && is_digit(small.back()) && goes_on) small += ' ';
+    is_divided = false;
+    small += lower;
   }
   return small;
 }
@@ -94,7 +105,7 @@ std::optional<double> stated_colour_temperature_k(std::string_view text) {
   const std::string all = without_blanks(text);
   std::string_view rest = all;
   const std::optional<double> kelvin = take_number(rest);
-  if (!kelvin || !(rest.empty() || rest == "k")) return std::nullopt;
+  if (!kelvin || !(rest.empty() || rest == "k" || rest == " k")) return std::nullopt;
   if (*kelvin < kLeast_k || *kelvin > kMost_k) return std::nullopt;
   return kelvin;
 }

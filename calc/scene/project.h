@@ -106,6 +106,12 @@ struct LuminaireType {
   std::optional<std::size_t> package = {};
 
   bool counts_as_luminaire() const { return !is_further_emitter; }
+  // The project states a flux that is not the file's: what the file says of power and colour is of
+  // another light then.
+  bool is_of_other_flux() const {
+    constexpr double kSame = 1e-3;
+    return flux_scale > 1.0 + kSame || flux_scale < 1.0 - kSame;
+  }
 };
 
 struct Luminaire {

@@ -23,7 +23,8 @@ bool can_be_folded(const rules::Finding& finding) {
   const bool is_good = finding.verdict == rules::Verdict::pass ||
                        outcome_of(finding) == rules::Outcome::nothing_asked;
   return is_good && !finding.is_waived && !finding.is_close && !finding.by_tolerance &&
-         finding.requirement.deviations.empty() && finding.reason.empty();
+         finding.requirement.deviations.empty() && !finding.requirement.origin.is_weakened &&
+         finding.reason.empty();
 }
 
 bool is_one_line(const RoomLine& line, const std::string& role, const PlanePart& plane,
@@ -34,7 +35,8 @@ bool is_one_line(const RoomLine& line, const std::string& role, const PlanePart&
          known.finding->verdict == finding.verdict && can_be_folded(*known.finding) &&
          a.metric == b.metric && a.derived == b.derived && a.comparison == b.comparison &&
          a.limit == b.limit && a.scene == b.scene && a.state == b.state &&
-         a.severity == b.severity && a.clause == b.clause &&
+         a.severity == b.severity && a.clause == b.clause && a.mask.id == b.mask.id &&
+         a.direct_only == b.direct_only && a.origin.is_user_supplied == b.origin.is_user_supplied &&
          std::holds_alternative<std::monostate>(a.arguments) &&
          std::holds_alternative<std::monostate>(b.arguments);
 }

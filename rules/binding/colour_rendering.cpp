@@ -3,12 +3,14 @@
 #include "calc/base/sentences.h"
 #include "calc/photometry/stated_colour.h"
 #include "calc/scene/scene_level.h"
+#include "rules/catalogue/compare.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace rules {
 namespace {
@@ -33,6 +35,8 @@ calc::Message problem_of(const calc::Project& project, const calc::LuminaireType
   if (type.package) {
     return say<Sentence::rendering_of_package>(type.id, type.packages[*type.package].article);
   }
+  // Another flux is another lamp, or the same one driven otherwise: the file does not say which.
+  if (type.is_of_other_flux()) return say<Sentence::rendering_of_other_flux>(type.id);
   if (ra) return {};
   const std::string& words = words_of(project, type);
   return words.empty() ? say<Sentence::rendering_missing>(type.id)
@@ -49,16 +53,26 @@ void set_colour_rendering(const calc::Project& project, const calc::Space& space
     if (calc::level_in_scene(scene, luminaire.group) > 0.0) types.insert(luminaire.type);
   }
   Least least;
+  calc::Message unknown;  // why it is of one type
   for (const std::size_t index : types) {
     const calc::LuminaireType& type = project.luminaire_types[index];
     const std::optional<calc::StatedRa> ra = calc::stated_ra(words_of(project, type));
-    requirement.problem = problem_of(project, type, ra);
-    if (!requirement.problem.empty()) return;
+    if (calc::Message problem = problem_of(project, type, ra); !problem.empty()) {
+      if (unknown.empty()) unknown = std::move(problem);
+      continue;
+    }
     const bool is_first = least.type == nullptr;
     if (is_first || ra->low < least.ra.low) least.type = &type;
     least.ra = is_first ? *ra
                         : calc::StatedRa{std::min(ra->low, least.ra.low),
                                          std::min(ra->high, least.ra.high)};
+  }
+  // One luminaire that is too low is enough to fail, whatever the others are.
+  const bool is_failure = least.type != nullptr && is_lower_limit(requirement.comparison) &&
+                          !meets(least.ra.high, requirement.comparison, requirement.limit);
+  if (!unknown.empty() && !is_failure) {
+    requirement.problem = std::move(unknown);
+    return;
   }
   if (least.type == nullptr) {
     requirement.problem = say<Sentence::no_luminaire_is_on>();

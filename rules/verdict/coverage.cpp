@@ -362,7 +362,12 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   }
   const bool is_of_makers = needed->quantity->of_space == Metric::colour_rendering;
   const bool is_measured = needed->quantity->kernel || needed->quantity->of_space;
-  if (!is_asked && (is_of_makers || !is_measured)) {
+  // Colour is asked along with the row's own role alone.
+  const bool is_own_asked =
+      asked.workplace != nullptr ||
+      std::any_of(asked.findings.begin(), asked.findings.end(),
+                  [](const auto& one) { return one.second->requirement.origin.is_of_own_role; });
+  if (!is_asked && ((is_of_makers && is_own_asked) || !is_measured)) {
     coverage.state = RoleState::not_possible;
     coverage.words = is_of_makers
                          ? calc::say<calc::Sentence::rendering_not_stated>(needed->quantity->name)

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -175,9 +174,8 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
     if (package.price) type.price = package.price;
   }
   const double flux_scale = flux_lm ? *flux_lm / file.flux_lm : 1.0;
-  // What another flux takes is not known from the file.
-  const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;
-  type.power_w = power_w.value_or(is_other_light ? 0.0 : file.power_w);
+  type.flux_scale = flux_scale;
+  type.power_w = power_w.value_or(type.is_of_other_flux() ? 0.0 : file.power_w);
   type.file_power_w = file.power_w;
   read_housing(context, reader.element(), light, type);
   std::vector<LuminaireType> types{type};

@@ -26,11 +26,15 @@ struct Bound {
   std::vector<std::string> messages;
 };
 
-// Luminaires 'a' and 'b' of files that state these; 'b' is dark in the scene 'day'.
-Bound bound_of(const std::string& a, const std::string& b, const std::string& asks) {
+// Luminaires 'a' and 'b' of files that state these; 'b' is dark in the scene 'day'. flux_lm: of
+// 'b', where the project states another than the file.
+Bound bound_of(const std::string& a, const std::string& b, const std::string& asks,
+               const std::string& flux_lm = "") {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.8'><material id='m' reflectance='0.5'/>"
-      "<luminaire-type id='A' photometry='a.ies'/><luminaire-type id='B' photometry='b.ies'/>"
+      "<luminaire-type id='A' photometry='a.ies'/><luminaire-type id='B' photometry='b.ies'" +
+      (flux_lm.empty() ? "" : " flux-lm='" + flux_lm + "'") +
+      "/>"
       "<scene id='day'><dim group='night' level='0'/></scene>"
       "<room id='r' size='10 8 3' ceiling='m' walls='m' floor='m'>"
       "<luminaire id='a' type='A' position='3 3 2.9'/>"
@@ -83,6 +87,26 @@ TEST(ColourRendering, IsNotJudgedWhereOneStatesNoneOrTooLittle) {
   for (const char* other : {"", "good", "8", "70-90"}) {
     EXPECT_THAT(bound_of("90", other, plane(kRow)).rendering, IsEmpty()) << other;
   }
+}
+
+TEST(ColourRendering, OneThatIsTooLowFailsWhateverTheOthersAre) {
+  for (const char* other : {"", "good", "70-90"}) {
+    const Bound bound = bound_of("60", other, plane(kRow));
+    ASSERT_EQ(bound.rendering.size(), 1u) << other;
+    EXPECT_LT(bound.rendering[0].of_space.high, 80.0) << other;
+    EXPECT_THAT(bound.rendering[0].problem.english(), IsEmpty()) << other;
+  }
+}
+
+TEST(ColourRendering, ARangeThatHoldsTheLimitDecidesNothing) {
+  const std::string own = plane("<require quantity='Ra' at-least='85'/>");
+  EXPECT_THAT(bound_of("80-89", "90", own).rendering.at(0).problem.english(), HasSubstr("80-89"));
+}
+
+TEST(ColourRendering, AFluxOfTheProjectsOwnIsAnotherLight) {
+  const Bound bound = bound_of("90", "90", plane("<require quantity='Ra' at-least='80'/>"), "900");
+  EXPECT_THAT(bound.rendering.at(0).problem.english(), HasSubstr("another flux"));
+  EXPECT_THAT(bound_of("90", "90", plane(kRow), "900").rendering, IsEmpty());
 }
 
 TEST(ColourRendering, WhoAsksByNameIsToldWhyNot) {
