@@ -73,6 +73,11 @@ void describe_grid(auto& v, Is<PlanePart> auto& plane) {
   v.field("outline_m", plane.outline_m);
   v.field("holes_m", plane.holes_m);
   describe_route(v, grid);
+  // Pictures divide by them. A route has cells of its own, and a list of points has none.
+  const bool has_cells = grid.columns > 0 && !grid.route;
+  constexpr const char* kAboveZero = "a number above 0 is needed";
+  v.refuse_if(has_cells && !(grid.spacing_u_m > 0.0), "spacing_u_m", kAboveZero);
+  v.refuse_if(has_cells && !(grid.spacing_v_m > 0.0), "spacing_v_m", kAboveZero);
   v.field("dropped", grid.dropped);
 }
 

@@ -379,6 +379,10 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/grid/columns", 2'000'000'000),
             "/projects/0/spaces/0/planes/0/grid/columns: the grid has too many cells")
       << "with one row";
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/grid/spacing_u_m", 0),
+            "/projects/0/spaces/0/planes/0/grid/spacing_u_m: a number above 0 is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/grid/spacing_v_m", -1),
+            "/projects/0/spaces/0/planes/0/grid/spacing_v_m: a number above 0 is needed");
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/counters/paths", -1),
             "/projects/0/spaces/0/planes/0/counters/paths: a whole number of at least 0 is needed");
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/waiver",
