@@ -12,9 +12,21 @@
 namespace report {
 namespace {
 
-// From pixels outside the picture to one of its own that is nearest.
+// From pixels outside the picture to one of its own that is nearest; 0 of what is no number.
 int limited(double value, int size) {
-  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size - 1)));
+  if (!(value > 0.0)) return 0;
+  return value < size - 1 ? static_cast<int>(value) : size - 1;
+}
+
+// First and last x of a straight piece between two heights.
+std::array<double, 2> ends_between(const glm::dvec2& a, const glm::dvec2& b, double low,
+                                   double high) {
+  const double rise = b.y - a.y;
+  if (rise == 0.0) return {std::min(a.x, b.x), std::max(a.x, b.x)};
+  const auto x_at = [&](double y) {
+    return a.x + std::clamp((y - a.y) / rise, 0.0, 1.0) * (b.x - a.x);
+  };
+  return {std::min(x_at(low), x_at(high)), std::max(x_at(low), x_at(high))};
 }
 
 }  // namespace
@@ -64,7 +76,10 @@ void Canvas::cover(const glm::dvec2& a, const glm::dvec2& b, double width) {
   const glm::dvec2 along = b - a;
   const double length2 = glm::dot(along, along);
   for (int y = top; y <= bottom; ++y) {
-    for (int x = left; x <= right; ++x) {
+    // A line that leans has most of its box on none of its pixels.
+    const auto [from, to] = ends_between(a, b, y + 0.5 - reach, y + 0.5 + reach);
+    const int last = limited(to + reach, raster_.width);
+    for (int x = limited(from - reach, raster_.width); x <= last; ++x) {
       const glm::dvec2 p = glm::dvec2(x, y) + 0.5 - a;
       const double t = length2 > 0.0 ? std::clamp(glm::dot(p, along) / length2, 0.0, 1.0) : 0.0;
       const glm::dvec2 aside = p - t * along;

@@ -5,6 +5,7 @@
 #include <png.h>
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,12 +19,21 @@ constexpr int kWantedPixels = 1024;
   throw std::runtime_error(std::string("cannot encode PNG: ") + image.message);
 }
 
+// A results file may hold any number of corners, and each of their lines takes time.
+bool are_drawable(const PlanePart& plane) {
+  constexpr std::size_t kMostCorners = 500;
+  std::size_t corners = plane.outline_m.size();
+  for (const std::vector<glm::dvec2>& hole : plane.holes_m) corners += hole.size();
+  return !plane.outline_m.empty() && corners <= kMostCorners;
+}
+
 // In the pixels of plane_raster(). The cells of a route are drawn in a row, whatever its bends: its
-// outline is that of the picture, and so is that of a plane that has no outline of its own.
+// outline is that of the picture, and so is that of a plane whose own outline is not there or has
+// too many corners.
 std::vector<std::vector<glm::dvec2>> plane_outlines(const PlanePart& plane, int pixels_per_cell) {
   const calc::SensorGrid& grid = plane.grid;
   const glm::dvec2 size_px(grid.columns * pixels_per_cell, grid.rows * pixels_per_cell);
-  if (grid.route || plane.outline_m.empty()) {
+  if (grid.route || !are_drawable(plane)) {
     return {{{0.0, 0.0}, {size_px.x, 0.0}, size_px, {0.0, size_px.y}}};
   }
   std::vector<std::vector<glm::dvec2>> outlines{plane.outline_m};

@@ -333,6 +333,12 @@ TextStrokes text_strokes(std::string_view utf8, double size_px) {
 }
 
 std::string fitting_text(std::string_view utf8, double size_px, double width_px) {
+  // Of any length, and each of the tries below draws all of it.
+  const double most = std::max(width_px, 0.0) * kUnits / (kBetween * size_px) + 2.0;
+  std::size_t bytes = 0;
+  for (double seen = 0.0; seen < most && bytes < utf8.size(); seen += 1.0)
+    bytes += std::max<std::size_t>(calc::first_character(utf8.substr(bytes)).length, 1);
+  utf8 = utf8.substr(0, bytes);
   std::string text(utf8);
   while (!utf8.empty() && text_strokes(text, size_px).width_px > width_px) {
     while (!utf8.empty() && calc::is_utf8_continuation(utf8.back())) utf8.remove_suffix(1);

@@ -38,7 +38,9 @@ double log_average(std::span<const float> cd_m2) {
 }
 
 Rgb toned(double cd_m2, double average) {
-  const double key = kKey * cd_m2 / std::max(average, kLeastAverage), white = kKey * kWhite;
+  const double white = kKey * kWhite;
+  // Far above white all is white; beyond, the squares below would have no number.
+  const double key = std::min(2.0 * white, kKey * cd_m2 / std::max(average, kLeastAverage));
   const double linear = std::clamp(key * (1.0 + key / (white * white)) / (1.0 + key), 0.0, 1.0);
   return {channel(linear, kTint[0]), channel(linear, kTint[1]), channel(linear, kTint[2])};
 }

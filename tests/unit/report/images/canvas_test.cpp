@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace report::canvas_test {
@@ -24,6 +25,24 @@ TEST(Canvas, LinesHaveSmoothEdges) {
   // Half of a pixel lies within a line from 8.5 to 11.5.
   const int edge = at(canvas.raster(), 10, 8)[0];
   EXPECT_NEAR(edge, 128, 2);
+}
+
+// Along and across a line that leans: as far from it as one that lies.
+TEST(Canvas, LeaningLinesAreWhole) {
+  Canvas canvas(40, 40);
+  canvas.line(std::vector<glm::dvec2>{{36, 4}, {4, 36}}, 4.0, {0, 0, 0});
+  for (int k = 4; k < 36; ++k) {
+    EXPECT_EQ(at(canvas.raster(), k, 39 - k), kBlack) << k;
+    EXPECT_EQ(at(canvas.raster(), k - 2, 39 - k), kBlack) << k;
+    EXPECT_EQ(at(canvas.raster(), k - 4, 39 - k), kWhite) << k;
+  }
+}
+
+TEST(Canvas, LeavesOutWhatIsNoPlace) {
+  Canvas canvas(4, 4);
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300})
+    canvas.line(std::vector<glm::dvec2>{{x, x}, {x, -x}}, 1.0, {0, 0, 0});
+  EXPECT_EQ(at(canvas.raster(), 2, 2), kWhite);
 }
 
 // What is painted stays as it is when more is.

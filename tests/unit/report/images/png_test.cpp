@@ -40,5 +40,16 @@ TEST(Png, HeatMapIsScaledByAWholeFactor) {
 
 TEST(Png, EmptyRasterIsRefused) { EXPECT_THROW(encode_png(Raster{}), std::runtime_error); }
 
+// The frame of the picture stands for an outline that would take too long.
+TEST(Png, AnOutlineOfVeryManyCornersIsNotDrawn) {
+  PlanePart plane = small_document().projects[0].spaces[0].planes[0];
+  plane.outline_m.clear();
+  const std::string frame = render_heatmap_png(plane, scale_of(plane));
+  plane.outline_m = {{0.5, 0.5}, {1.0, 0.5}, {1.0, 1.0}};
+  EXPECT_NE(render_heatmap_png(plane, scale_of(plane)), frame);
+  plane.holes_m.assign(1, std::vector<glm::dvec2>(498, {0.6, 0.6}));
+  EXPECT_EQ(render_heatmap_png(plane, scale_of(plane)), frame);
+}
+
 }  // namespace
 }  // namespace report::png_test

@@ -83,6 +83,8 @@ TEST(StrokeFont, GrowsWithItsSizeAndItsText) {
 TEST(StrokeFont, CutsWholeCharacters) {
   const std::string name = "Büroäöü";
   EXPECT_EQ(fitting_text(name, 20, 1000), name);
+  EXPECT_EQ(fitting_text(std::string(1'000'000, 'i'), 20, 30),
+            fitting_text(std::string(100, 'i'), 20, 30));
   for (double width_px = 0; width_px < 100; width_px += 3) {
     const std::string text = fitting_text(name, 20, width_px);
     EXPECT_FALSE(calc::first_invalid_utf8(text)) << text;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace report::tone_map_test {
 namespace {
@@ -23,6 +24,8 @@ TEST(ToneMap, GoesFromBlackToWarmWhite) {
   EXPECT_LT(toned(15.0 * 50.0, 50.0).r, 255);
   EXPECT_EQ(toned(1e9, 50.0).r, 255);
   EXPECT_LT(toned(1e9, 50.0).b, 245);
+  for (const double bright : {1e200, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(toned(bright, 50.0).b, toned(1e9, 50.0).b) << bright;
   // The average is a middle grey, however bright it is.
   for (const double average : {0.01, 50.0, 1e5}) {
     EXPECT_GT(toned(average, average).g, 110) << average;
