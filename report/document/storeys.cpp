@@ -28,11 +28,12 @@ Extent extent_of(const Outline& outline) {
   return extent;
 }
 
-// A file may hold any numbers; such a room is on no plan.
+// A file may hold any numbers, and any number of them; such a room is on no plan.
 bool is_usable(const SpacePart& space) {
   constexpr double kFarthest_m = 1e7;
   const auto is_near = [](double m) { return std::abs(m) <= kFarthest_m; };  // false if not finite
-  return space.footprint_m.size() >= 3 && is_near(space.floor_z_m) &&
+  return space.footprint_m.size() >= 3 && space.footprint_m.size() <= kMostPlanCorners &&
+         is_near(space.floor_z_m) &&
          std::all_of(space.footprint_m.begin(), space.footprint_m.end(),
                      [&](const glm::dvec2& m) { return is_near(m.x) && is_near(m.y); });
 }

@@ -16,6 +16,10 @@ struct Storey {
 };
 inline constexpr double kStoreyStep_m = 1.2;
 
+// Labels look for a place among all corners of an outline; a results file may hold any number, and
+// an outline of more than these is not usable.
+inline constexpr std::size_t kMostPlanCorners = 2000;
+
 struct Storeys {
   std::vector<Storey> list;                  // lowest first
   std::vector<std::size_t> overlapping;      // rooms that would cover others of their height

@@ -393,6 +393,10 @@ std::string StoreyFigures::result_items(const PlanDrawing& drawing) const {
   return list;
 }
 
+std::string with(const std::string& names, const std::string& name) {
+  return names.empty() ? name : names + ", " + name;
+}
+
 // Planes of a site with the same outline from above.
 struct SiteArea {
   PlanArea area;
@@ -407,7 +411,8 @@ std::optional<rules::Outcome> outcome_of_plane(const PlanePart& plane) {
   return outcome;
 }
 
-std::vector<SiteArea> site_areas(const Texts& t, const SpacePart& space) {
+// left_out: takes the titles of planes that no plan can show.
+std::vector<SiteArea> site_areas(const Texts& t, const SpacePart& space, std::string& left_out) {
   std::vector<SiteArea> areas;
   std::map<std::vector<std::pair<long long, long long>>, std::size_t> known;  // in millimetres
   for (const PlanePart& plane : space.planes) {
@@ -419,7 +424,10 @@ std::vector<SiteArea> site_areas(const Texts& t, const SpacePart& space) {
       if (std::abs(m.x) <= kFarthest_m && std::abs(m.y) <= kFarthest_m)
         key.emplace_back(std::llround(m.x * 1000.0), std::llround(m.y * 1000.0));
     }
-    if (key.size() < outline.size()) continue;  // no place on any plan
+    if (key.size() < outline.size() || outline.size() > kMostPlanCorners) {
+      left_out = with(left_out, plane_title(t, plane));
+      continue;
+    }
     const auto [found, is_new] = known.emplace(key, areas.size());
     if (is_new) areas.push_back({{outline, false, {}, {}}, {}});
     SiteArea& area = areas[found->second];
@@ -462,13 +470,16 @@ struct SitePlan {
   std::vector<SiteArea> areas;
   FlatBox extent_m;
   std::optional<PlanFit> fit;  // nothing: too large for a page
+  std::string left_out;        // planes
 };
 
 // Nothing where the space is so small that its own plan shows as much.
 std::optional<SitePlan> site_plan(const PlanProject& all, const SpacePart& space) {
   constexpr double kSmallest_m = 12.0;
   if (!has_anything(space)) return std::nullopt;
-  SitePlan site{&space, site_areas(all.t, space), {}, {}};
+  SitePlan site;
+  site.space = &space;
+  site.areas = site_areas(all.t, space, site.left_out);
   site.extent_m = site_extent(space, site.areas);
   if (site.extent_m.is_empty() || site.extent_m.longest() < kSmallest_m) return std::nullopt;
   site.fit = fit_plan(site.extent_m.size(), all.paper, kSiteScale);
@@ -522,10 +533,6 @@ std::string remark(const std::string& words) {
   return "<p class=\"quiet note-of-room\">" + escape_html(words) + "</p>\n";
 }
 
-std::string with(const std::string& names, const std::string& name) {
-  return names.empty() ? name : names + ", " + name;
-}
-
 }  // namespace
 
 std::string html_storeys(const Texts& t, const ProjectPart& project, std::size_t index,
@@ -563,6 +570,8 @@ std::string html_storeys(const Texts& t, const ProjectPart& project, std::size_t
     const std::string title = site_title(t, project.spaces[space]);
     if (site->fit) {
       html += heading(title) + site_figure(all, *site, anchor());
+      if (!site->left_out.empty())
+        html += remark(t.say<Text::storeys_without_outline>(site->left_out));
     } else {
       too_large = with(too_large, title);
     }

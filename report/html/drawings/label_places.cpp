@@ -35,6 +35,12 @@ bool cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const 
   return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
 
+// What lies beside the paper counts to the cells at its edge.
+std::size_t cell_at(double mm, std::size_t cells_along) {
+  return static_cast<std::size_t>(
+      std::clamp(mm / kCell_mm, 0.0, static_cast<double>(cells_along - 1)));
+}
+
 LabelBox box_of_line(const glm::dvec2& from, const glm::dvec2& to) {
   return {glm::min(from, to), glm::max(from, to)};
 }
@@ -47,7 +53,8 @@ FlatBox label_extent(const std::vector<glm::dvec2>& outline) {
   return extent;
 }
 
-// Of the area; of the extent where that has none.
+// Of the area; of the extent where that has none, or where lines that cross leave so little that
+// the centroid is anywhere.
 glm::dvec2 centroid_of(const std::vector<glm::dvec2>& outline) {
   const glm::dvec2 origin = outline.front();
   glm::dvec2 sum(0.0);
@@ -59,8 +66,8 @@ glm::dvec2 centroid_of(const std::vector<glm::dvec2>& outline) {
     sum += part * (a + b);
   }
   const glm::dvec2 centroid = origin + sum / (3.0 * area);
-  return std::isfinite(centroid.x) && std::isfinite(centroid.y) ? centroid
-                                                                : middle_of(label_extent(outline));
+  const FlatBox extent = label_extent(outline);
+  return extent.contains(centroid) ? centroid : middle_of(extent);
 }
 
 // Places inside the outline, those near its middle first.
@@ -113,10 +120,6 @@ LabelPlaces::LabelPlaces(const FlatBox& paper) : paper_(paper) {
 
 template <class Visit>
 bool LabelPlaces::visit_cells(const LabelBox& box, const Visit& visit) const {
-  const auto cell_at = [](double mm, std::size_t cells_along) {
-    return static_cast<std::size_t>(
-        std::clamp(mm / kCell_mm, 0.0, static_cast<double>(cells_along - 1)));
-  };
   const glm::dvec2 low = box.low - paper_.low, high = box.high - paper_.low;
   const std::size_t last_row = cell_at(high.y, rows_), last_column = cell_at(high.x, columns_);
   for (std::size_t row = cell_at(low.y, rows_); row <= last_row; ++row) {
@@ -138,10 +141,31 @@ std::size_t LabelPlaces::take(const LabelBox& box) {
 
 void LabelPlaces::take_line(const glm::dvec2& from, const glm::dvec2& to) {
   lines_.push_back({from, to});
-  visit_cells(box_of_line(from, to), [&](std::size_t cell) {
-    cells_[cell].lines.push_back(lines_.size() - 1);
-    return true;
-  });
+  const LabelBox box = box_of_line(from, to);
+  const std::size_t last = cell_at(box.high.y - paper_.low.y, rows_);
+  for (std::size_t row = cell_at(box.low.y - paper_.low.y, rows_); row <= last; ++row) {
+    const LabelBox part = part_in_row({from, to}, row);
+    const std::size_t end = cell_at(part.high.x - paper_.low.x, columns_);
+    for (std::size_t i = cell_at(part.low.x - paper_.low.x, columns_); i <= end; ++i)
+      cells_[row * columns_ + i].lines.push_back(lines_.size() - 1);
+  }
+}
+
+// The box of a line has many more cells than those that it meets.
+LabelBox LabelPlaces::part_in_row(const Line& line, std::size_t row) const {
+  constexpr double kRounding_mm = 0.01;
+  LabelBox part = box_of_line(line.from, line.to);
+  const glm::dvec2 way = line.to - line.from;
+  if (way.y == 0.0) return part;
+  const double top_mm = paper_.low.y + kCell_mm * static_cast<double>(row) - kRounding_mm;
+  const double bottom_mm = top_mm + kCell_mm + 2.0 * kRounding_mm;
+  const double first = row == 0 ? part.low.y : std::max(part.low.y, top_mm);
+  const double last = row + 1 == rows_ ? part.high.y : std::min(part.high.y, bottom_mm);
+  const auto x_at = [&](double y) { return line.from.x + (y - line.from.y) / way.y * way.x; };
+  const double low = std::min(x_at(first), x_at(last)), high = std::max(x_at(first), x_at(last));
+  part.low.x = std::max(part.low.x, low - kRounding_mm);
+  part.high.x = std::min(part.high.x, high + kRounding_mm);
+  return part;
 }
 
 void LabelPlaces::take_outline(const std::vector<glm::dvec2>& outline) {

@@ -60,6 +60,8 @@ class LabelPlaces {
   // Calls visit(index) for all cells that the box meets, until it returns false; then it is false.
   template <class Visit>
   bool visit_cells(const LabelBox& box, const Visit& visit) const;
+  // The box around what of a line lies in a row of cells that it meets.
+  LabelBox part_in_row(const Line& line, std::size_t row) const;
   bool is_leader_free(const Line& leader) const;
   bool is_in_outline(const glm::dvec2& place) const;
 

@@ -80,15 +80,18 @@ TEST(Storeys, AlternativesOfAStoreyHavePlansOfTheirOwn) {
 }
 
 TEST(Storeys, TellRoomsWithoutOutlineFromOutdoors) {
-  SpacePart street, mesh, broken = room(0, 0, 0), far = room(0, 0, 0), floating = room(0, 0, 0);
+  SpacePart street, mesh, broken = room(0, 0, 0), far = room(0, 0, 0), floating = room(0, 0, 0),
+                          endless = room(0, 0, 0);
   mesh.surface_lines_m = {{0, 0, 0}, {1, 0, 0}};
   broken.footprint_m[1].x = std::numeric_limits<double>::quiet_NaN();
   far.footprint_m[2].y = 1e300;
   floating.floor_z_m = std::numeric_limits<double>::infinity();
-  const Storeys storeys = storeys_of(project({street, mesh, broken, far, floating, room(0, 0, 0)}));
+  endless.footprint_m.resize(kMostPlanCorners + 1);
+  const Storeys storeys =
+      storeys_of(project({street, mesh, broken, far, floating, endless, room(0, 0, 0)}));
   EXPECT_THAT(storeys.outdoors, ElementsAre(0));
-  EXPECT_THAT(storeys.without_outline, ElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(rooms_of(storeys), ElementsAre(ElementsAre(5)));
+  EXPECT_THAT(storeys.without_outline, ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(rooms_of(storeys), ElementsAre(ElementsAre(6)));
 }
 
 }  // namespace

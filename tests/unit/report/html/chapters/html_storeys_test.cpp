@@ -2,6 +2,7 @@
 #include "report/html/chapters/html_storeys.h"
 
 #include "calc/base/utf8.h"
+#include "report/document/storeys.h"
 #include "report/html/drawings/storey_plan.h"
 #include "report/html/page/html.h"
 #include "tests/support/sample_document.h"
@@ -243,6 +244,11 @@ TEST(HtmlStoreys, HaveASitePlanOfARoad) {
   EXPECT_THAT(page.texts(0), IsSupersetOf({"✗ Work plane", "B1", "B2", "N"}));
   EXPECT_THAT(html, HasSubstr("outside the plan, not drawn: 1."));
   EXPECT_EQ(storeys_title({}, project), "Site plan: Small office");
+  EXPECT_THAT(html, Not(HasSubstr("too many corners")));
+  PlanePart& endless = project.spaces[1].planes.emplace_back(road.planes[0]);
+  endless.name = "Endless";
+  endless.outline_m.resize(kMostPlanCorners + 1);
+  EXPECT_THAT(shown(project), HasSubstr("are not known or have too many corners: Endless."));
 }
 
 TEST(HtmlStoreys, AreASectionBehindTheRooms) {

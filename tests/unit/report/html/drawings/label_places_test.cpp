@@ -46,6 +46,23 @@ TEST(LabelPlaces, KeepAwayFromWhatIsTaken) {
   EXPECT_TRUE(is_inside(box, 20, 20, 30, 10));
 }
 
+// Of both ways up, and where they begin and end beside the paper.
+TEST(LabelPlaces, LabelsKeepAwayFromLinesThatLean) {
+  for (const double slope : {0.02, 0.7, 1.0, 3.0, -0.3, -9.0}) {
+    LabelPlaces places = paper();
+    const glm::dvec2 way(1.0, slope), middle(90, 100);
+    places.take_line(middle - 400.0 * way, middle + 400.0 * way);
+    for (double x = 1.0; x < 179.0; x += 0.37) {
+      const glm::dvec2 on(x, middle.y + slope * (x - middle.x));
+      if (on.y < 1.0 || on.y > 199.0) continue;
+      EXPECT_FALSE(places.is_free(box_around(on, {0.1, 0.1}))) << slope << " at " << x;
+      EXPECT_TRUE(
+          places.is_crossed(on - glm::dvec2(-0.1 * slope, 0.1), on + glm::dvec2(-0.1 * slope, 0.1)))
+          << slope << " at " << x;
+    }
+  }
+}
+
 TEST(LabelPlaces, AnLHasItsLabelInOneOfItsArms) {
   LabelPlaces places = paper();
   const Outline room{{20, 20}, {80, 20}, {80, 30}, {30, 30}, {30, 80}, {20, 80}};
@@ -53,6 +70,16 @@ TEST(LabelPlaces, AnLHasItsLabelInOneOfItsArms) {
   const std::optional<LabelPlace> place = places.put_inside(room, {{20, 5}});
   ASSERT_TRUE(place);
   EXPECT_TRUE(is_inside(box_around(place->middle, {20, 5}), 20, 20, 60, 10));
+}
+
+// Its area is a rounding error, by which its centroid is 1e17 mm away.
+TEST(LabelPlaces, AnOutlineThatCrossesItselfEndsSoon) {
+  LabelPlaces places = paper();
+  const Outline crossed{{0, 0}, {5, 47}, {71, 33}, {68.9, 76.7}};
+  places.take_outline(crossed);
+  const std::optional<LabelPlace> place = places.put_inside(crossed, {{2, 1}});
+  ASSERT_TRUE(place);
+  EXPECT_TRUE(is_inside(box_around(place->middle, {2, 1}), 0, 0, 71, 76.7));
 }
 
 TEST(LabelPlaces, NothingFitsIntoATooSmallRoom) {
