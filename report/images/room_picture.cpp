@@ -56,9 +56,9 @@ class BandFinder {
  public:
   explicit BandFinder(const Palette& palette)
       : per_step_(1.0F / palette.step), last_(static_cast<float>(palette.colour.size() - 1)) {}
-  // -1: nothing is there.
+  // -1: nothing is there, or what is no number.
   std::int32_t operator()(float lx) const {
-    return lx < 0.0F ? -1 : static_cast<std::int32_t>(std::min(lx * per_step_, last_));
+    return lx >= 0.0F ? static_cast<std::int32_t>(std::min(lx * per_step_, last_)) : -1;
   }
 
  private:
@@ -195,7 +195,7 @@ std::vector<float> mean_values(const DrawnRoom& drawn) {
       float sum = 0.0F;
       int seen = 0;
       for_each_sample(drawn, x, y, [&](std::size_t i) {
-        if (drawn.lx[i] < 0.0F) return;
+        if (!(drawn.lx[i] >= 0.0F)) return;
         sum += drawn.lx[i];
         ++seen;
       });
@@ -209,7 +209,7 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms) {
   std::vector<double> seen;
   for (const DrawnRoom& room : rooms) {
     std::copy_if(room.lx.begin(), room.lx.end(), std::back_inserter(seen),
-                 [](float lx) { return lx >= 0.0F; });
+                 [](float lx) { return lx >= 0.0F && !std::isinf(lx); });
   }
   ColourScale scale = make_colour_scale(0.0, at_share(std::move(seen), kSeenShare));
   // Rooms have more to tell than a plane: steps half as wide, where those are round as well.

@@ -30,7 +30,7 @@ double log_average(std::span<const float> cd_m2) {
   double sum = 0.0;
   std::size_t seen = 0;
   for (const float value : cd_m2) {
-    if (value < 0.0F) continue;
+    if (!(value >= 0.0F) || std::isinf(value)) continue;
     sum += calc::log(std::max(static_cast<double>(value), kLeastAverage));
     ++seen;
   }

@@ -56,15 +56,14 @@ std::string html_room(const Texts& t, const SpacePart& space, bool is_brief) {
   if (pictures.highest_lx > scale.high()) {
     beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
   }
-  if (is_brief)
-    return html + "<figcaption>" + t.say<Text::client_pictures>(beyond) +
-           "</figcaption></figure>\n";
   const bool has_rendered =
       std::any_of(pictures.list.begin(), pictures.list.end(),
                   [](const RoomPicture& picture) { return picture.is_rendered; });
+  const std::string device =
+      is_brief ? ""
+               : " " + t.say<Text::picture_device>(t.english_html(escape_html(pictures.device)));
   return html + "<figcaption>" +
-         t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share),
-                                      t.english_html(escape_html(pictures.device))) +
+         t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share)) + device +
          (has_rendered ? fmt::format(" {}", t[Text::rendered_caption]) : "") +
          "</figcaption></figure>\n";
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 namespace room_picture_test {
 namespace {
@@ -29,6 +30,17 @@ TEST(RoomPicture, PaintsBandsAndCover) {
   EXPECT_EQ(raster.width, 2);
   EXPECT_EQ(raster.height, 1);
   EXPECT_THAT(raster.rgba, ::testing::ElementsAre(40, 50, 60, 255, 100, 0, 0, 64));
+}
+
+TEST(RoomPicture, WhatIsNoNumberHasNoColour) {
+  report::DrawnRoom room{2, 2, std::vector<float>(4, std::numeric_limits<float>::quiet_NaN()),
+                         std::vector<std::uint8_t>(16, 0)};
+  const report::Palette palette{{{10, 20, 30}, {40, 50, 60}}, 100.0F};
+  EXPECT_THAT(report::paint_room(room, palette).rgba, ::testing::ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(report::mean_values(room), ::testing::ElementsAre(-1.0F));
+  room.lx[0] = std::numeric_limits<float>::infinity();
+  room.lx[1] = 400.0F;
+  EXPECT_EQ(report::room_scale({&room, 1}).high(), 400.0);
 }
 
 TEST(RoomPicture, MeanValuesLeaveOutWhatIsNotThere) {
@@ -152,12 +164,15 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   space.pictures.step_lx = 100.0;
   space.pictures.bands = 5;
   space.pictures.highest_lx = 1234.0;
+  space.pictures.error_share = 0.012;
+  space.pictures.device = "OpenGL <1>";
   const std::string html = report::html_room({}, space);
   EXPECT_THAT(html, HasSubstr("base64,YWJj\" width=\"10\" height=\"20\" alt=\"r&lt;1&gt; seen"));
   EXPECT_THAT(html, HasSubstr("reach 1234 lx"));
   EXPECT_THAT(html, HasSubstr("Colour scale from 0 to 500 lx"));
   EXPECT_THAT(html, HasSubstr("fill=\"#00204d\""));
   EXPECT_THAT(html, Not(HasSubstr("Rendered view")));
+  EXPECT_THAT(html, HasSubstr("shadows are. Drawn by OpenGL &lt;1&gt;.</figcaption>"));
   picture.is_rendered = true;
   space.pictures.list.push_back(picture);
   space.pictures.map = report::ColourMap::false_colour;
@@ -165,6 +180,12 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   EXPECT_THAT(both, HasSubstr("r&lt;1&gt; seen from above, rendered view\""));
   EXPECT_THAT(both, HasSubstr("Rendered view: the same light as luminance of matt grey surfaces"));
   EXPECT_THAT(both, HasSubstr("fill=\"#1428b4\""));
+  // Pages for clients have every doubt.
+  const std::string brief = report::html_room({}, space, true);
+  EXPECT_THAT(brief, HasSubstr("Surfaces between the eye and the room are left out."));
+  EXPECT_THAT(brief, HasSubstr("a relative standard error of 1.2 %"));
+  EXPECT_THAT(brief, HasSubstr("Rendered view: the same light as luminance of matt grey surfaces"));
+  EXPECT_THAT(brief, Not(HasSubstr("Drawn by")));
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace {
 TEST(ToneMap, AverageIsThatOfLogarithmsOfWhatIsThere) {
   const std::array<float, 4> values{10.0F, -1.0F, 1000.0F, -1.0F};
   EXPECT_NEAR(log_average(values), 100.0, 1e-6);
+  using Limits = std::numeric_limits<float>;
+  const std::array<float, 4> wild{10.0F, Limits::quiet_NaN(), 1000.0F, Limits::infinity()};
+  EXPECT_NEAR(log_average(wild), 100.0, 1e-6);
   const std::array<float, 2> nothing{-1.0F, -1.0F};
   EXPECT_EQ(log_average(nothing), 0.0);
   const std::array<float, 2> black{0.0F, 1000.0F};  // no infinity
