@@ -5,17 +5,16 @@
 namespace report {
 namespace {
 
-void add(const LuminaireRow& type, int count, LuminaireTotals& totals) {
+void add(const LuminaireRow& type, std::int64_t count, LuminaireTotals& totals) {
   totals.count += count;
-  totals.flux_lm += count * type.flux_lm;
-  totals.power_w += count * type.power_w;
+  totals.flux_lm += static_cast<double>(count) * type.flux_lm;
+  totals.power_w += static_cast<double>(count) * type.power_w;
   if (count > 0 && !(type.power_w > 0.0)) totals.is_power_known = false;
 }
 
-int count_in(const SpacePart& space, const LuminaireRow& type) {
-  return static_cast<int>(
-      std::count_if(space.luminaires.begin(), space.luminaires.end(),
-                    [&](const LuminaireMark& mark) { return mark.type_id == type.type_id; }));
+std::int64_t count_in(const SpacePart& space, const LuminaireRow& type) {
+  return std::count_if(space.luminaires.begin(), space.luminaires.end(),
+                       [&](const LuminaireMark& mark) { return mark.type_id == type.type_id; });
 }
 
 }  // namespace
@@ -35,9 +34,9 @@ LuminaireTotals totals_in(const ProjectPart& project, const SpacePart& space) {
 LuminaireTotals totals_elsewhere(const ProjectPart& project) {
   LuminaireTotals totals;
   for (const LuminaireRow& row : project.luminaires) {
-    int rest = row.count;
+    std::int64_t rest = row.count;
     for (const SpacePart& space : project.spaces) rest -= count_in(space, row);
-    add(row, std::max(rest, 0), totals);
+    add(row, std::max<std::int64_t>(rest, 0), totals);
   }
   return totals;
 }

@@ -5,13 +5,14 @@
 #include "report/document/document.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace report {
 
 // Of several luminaires together.
 struct LuminaireTotals {
-  int count = 0;
+  std::int64_t count = 0;           // each type alone may have as many as an int holds
   double flux_lm = 0, power_w = 0;  // of those that state it
   bool is_power_known = true;       // of each of them
 };

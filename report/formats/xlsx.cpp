@@ -185,7 +185,7 @@ class SheetOrder {
   std::vector<TableCell> row_;
 };
 
-TableCell count_cell(int count) { return static_cast<std::int64_t>(count); }
+TableCell count_cell(std::int64_t count) { return count; }
 
 // --- Projects, of several ------------------------------------------------------------------------
 

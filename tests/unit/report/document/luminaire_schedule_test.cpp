@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <vector>
+
 namespace report::luminaire_schedule_test {
 namespace {
 
@@ -80,6 +83,12 @@ TEST(LuminaireTotals, SpacesAddUpToTheProject) {
   part.spaces.pop_back();
   EXPECT_EQ(totals_elsewhere(part).count, 3);
   EXPECT_EQ(totals_elsewhere(part).power_w, 150);
+}
+
+TEST(LuminaireTotals, HoldMoreThanAType) {
+  LuminaireRow row;
+  row.count = std::numeric_limits<int>::max();
+  EXPECT_EQ(totals_of(std::vector<LuminaireRow>{row, row}).count, 2LL * row.count);
 }
 
 TEST(ScheduleWords, ColoursAreThoseThatFilesState) {
