@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/road/road_values.h"
+#include "report/document/road_facts.h"
 #include "rules/catalogue/metric.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ const calc::LightScene* scene_named(const calc::Project& project, const std::str
   return found == project.scenes.end() ? nullptr : &*found;
 }
 
-RoadRowPart row_of_road(const calc::Project& project, const calc::Luminaire& luminaire) {
+RoadRowPart row_of_road(const calc::Project& project, const calc::Road& road,
+                        const calc::Luminaire& luminaire) {
   const calc::LuminaireType& type = project.luminaire_types[luminaire.type];
   // Seen along the road, the axis of a luminaire whose left side is lifted leans to the right.
   const glm::dvec3& axis = luminaire.world_from_luminaire[2];
@@ -38,7 +40,7 @@ RoadRowPart row_of_road(const calc::Project& project, const calc::Luminaire& lum
   row.group = luminaire.group;
   row.height_m = luminaire.position_m.z;
   row.y_m = luminaire.position_m.y;
-  row.shift_m = luminaire.position_m.x;
+  row.shift_m = first_shift_m(luminaire.position_m.x, road.spacing_m);
   row.tilt_deg = calc::degrees_from_radians(calc::atan2(-axis.y, axis.z)) + 0.0;  // no -0
   row.power_w = type.power_w;
   row.maintenance_factor = type.maintenance.product;
@@ -73,7 +75,7 @@ std::optional<RoadPart> build_road(const calc::Project& project, const calc::Spa
   part.q0 = layout.q0;
   for (const calc::Luminaire& luminaire : road.rows) {
     if (project.luminaire_types[luminaire.type].counts_as_luminaire())
-      part.rows.push_back(row_of_road(project, luminaire));
+      part.rows.push_back(row_of_road(project, road, luminaire));
   }
   for (const calc::CalcPlane& plane : space.planes) {
     if (std::optional<RoadAreaPart> area = area_of_road(road, plane))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace report {
@@ -15,6 +16,11 @@ constexpr double kRounding = 1.0e-9;
 
 bool is_equal(double a, double b) {
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
+}
+
+// A results file may hold any numbers.
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 const PlanePart* plane_of(const SpacePart& space, const RoadAreaPart& area) {
@@ -64,7 +70,10 @@ RoadArrangement arrangement_of(const RoadPart& road) {
                     [&](const RoadRowPart& row) { return is_on_the_left(road, row); }));
   if (road.rows.size() == 1) return on_left == 1 ? RoadArrangement::left : RoadArrangement::right;
   if (road.rows.size() != 2 || on_left != 1) return RoadArrangement::other;
-  const double apart_m = std::abs(road.rows[0].shift_m - road.rows[1].shift_m);
+  // Of a luminaire to the nearest one on the other side.
+  const double behind_m =
+      first_shift_m(road.rows[1].shift_m - road.rows[0].shift_m, road.spacing_m);
+  const double apart_m = std::min(behind_m, road.spacing_m - behind_m);
   if (apart_m <= kRounding * road.spacing_m) return RoadArrangement::opposite;
   return is_equal(apart_m, 0.5 * road.spacing_m) ? RoadArrangement::staggered
                                                  : RoadArrangement::other;
@@ -76,11 +85,24 @@ std::optional<double> power_of(const RoadPart& road) {
     if (!(row.power_w > 0.0)) return std::nullopt;
     power_w += row.power_w;
   }
-  return road.rows.empty() ? std::nullopt : std::optional(power_w);
+  return road.rows.empty() ? std::nullopt : if_finite(power_w);
+}
+
+// Of the areas along the road each place once.
+double shared_once_m2(const RoadPart& road) {
+  std::vector<RoadAreaPart> areas = road.areas;
+  std::sort(areas.begin(), areas.end(),
+            [](const RoadAreaPart& a, const RoadAreaPart& b) { return a.from_y_m < b.from_y_m; });
+  double m = 0.0, reached_m = -std::numeric_limits<double>::infinity();
+  for (const RoadAreaPart& area : areas) {
+    m += std::max(0.0, area.to_y_m - std::max(area.from_y_m, reached_m));
+    reached_m = std::max(reached_m, area.to_y_m);
+  }
+  return m * road.spacing_m;
 }
 
 std::optional<calc::Estimate> power_density(const RoadFacts& facts) {
-  if (!facts.power_w || facts.areas.empty()) return std::nullopt;
+  if (!facts.power_w || facts.areas.empty() || facts.do_areas_overlap) return std::nullopt;
   calc::Estimate light;  // lx m2
   for (const RoadFacts::Area& area : facts.areas) {
     if (!area.average_lx) return std::nullopt;
@@ -88,9 +110,10 @@ std::optional<calc::Estimate> power_density(const RoadFacts& facts) {
     light.low += area.average_lx->low * area.m2;
     light.high += area.average_lx->high * area.m2;
   }
-  if (!(light.low > 0.0)) return std::nullopt;
-  return calc::Estimate{*facts.power_w / light.value, *facts.power_w / light.high,
-                        *facts.power_w / light.low};
+  if (!(light.low > 0.0) || !calc::is_finite(light)) return std::nullopt;
+  const calc::Estimate density{*facts.power_w / light.value, *facts.power_w / light.high,
+                               *facts.power_w / light.low};
+  return calc::is_finite(density) ? std::optional(density) : std::nullopt;
 }
 
 // At an edge where there is only one lane, the lower of the two.
@@ -145,12 +168,13 @@ std::vector<RoadFacts::Observer> observers_of(const calc::RoadLight& light) {
 
 std::optional<double> RoadFacts::power_w_km(const RoadPart& road) const {
   constexpr double kMetres = 1000.0;
-  return power_w ? std::optional(*power_w * kMetres / road.spacing_m) : std::nullopt;
+  return power_w ? if_finite(*power_w * kMetres / road.spacing_m) : std::nullopt;
 }
 
 std::optional<double> RoadFacts::energy_kwh_m2(double hours) const {
   constexpr double kWatts = 1000.0;
-  return power_w && m2 > 0.0 ? std::optional(*power_w * hours / (kWatts * m2)) : std::nullopt;
+  const bool is_known = power_w && m2 > 0.0 && std::isfinite(m2);
+  return is_known ? if_finite(*power_w * hours / (kWatts * m2)) : std::nullopt;
 }
 
 bool is_on_the_left(const RoadPart& road, const RoadRowPart& row) {
@@ -163,6 +187,12 @@ double overhang_m(const RoadPart& road, const RoadRowPart& row) {
 
 double street_tilt_deg(const RoadPart& road, const RoadRowPart& row) {
   return is_on_the_left(road, row) ? 0.0 - row.tilt_deg : row.tilt_deg;
+}
+
+double first_shift_m(double shift_m, double spacing_m) {
+  const double behind_m = std::fmod(shift_m, spacing_m);
+  const double first_m = behind_m < 0.0 ? behind_m + spacing_m : behind_m + 0.0;  // no -0
+  return first_m < spacing_m ? first_m : 0.0;  // of a hair below 0
 }
 
 const rules::Requirement* road_requirement(const RoadFacts& facts, rules::Metric metric) {
@@ -188,6 +218,11 @@ RoadFacts road_facts(const SpacePart& space) {
     facts.areas.push_back(facts_of(space, area));
     facts.m2 += facts.areas.back().m2;
   }
+  // Ends that are calculated differ by rounding.
+  constexpr double kLeastOverlap_m2 = 1e-6;
+  const double once_m2 = shared_once_m2(road);
+  facts.do_areas_overlap = facts.m2 - once_m2 > std::max(kLeastOverlap_m2, kRounding * facts.m2);
+  if (facts.do_areas_overlap) facts.m2 = once_m2;
   facts.observers = observers_of(road.light);
   facts.power_density_w_lx_m2 = power_density(facts);
   return facts;

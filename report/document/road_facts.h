@@ -47,12 +47,15 @@ struct RoadFacts {
   int luminaires = 0;             // in one spacing: one of each row
   std::optional<double> power_w;  // of these; empty: of one it is not stated
   std::vector<Area> areas;        // as RoadPart::areas
-  double m2 = 0;                  // of them together
+  double m2 = 0;                  // of them together, what several share once
+  bool do_areas_overlap = false;  // then what light falls on all of them is not known
   std::vector<Observer> observers;
-  std::optional<calc::Estimate> power_density_w_lx_m2;  // empty: power or an average is not known
+  // Empty: power or an average is not known, areas overlap, or it is no finite number.
+  std::optional<calc::Estimate> power_density_w_lx_m2;
 
+  // Empty: power is not known, or it is no finite number.
   std::optional<double> power_w_km(const RoadPart& road) const;
-  // In so many hours at full output.
+  // In so many hours at full output; empty likewise.
   std::optional<double> energy_kwh_m2(double hours) const;
 };
 
@@ -62,6 +65,9 @@ bool is_on_the_left(const RoadPart& road, const RoadRowPart& row);
 // street is lifted.
 double overhang_m(const RoadPart& road, const RoadRowPart& row);
 double street_tilt_deg(const RoadPart& road, const RoadRowPart& row);
+// The same luminaires: from a shift to that of the first one behind 0, in [0, spacing). spacing_m:
+// above 0.
+double first_shift_m(double shift_m, double spacing_m);
 
 // What `metric` is required to be on the carriageway, the strictest; null: nothing.
 const rules::Requirement* road_requirement(const RoadFacts& facts, rules::Metric metric);

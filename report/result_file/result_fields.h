@@ -355,11 +355,12 @@ void describe(auto& v, Is<RoadFacts> auto& facts) {
   v.is("road_energy", "By EN 13201-5, at full output.");
   v.field("luminaires", facts.luminaires, {.words = "In one spacing."});
   v.field("power_w", facts.power_w, {.words = "Of these. null: of one it is not stated."});
-  v.field("area_m2", facts.m2, {.words = "Of carriageway and footways over one spacing."});
+  v.field("area_m2", facts.m2,
+          {.words = "Of carriageway and footways over one spacing, what several share once."});
   const std::optional<calc::Estimate>& density = facts.power_density_w_lx_m2;
   v.field("power_density_w_lx_m2", density,
           {.words = "Power density indicator: power by average illuminance and area. Not there: "
-                    "power or an average is not known.",
+                    "power or an average is not known, or areas overlap.",
            .presence = only_if(density.has_value())});
 }
 

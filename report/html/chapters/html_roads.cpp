@@ -14,9 +14,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -151,36 +151,18 @@ std::string areas_of_street(const Texts& t, const RoadFacts& facts, const std::s
                       rows);
 }
 
-// With more digits where fewer would stand on the other side of what is asked.
-std::string seen_number(const Texts& t, double value, int digits, const rules::Requirement* asked) {
-  constexpr int kMostDigits = 6;
-  const auto rounded = [&] {
-    const std::string text = format_fixed(value, digits);
-    double number = value;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
-  };
-  const auto is_true = [&] {
-    return (rounded() < asked->limit) == (value < asked->limit) &&
-           (rounded() > asked->limit) == (value > asked->limit);
-  };
-  while (asked != nullptr && digits < kMostDigits && value != asked->limit && !is_true()) ++digits;
-  return format_fixed(t, value, digits);
-}
-
 // One column of what drivers see.
 struct SeenColumn {
   const char* head;
   rules::Metric metric;
-  int digits;  // after the point
   bool RoadFacts::Observer::*decides;
 };
 constexpr std::array kSeen{
-    SeenColumn{"L cd/m²", rules::Metric::road_luminance, 2, &RoadFacts::Observer::of_average},
-    SeenColumn{"Uo", rules::Metric::road_uniformity, 2, &RoadFacts::Observer::of_uo},
-    SeenColumn{"Ul", rules::Metric::road_lengthwise, 2, &RoadFacts::Observer::of_ul},
-    SeenColumn{"TI %", rules::Metric::threshold_increment, 1, &RoadFacts::Observer::of_ti},
-    SeenColumn{"REI", rules::Metric::edge_ratio, 2, &RoadFacts::Observer::of_edge_ratio}};
+    SeenColumn{"L cd/m²", rules::Metric::road_luminance, &RoadFacts::Observer::of_average},
+    SeenColumn{"Uo", rules::Metric::road_uniformity, &RoadFacts::Observer::of_uo},
+    SeenColumn{"Ul", rules::Metric::road_lengthwise, &RoadFacts::Observer::of_ul},
+    SeenColumn{"TI %", rules::Metric::threshold_increment, &RoadFacts::Observer::of_ti},
+    SeenColumn{"REI", rules::Metric::edge_ratio, &RoadFacts::Observer::of_edge_ratio}};
 
 std::optional<calc::Estimate> seen_by(const calc::RoadObserver& observer,
                                       const RoadFacts::Observer& facts, rules::Metric metric) {
@@ -208,16 +190,15 @@ std::string drivers_of_street(const Texts& t, const RoadPart& road, const RoadFa
   for (const SeenColumn& column : kSeen) {
     const rules::Requirement* asked = road_requirement(facts, column.metric);
     const char* unit = column.metric == rules::Metric::threshold_increment ? "%" : "";
-    is_asked = is_asked || asked != nullptr;
+    std::optional<Threshold> limit;
+    if (asked != nullptr) limit = {asked->limit, asked->comparison};
+    is_asked = is_asked || limit;
     head.push_back(column.head);
-    required.push_back(asked == nullptr ? "–"
-                                        : escape_html(format_required(
-                                              t, {asked->limit, asked->comparison}, unit)));
+    required.push_back(limit ? escape_html(format_required(t, *limit, unit)) : "–");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const RoadFacts::Observer& one = facts.observers[i];
       const auto estimate = seen_by(road.light.observers[i], one, column.metric);
-      const std::string number =
-          estimate ? seen_number(t, estimate->value, column.digits, asked) : "–";
+      const std::string number = estimate ? format_measured(t, *estimate, "", limit) : "–";
       rows[i].push_back(one.*column.decides ? "<strong>" + number + "</strong>" : number);
     }
   }
@@ -246,14 +227,29 @@ std::string driver_title(const Texts& t, const calc::RoadObserver& observer,
   return what.empty() ? name : t.say<Text::road_chart_decides>(name, what);
 }
 
+// At most so many, ascending: those that decide before others.
+std::vector<std::size_t> charted_observers(const RoadFacts& facts) {
+  constexpr std::size_t kMostCharts = 12;
+  std::vector<std::size_t> charted(facts.observers.size());
+  std::iota(charted.begin(), charted.end(), std::size_t{0});
+  if (charted.size() <= kMostCharts) return charted;
+  std::stable_partition(charted.begin(), charted.end(),
+                        [&](std::size_t i) { return facts.observers[i].decides(); });
+  charted.resize(kMostCharts);
+  std::sort(charted.begin(), charted.end());
+  return charted;
+}
+
 std::string charts_of_street(const Texts& t, const RoadPart& road, const RoadFacts& facts,
                              const std::string& name) {
   const ColourScale scale = road_luminance_scale(road.light);
   std::string html = "<div class=\"road-charts\">\n";
-  for (std::size_t i = 0; i < facts.observers.size(); ++i) {
+  const std::vector<std::size_t> charted = charted_observers(facts);
+  for (const std::size_t i : charted) {
     const calc::RoadObserver& observer = road.light.observers[i];
     const std::string title = driver_title(t, observer, facts.observers[i]);
-    if (const std::optional<std::size_t>& same = facts.observers[i].same_as) {
+    const std::optional<std::size_t>& same = facts.observers[i].same_as;
+    if (same && std::binary_search(charted.begin(), charted.end(), *same)) {
       html += "<p class=\"quiet\">" +
               t.say<Text::road_chart_same>(title, driver_name(t, road.light.observers[*same])) +
               "</p>\n";
@@ -268,24 +264,25 @@ std::string charts_of_street(const Texts& t, const RoadPart& road, const RoadFac
                                             format_metres(t, observer.eye_m.z)) +
             "</figcaption></figure>\n";
   }
+  if (const std::size_t rest = facts.observers.size() - charted.size(); rest > 0)
+    html += "<p class=\"quiet\">" + t.say<Text::road_charts_left_out>(rest) + "</p>\n";
   return html + html_colour_bar(t, scale, {}, {}, "") + "</div>\n";
 }
 
-// "0.0144 W/(lx·m²)": three significant digits, as ends of the interval need.
-std::string density_words(const Texts& t, const calc::Estimate& density) {
-  const auto number = [&](double value) { return t.number(fmt::format("{:.3g}", value)); };
-  constexpr const char* kUnit = " W/(lx·m²)";
-  const std::string low = number(density.low), high = number(density.high);
-  if (low == high) return number(density.value) + kUnit;
-  return fmt::format("{} ({} {} {}){}", number(density.value), low, t[Text::interval_to], high,
-                     kUnit);
+// Why there is none.
+std::string no_density_words(const Texts& t, const RoadFacts& facts) {
+  if (!facts.power_w) return t[Text::road_no_power];
+  if (facts.do_areas_overlap) return t[Text::road_areas_overlap];
+  const bool is_lit = std::all_of(facts.areas.begin(), facts.areas.end(),
+                                  [](const auto& area) { return area.average_lx.has_value(); });
+  return t[is_lit ? Text::not_known : Text::road_no_light];
 }
 
 std::string annual_words(const Texts& t, const ProjectPart& project, const RoadFacts& facts) {
   constexpr double kThousand_h = 1000.0;
   const std::optional<double>& hours = project.maintenance_plan.use_h;
   const std::optional<double> energy = facts.energy_kwh_m2(hours.value_or(kThousand_h));
-  if (!energy) return t[Text::road_no_power];
+  if (!energy) return t[facts.power_w ? Text::not_known : Text::road_no_power];
   const std::string number = format_fixed(t, *energy, 2);
   return hours ? t.say<Text::road_aeci_of>(number, format_fixed(t, *hours, 0))
                : t.say<Text::road_aeci_none>(number);
@@ -306,11 +303,11 @@ std::string energy_of_street(const Texts& t, const ProjectPart& project, const R
       row(t.say<Text::road_luminaires>(spacing), fmt::format("{}", facts.luminaires)) +
           row(t.say<Text::road_power>(spacing),
               facts.power_w ? format_watts(t, *facts.power_w) + " W" : no_power) +
-          row(t[Text::road_power_km],
-              by_length ? format_fixed(t, *by_length, 0) + " W/km" : no_power) +
-          row(t[Text::road_pdi], density         ? density_words(t, *density)
-                                 : facts.power_w ? t[Text::road_no_light]
-                                                 : no_power) +
+          row(t[Text::road_power_km], by_length       ? format_fixed(t, *by_length, 0) + " W/km"
+                                      : facts.power_w ? t[Text::not_known]
+                                                      : no_power) +
+          row(t[Text::road_pdi],
+              density ? format_measured(t, *density, "W/(lx·m²)") : no_density_words(t, facts)) +
           row(t[Text::road_aeci], annual_words(t, project, facts)));
 }
 

@@ -151,7 +151,8 @@ class LuminancePiece {
     const double to_m = cell_m * static_cast<double>(last_);
     std::string data;
     for (const RoadRowPart& row : road_.rows) {
-      for (const double x_m : {row.shift_m, row.shift_m + road_.spacing_m}) {
+      const double shift_m = first_shift_m(row.shift_m, road_.spacing_m);
+      for (const double x_m : {shift_m, shift_m + road_.spacing_m}) {
         if (x_m < from_m || x_m > to_m) continue;
         const double x = kBefore_mm + (x_m - from_m) / cell_m * cell_width_mm();
         data += is_on_the_left(road_, row)

@@ -229,7 +229,8 @@ class RoadPlan {
     constexpr double kRadius_mm = 1.1;
     std::string data;
     for (const RoadRowPart& row : road_.rows) {
-      for (double at = row.shift_m / road_.spacing_m - 1.0; at < 1.0 + kPlanEnds; at += 1.0) {
+      const double shift_m = first_shift_m(row.shift_m, road_.spacing_m);
+      for (double at = shift_m / road_.spacing_m - 1.0; at < 1.0 + kPlanEnds; at += 1.0) {
         if (at > -kPlanEnds) data += circle_path({x_mm(row.y_m), y_mm(at)}, kRadius_mm);
       }
     }
@@ -253,10 +254,10 @@ std::string road_section(const Texts& t, const RoadPart& road, const std::string
   DrawingView view;
   view.extent_m = extent_of_section(road);
   const glm::dvec2 size = view.extent_m.size();
-  if (road.light.observers.empty() || !(size.x > 0.0) || !(size.y > 0.0) ||
-      !std::isfinite(size.x + size.y)) {
-    return {};
-  }
+  constexpr double kLargest_m = 1e4;
+  const auto is_drawable = [](double m) { return m > 0.0 && m <= kLargest_m; };
+  if (road.light.observers.empty() || !is_drawable(size.x) || !is_drawable(size.y))
+    return std::string("<p class=\"quiet\">") + t[Text::road_no_section] + "</p>\n";
   const double scale = drawing_scale(size, kSectionRoom_mm);
   view.mm_by_m = 1000.0 / scale;
   view.corner_mm = {kAside_mm, kAbove_mm};

@@ -10,7 +10,7 @@
 namespace report {
 
 // A figure for paper, where its scale holds: at most 180 mm wide, words of 7 points. name: of the
-// street, escaped. "" where there is nothing to draw.
+// street, escaped. A sentence where widths or heights are not known or beyond all roads.
 std::string road_section(const Texts& t, const RoadPart& road, const std::string& name);
 
 }  // namespace report

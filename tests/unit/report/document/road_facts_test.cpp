@@ -36,6 +36,33 @@ TEST(RoadFacts, EnergyIsByAllAreas) {
   EXPECT_DOUBLE_EQ(road_facts(space).energy_kwh_m2(4000.0).value(), 600.0 / 270.0);
 }
 
+// The footway is from -2.5 m to 0.5 m: together 9.5 m of 30 m.
+TEST(RoadFacts, AreasThatOverlapCountOnce) {
+  SpacePart space = sample_road();
+  EXPECT_FALSE(road_facts(space).do_areas_overlap);
+  space.road->areas[1].to_y_m = 1e-12;
+  EXPECT_FALSE(road_facts(space).do_areas_overlap);
+  space.road->areas[1].to_y_m = 0.5;
+  EXPECT_TRUE(road_facts(space).do_areas_overlap);
+  EXPECT_DOUBLE_EQ(road_facts(space).m2, 285.0);
+  EXPECT_DOUBLE_EQ(road_facts(space).energy_kwh_m2(4000.0).value(), 600.0 / 285.0);
+  EXPECT_FALSE(road_facts(space).power_density_w_lx_m2);
+}
+
+TEST(RoadFacts, WhatIsNoFiniteNumberIsNotKnown) {
+  SpacePart space = sample_road();
+  space.road->rows[0].power_w = space.road->rows[1].power_w = 1e308;
+  EXPECT_FALSE(road_facts(space).power_w);
+  space.road->rows[1].power_w = 1.0;
+  EXPECT_TRUE(road_facts(space).power_w);
+  EXPECT_FALSE(road_facts(space).power_w_km(*space.road));
+  EXPECT_FALSE(road_facts(space).energy_kwh_m2(1e6));
+  space = sample_road();
+  space.road->areas[1].from_y_m = -1e308;
+  EXPECT_FALSE(road_facts(space).energy_kwh_m2(4000.0));
+  EXPECT_FALSE(road_facts(space).power_density_w_lx_m2);
+}
+
 TEST(RoadFacts, HaveNoPowerDensityWithoutAPowerOrALight) {
   SpacePart space = sample_road();
   space.road->rows[1].power_w = 0.0;
@@ -69,6 +96,13 @@ TEST(RoadFacts, ArrangementFollowsFromSidesAndShifts) {
   EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::opposite);
   rows[1].shift_m = 15.0;
   EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::staggered);
+  // A whole spacing is no distance, and -15 m are 15 m.
+  rows[1].shift_m = 30.0 - 1e-12;
+  EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::opposite);
+  rows[0].shift_m = 20.0;
+  rows[1].shift_m = 5.0;
+  EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::staggered);
+  rows[0].shift_m = 0.0;
   rows[1].shift_m = 10.0;
   EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::other);
   rows[1].y_m = 0.5;
@@ -77,6 +111,14 @@ TEST(RoadFacts, ArrangementFollowsFromSidesAndShifts) {
   EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::right);
   rows[0].y_m = 8.0;
   EXPECT_EQ(road_facts(space).arrangement, RoadArrangement::left);
+}
+
+TEST(RoadFacts, ShiftsAreWithinASpacing) {
+  EXPECT_DOUBLE_EQ(first_shift_m(12.0, 30.0), 12.0);
+  EXPECT_DOUBLE_EQ(first_shift_m(30.0, 30.0), 0.0);
+  EXPECT_DOUBLE_EQ(first_shift_m(-5.0, 30.0), 25.0);
+  EXPECT_DOUBLE_EQ(first_shift_m(65.0, 30.0), 5.0);
+  EXPECT_EQ(first_shift_m(-1e-17, 30.0), 0.0);
 }
 
 TEST(RoadFacts, OverhangAndTiltAreTowardsTheStreet) {

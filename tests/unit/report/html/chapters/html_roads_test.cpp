@@ -66,7 +66,7 @@ TEST(HtmlRoads, TellPowerAndEnergy) {
   std::vector<std::string> rows = table_rows(html_roads({}, project, 0));
   EXPECT_THAT(rows, Contains("Power in 30.00 m, P | 150.0 W"));
   EXPECT_THAT(rows, Contains("Power by length | 5000 W/km"));
-  EXPECT_THAT(rows, Contains(HasSubstr("| 0.0312 (0.0298 to 0.0329) W/(lx·m²)")));
+  EXPECT_THAT(rows, Contains(HasSubstr("| 0.0312 (0.0297 to 0.0329) W/(lx·m²)")));
   EXPECT_THAT(rows, Contains(HasSubstr("| not computed: the project states no hours of use; 0.56 "
                                        "kWh/m² for each 1000 h")));
   project.maintenance_plan.use_h = 4000.0;
@@ -83,6 +83,50 @@ TEST(HtmlRoads, DigitsNeverContradictWhatIsRequired) {
   EXPECT_THAT(html_roads({}, project_with(space), 0), HasSubstr("<strong>0.80</strong>"));
   space.road->light.observers[0].average_cd_m2 = estimate(0.748, 0.0);
   EXPECT_THAT(html_roads({}, project_with(space), 0), HasSubstr("<strong>0.748</strong>"));
+}
+
+TEST(HtmlRoads, WhatDriversSeeHasItsInterval) {
+  SpacePart space = sample_road();
+  space.road->light.observers[0].average_cd_m2 = estimate(0.748, 0.01);
+  space.road->light.observers[1].ti_percent = estimate(11.0, 0.25);
+  const std::string html = html_roads({}, project_with(space), 0);
+  EXPECT_THAT(html, HasSubstr("<strong>0.748 ± 0.010</strong>"));
+  EXPECT_THAT(html, HasSubstr("<strong>11.0 ± 0.3</strong>"));
+}
+
+TEST(HtmlRoads, SayWhyIndicatorsAreNotKnown) {
+  SpacePart space = sample_road();
+  space.road->areas[1].to_y_m = 0.5;
+  EXPECT_THAT(table_rows(html_roads({}, project_with(space), 0)),
+              Contains(HasSubstr("PDI = P / Σ(Ē · A) | not known: areas overlap")));
+  space = sample_road();
+  space.road->rows[0].power_w = 1e308;
+  space.road->spacing_m = 1e-3;
+  const std::string html = html_roads({}, project_with(space), 0);
+  EXPECT_THAT(table_rows(html), Contains("Power by length | not known"));
+  EXPECT_THAT(html, Not(HasSubstr(">inf")));
+}
+
+TEST(HtmlRoads, DrawTwelveChartsAtMost) {
+  SpacePart space = sample_road();
+  calc::RoadLight& light = space.road->light;
+  light.grid.y_m.assign(15 * 3, 1.0);
+  light.observers.resize(1);
+  light.observers[0].cd_m2.assign(450, 1.0);
+  light.observers[0].cd_m2[0] = 2.0;
+  for (int lane = 1; lane < 15; ++lane) {
+    light.observers.push_back(light.observers[0]);
+    light.observers.back().lane = lane;
+    light.observers.back().average_cd_m2 = estimate(1.0 - 0.01 * lane, 0.0);
+    light.observers.back().uo = light.observers.back().ul = estimate(0.9, 0.0);
+    light.observers.back().ti_percent = estimate(5.0, 0.0);
+  }
+  const std::string html = html_roads({}, project_with(space), 0);
+  const pugi::xml_document tree = parsed(html);
+  EXPECT_EQ(tree.select_nodes("//div[@class='road-charts']//svg[@class='layout road']").size(),
+            12U);
+  EXPECT_THAT(html, HasSubstr("<p class=\"quiet\">3 more observers have no chart;"));
+  EXPECT_THAT(html, HasSubstr("<h5>Lane 15, towards +x, decides"));
 }
 
 TEST(HtmlRoads, NameDriversAndWhatTheyDecide) {
@@ -144,11 +188,18 @@ TEST(HtmlRoads, SectionIsToScale) {
   EXPECT_THAT(html, Not(HasSubstr("School <street>")));
 }
 
+TEST(HtmlRoads, SayWhyThereIsNoSection) {
+  SpacePart space = sample_road();
+  EXPECT_THAT(html_roads({}, project_with(space), 0), Not(HasSubstr("No cross-section")));
+  space.road->areas[1].from_y_m = -1e300;
+  EXPECT_THAT(html_roads({}, project_with(space), 0), HasSubstr("No cross-section is drawn:"));
+}
+
 TEST(HtmlRoads, SpeakGerman) {
   const Texts german(Language::german, true);
   const std::string html = html_roads(german, project_with(sample_road()), 0);
   EXPECT_THAT(html, HasSubstr("Fahrstreifen 1, Richtung +x"));
-  EXPECT_THAT(html, HasSubstr("0,0312 (0,0298 bis 0,0329) W/(lx·m²)"));
+  EXPECT_THAT(html, HasSubstr("0,0312 (0,0297 bis 0,0329) W/(lx·m²)"));
 }
 
 }  // namespace
