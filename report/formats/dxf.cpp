@@ -1,10 +1,10 @@
 #include "report/formats/dxf.h"
 
-#include "calc/scene/polygon.h"
 #include "report/formats/console.h"
 #include "report/formats/dxf_entities.h"
 #include "report/formats/dxf_layout.h"
 #include "report/formats/dxf_legend.h"
+#include "report/formats/dxf_planes.h"
 #include "report/formats/dxf_text.h"
 #include "report/html/drawings/flat_box.h"
 #include "report/html/drawings/html_isolux.h"
@@ -51,7 +51,6 @@ constexpr const char* kNumbers = "LUX_LUMINAIRE_NUMBERS";
 constexpr const char* kLegend = "LUX_LEGEND";
 constexpr const char* kNotes = "LUX_NOTES";             // frozen
 constexpr const char* kMoreValues = "LUX_VALUES_MORE";  // frozen
-constexpr const char* kOther = "_OTHER";                // what follows the names of their layers
 
 constexpr const char* kRoomBlock = "LUX_ROOM";
 
@@ -104,145 +103,6 @@ DxfColour colour_of(rules::Outcome outcome) {
   }
   return DxfColour::grey;
 }
-
-rules::Outcome outcome_of_plane(const PlanePart& plane) {
-  if (!plane.is_computed) return rules::Outcome::not_judged;
-  rules::Outcome gravest = rules::Outcome::nothing_asked;
-  for (const rules::Finding& finding : plane.findings)
-    gravest = rules::graver(gravest, rules::outcome_of(finding));
-  return gravest;
-}
-
-bool is_level(const PlanePart& plane) {
-  return is_horizontal(glm::cross(plane.grid.u, plane.grid.v));
-}
-
-// "Task: pass", with what it measures where that is not plain illuminance.
-std::string plane_label(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  const bool is_outside =
-      std::any_of(plane.findings.begin(), plane.findings.end(),
-                  [](const auto& finding) { return is_outside_advice(finding); });
-  const rules::Outcome outcome = outcome_of_plane(plane);
-  std::string words = fmt::format("{}: {}", plane_name(t, space, plane),
-                                  is_outside && outcome == rules::Outcome::nothing_asked
-                                      ? t[Text::advice_outside]
-                                      : outcome_words(t, outcome));
-  if (!plane.is_computed) words += std::string(", ") + t[Text::not_computed];
-  if (plane.is_computed && !is_plain_illuminance(plane)) words += ", " + values_words(t, plane);
-  if (!doubt_words(t, plane).empty()) words += fmt::format(" ({})", t[Text::doubt]);
-  return words;
-}
-
-bool is_of_task(const rules::Finding& finding) { return finding.requirement.origin.is_of_own_role; }
-
-// Whether it is what the room is lit for: a task area, or a plane that the project itself describes
-// - of these only those of which something is required, where there are any.
-bool is_task(const SpacePart& space, const PlanePart& plane) {
-  const auto is_own = [](const PlanePart& one) {
-    return one.made_by.empty() ||
-           (is_plain_illuminance(one) &&
-            std::any_of(one.findings.begin(), one.findings.end(), is_of_task));
-  };
-  if (!is_own(plane)) return false;
-  return !plane.findings.empty() ||
-         std::none_of(space.planes.begin(), space.planes.end(), [&](const PlanePart& other) {
-           return !other.findings.empty() && is_own(other);
-         });
-}
-
-// Where a plane is drawn: at its place in the world, or flat beside the plan.
-class Placing {
- public:
-  static Placing world(const glm::dvec2& shift_m) { return Placing(shift_m); }
-  // grid: outlives it. corner_m: where its origin is drawn.
-  static Placing flat(const calc::SensorGrid& grid, const glm::dvec2& corner_m) {
-    Placing placing(corner_m);
-    placing.grid_ = &grid;
-    return placing;
-  }
-
-  glm::dvec3 at(const glm::dvec3& world_m) const {
-    if (grid_ == nullptr) return world_m + glm::dvec3(shift_m_, 0.0);
-    const glm::dvec3 offset = world_m - grid_->origin_m;
-    return {shift_m_.x + glm::dot(offset, grid_->u), shift_m_.y + glm::dot(offset, grid_->v), 0.0};
-  }
-  // uv_m: from the grid's origin.
-  glm::dvec3 at(const calc::SensorGrid& grid, const glm::dvec2& uv_m) const {
-    return at(grid.origin_m + uv_m.x * grid.u + uv_m.y * grid.v);
-  }
-
- private:
-  explicit Placing(const glm::dvec2& shift_m) : shift_m_(shift_m) {}
-
-  glm::dvec2 shift_m_;
-  const calc::SensorGrid* grid_ = nullptr;
-};
-
-// Layers of what is drawn of a plane.
-struct PlaneLayers {
-  std::string outlines, names, values, isolux, limits, labels;
-};
-
-// "LUX_VALUES", "LUX_VALUES_2", "LUX_VALUES_OTHER", ...
-PlaneLayers layers_of(bool is_task, std::size_t tier) {
-  const std::string kind = is_task ? "" : kOther;
-  const std::string number = tier == 0 ? "" : fmt::format("_{}", tier + 1);
-  return {"LUX_PLANES" + kind,
-          "LUX_PLANE_NAMES" + kind,
-          "LUX_VALUES" + kind + number,
-          "LUX_ISOLUX" + kind + number,
-          "LUX_ISOLUX_LIMITS" + kind + number,
-          "LUX_ISOLUX_LABELS" + kind + number};
-}
-
-FlatBox box_of(const PlanePart& plane) {
-  FlatBox box;
-  const calc::SensorGrid& grid = plane.grid;
-  for (const glm::dvec2& corner : plane.outline_m)
-    box.add(grid.origin_m + corner.x * grid.u + corner.y * grid.v);
-  for (const PointRow& point : plane.points) box.add(point.position_m);
-  return box;
-}
-
-// Points of one lie in the area of the other: their numbers would be mixed.
-bool has_points_in(const PlanePart& plane, const PlanePart& area) {
-  const calc::SensorGrid& grid = area.grid;
-  const auto is_in = [&](const PointRow& point) {
-    const glm::dvec3 offset = point.position_m - grid.origin_m;
-    const glm::dvec2 uv(glm::dot(offset, grid.u), glm::dot(offset, grid.v));
-    return calc::contains_point(area.outline_m, uv) &&
-           std::none_of(area.holes_m.begin(), area.holes_m.end(),
-                        [&](const auto& hole) { return calc::contains_point(hole, uv); });
-  };
-  return std::any_of(plane.points.begin(), plane.points.end(), is_in);
-}
-
-bool meet(const PlanePart& a, const FlatBox& box_a, const PlanePart& b, const FlatBox& box_b) {
-  if (!box_a.meets(box_b)) return false;
-  if (a.outline_m.empty() || b.outline_m.empty()) return true;
-  return has_points_in(a, b) || has_points_in(b, a);
-}
-
-// Levels in which no plane's values lie over another's.
-class Tiers {
- public:
-  std::size_t tier_of(const PlanePart& plane) {
-    const FlatBox box = box_of(plane);
-    std::size_t tier = 0;
-    for (; tier < tiers_.size(); ++tier) {
-      const bool is_free = std::none_of(
-          tiers_[tier].begin(), tiers_[tier].end(),
-          [&](const auto& other) { return meet(plane, box, *other.first, other.second); });
-      if (is_free) break;
-    }
-    if (tier == tiers_.size()) tiers_.emplace_back();
-    tiers_[tier].emplace_back(&plane, box);
-    return tier;
-  }
-
- private:
-  std::vector<std::vector<std::pair<const PlanePart*, FlatBox>>> tiers_;
-};
 
 std::vector<std::string> point_words(const Texts& t, const PlanePart& plane) {
   const Thresholds thresholds = point_thresholds(plane);
@@ -348,7 +208,7 @@ FlatBox box_of(const ProjectPart& project) {
       }
     }
     for (const PlanePart& plane : space.planes) {
-      const FlatBox of_plane = box_of(plane);
+      const FlatBox of_plane = drawn_box(plane);
       if (of_plane.is_empty()) continue;
       box.add(of_plane.low);
       box.add(of_plane.high);
@@ -403,7 +263,7 @@ class DxfWriter : public FormatWriter {
       layers_[name] = {colour, false};
     }
     layers_[kNotes] = {DxfColour::ink, true};
-    use_layers(layers_of(true, 0), false);
+    use_layers(plane_layers(true, 0), false);
   }
 
   void add(const ProjectPart& project) override;
@@ -493,7 +353,7 @@ class DxfWriter : public FormatWriter {
 };
 
 void DxfWriter::use_layers(const PlaneLayers& layers, bool is_frozen) {
-  const bool is_other = layers.outlines.ends_with(kOther);
+  const bool is_other = layers.outlines.ends_with(kOtherLayers);
   layers_[layers.outlines] = {DxfColour::ink, is_other};
   layers_[layers.names] = {DxfColour::ink, is_other};
   layers_[layers.values] = {DxfColour::ink, is_frozen};
@@ -715,7 +575,7 @@ void DxfWriter::draw_room_data(const ProjectPart& project) {
 
 void DxfWriter::draw_outlines(const PlanePart& plane, const Placing& placing,
                               const std::string& layer) {
-  const DxfColour colour = colour_of(outcome_of_plane(plane));
+  const DxfColour colour = colour_of(gravest_outcome(plane));
   const auto draw = [&](const std::vector<glm::dvec2>& outline) {
     std::vector<glm::dvec3> corners;
     for (const glm::dvec2& corner : outline) corners.push_back(placing.at(plane.grid, corner));
@@ -813,7 +673,7 @@ void DxfWriter::draw_level(const PlaneDrawing& drawing) {
   const Placing placing = Placing::world(shift_m_);
   std::size_t tier = 0;
   if (plane.is_computed) tier = (drawing.is_task ? tiers_ : other_tiers_).tier_of(plane);
-  const PlaneLayers layers = layers_of(drawing.is_task, tier);
+  const PlaneLayers layers = plane_layers(drawing.is_task, tier);
   const bool is_visible = drawing.is_task && tier == 0;
   use_layers(layers, !is_visible);
   draw_outlines(plane, placing, layers.outlines);
@@ -829,15 +689,15 @@ void DxfWriter::draw_level(const PlaneDrawing& drawing) {
 // else right of the plan, with the room's name.
 void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
   const PlanePart& plane = *drawing.plane;
-  const PlaneLayers layers = layers_of(drawing.is_task, 0);
-  const DxfColour colour = colour_of(outcome_of_plane(plane));
+  const PlaneLayers layers = plane_layers(drawing.is_task, 0);
+  const DxfColour colour = colour_of(gravest_outcome(plane));
   std::string label = dxf_text(dxf_signs(plane_label(t_, *drawing.space, plane)));
   const glm::dvec2 size(dxf_width_m(label, text_m_), 1.25 * text_m_);
-  FlatBox box = box_of(plane);
+  FlatBox box = drawn_box(plane);
   // A plane of which nothing is known is at least named in its room.
   std::vector<glm::dvec2> outline;
   for (const glm::dvec2& corner : drawing.space->footprint_m) {
-    if (box_of(plane).is_empty()) box.add(corner);
+    if (drawn_box(plane).is_empty()) box.add(corner);
     outline.push_back(corner + shift_m_);
   }
   if (box.is_empty()) return;
@@ -872,7 +732,7 @@ void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
 void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
   const PlanePart& plane = *drawing.plane;
   const calc::SensorGrid& grid = plane.grid;
-  const PlaneLayers layers = layers_of(drawing.is_task, 0);
+  const PlaneLayers layers = plane_layers(drawing.is_task, 0);
   use_layers(layers, !drawing.is_task);
   draw_outlines(plane, Placing::world(shift_m_), layers.outlines);
   FlatBox box;
@@ -896,7 +756,7 @@ void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double down = kDxfLine * text_m_ * static_cast<double>(i + 1);
     dxf_words(layers.names, {shelf_m_ - glm::dvec2(0.0, down), 0.0}, text_m_, lines[i],
-              DxfAlign::start, i == 1 ? colour_of(outcome_of_plane(plane)) : DxfColour::by_layer,
+              DxfAlign::start, i == 1 ? colour_of(gravest_outcome(plane)) : DxfColour::by_layer,
               dxf_);
   }
   const glm::dvec2 corner =
@@ -956,7 +816,7 @@ void DxfWriter::add(const ProjectPart& project) {
   std::vector<PlaneDrawing> planes;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes)
-      planes.push_back({&space, &plane, is_level(plane), is_task(space, plane)});
+      planes.push_back({&space, &plane, is_level_plane(plane), is_task_area(space, plane)});
   }
   std::stable_partition(planes.begin(), planes.end(),
                         [](const PlaneDrawing& drawing) { return drawing.is_task; });
@@ -980,7 +840,7 @@ void DxfWriter::add(const ProjectPart& project) {
   }
   const auto others = std::count_if(planes.begin(), planes.end(),
                                     [](const PlaneDrawing& drawing) { return !drawing.is_task; });
-  if (others > 0) note(t_.say<Text::dxf_others>(others, fmt::format("LUX_...{}", kOther)));
+  if (others > 0) note(t_.say<Text::dxf_others>(others, fmt::format("LUX_...{}", kOtherLayers)));
 }
 
 // For the legend: a line for each room, and why it does not pass.
