@@ -298,6 +298,21 @@ TEST(Xlsx, NoNumberLooksAsIfItMetItsLimit) {
   EXPECT_EQ(shown(499.95, 0.0), "0.00");
 }
 
+TEST(Xlsx, PointsHaveTwoDecimalsAndMoreNextToTheirLimit) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.points[0].measured = estimate(0.46, 0.0);
+  plane.points[1].measured = estimate(449.9996, 0.0);  // at least 450 lx are asked for
+  const Book book(rendered("xlsx", document));
+  const auto format_of = [&](const char* head, const char* row) {
+    return book.format_of(book.cell("Points", column_with(book, head, "Points") + row));
+  };
+  for (const char* head : {"Illuminance (lx)", "Low (lx)", "High (lx)"}) {
+    EXPECT_EQ(format_of(head, "2"), "0.00") << head;
+    EXPECT_EQ(format_of(head, "3"), "0.0000") << head;
+  }
+}
+
 TEST(Xlsx, DecimalsOfAnIntervalKeepAllOfItOnItsSide) {
   const Threshold limit{500.0, rules::Comparison::at_least};
   EXPECT_EQ(interval_decimals({520.0, 499.97, 540.0}, "lx", limit), 2);
