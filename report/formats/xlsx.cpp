@@ -187,6 +187,18 @@ class SheetOrder {
 
 TableCell count_cell(std::int64_t count) { return count; }
 
+// The project is in front where there are several, else at the end, for programs.
+template <class T>
+std::vector<T> with_project(std::vector<T> row, T project, bool has_projects) {
+  row.insert(has_projects ? row.begin() : row.end(), std::move(project));
+  return row;
+}
+
+SheetColumn project_column(const Texts& t, bool has_projects) {
+  return has_projects ? SheetColumn{t[Text::xlsx_project], 18, kOfColumn, true}
+                      : SheetColumn{"project", 18, kOfColumn, false, ColumnRole::other, false};
+}
+
 // --- Projects, of several ------------------------------------------------------------------------
 
 std::vector<SheetColumn> project_columns(const Texts& t) {
@@ -223,7 +235,7 @@ std::vector<TableCell> project_row(const Texts& t, const ProjectPart& project) {
 
 // --- Rooms of the overview -----------------------------------------------------------------------
 
-std::vector<SheetColumn> overview_columns(const Texts& t) {
+std::vector<SheetColumn> room_fields(const Texts& t) {
   return {{t[Text::verdict], 14, kOfColumn, true, ColumnRole::verdict},
           {t[Text::xlsx_room], 24, kOfColumn, true},
           {t[Text::xlsx_use], 20, kOfColumn, true},
@@ -237,8 +249,11 @@ std::vector<SheetColumn> overview_columns(const Texts& t) {
           {t[Text::xlsx_ugr_limit], 9},
           {t[Text::xlsx_power_density], 10, 2},
           {t[Text::xlsx_why], 56, kOfColumn, true},
-          {"space", 14, kOfColumn, false, ColumnRole::other, false},
-          {"project", 18, kOfColumn, false, ColumnRole::other, false}};
+          {"space", 14, kOfColumn, false, ColumnRole::other, false}};
+}
+
+std::vector<SheetColumn> overview_columns(const Texts& t, bool has_projects) {
+  return with_project(room_fields(t), project_column(t, has_projects), has_projects);
 }
 
 // A value and its limit; nothing where it is not asked.
@@ -269,13 +284,13 @@ std::string uses_of(const Texts& t, const SpacePart& space) {
   std::set<std::string> known;
   for (const rules::RowCoverage& row : space.coverage) {
     const std::string use = sentence(t, row.clause);
-    if (known.insert(use).second) uses += (uses.empty() ? "" : "\n") + use;
+    if (known.insert(use).second) uses += (uses.empty() ? "" : "; ") + use;
   }
   return uses;
 }
 
-std::vector<TableCell> room_row(const Texts& t, const ProjectPart& project, const RoomSummary& room,
-                                const std::string& title) {
+// Without the project. Causes: " | " between them, since each may have several parts.
+std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const std::string& title) {
   std::vector<TableCell> row{std::string(outcome_words(t, room.outcome)), title,
                              uses_of(t, *room.space), count_cell(room.met),
                              count_cell(room.required)};
@@ -286,23 +301,15 @@ std::vector<TableCell> room_row(const Texts& t, const ProjectPart& project, cons
   std::string why;
   for (const RoomCause& cause : room.causes) {
     const CauseWords words = cause_words(t, room, cause);
-    why += (why.empty() ? "" : "\n") + words.what;
+    why += (why.empty() ? "" : " | ") + words.what;
     for (const std::string& more : words.more) why += "; " + more;
   }
   row.emplace_back(why);
   row.emplace_back(room.space->id);
-  row.emplace_back(project.path);
   return row;
 }
 
 // --- Types ---------------------------------------------------------------------------------------
-
-// The project is in front where there are several, else at the end, for programs.
-template <class T>
-std::vector<T> with_project(std::vector<T> row, T project, bool has_projects) {
-  row.insert(has_projects ? row.begin() : row.end(), std::move(project));
-  return row;
-}
 
 constexpr std::size_t kTypeColumn = 1, kCountColumn = 11, kFluxColumn = 14, kPowerColumn = 15;
 
@@ -337,11 +344,7 @@ std::vector<SheetColumn> type_fields(const Texts& t) {
 }
 
 std::vector<SheetColumn> type_columns(const Texts& t, bool has_projects) {
-  return with_project(type_fields(t),
-                      has_projects
-                          ? SheetColumn{t[Text::xlsx_project], 18, kOfColumn, true}
-                          : SheetColumn{"project", 18, kOfColumn, false, ColumnRole::other, false},
-                      has_projects);
+  return with_project(type_fields(t), project_column(t, has_projects), has_projects);
 }
 
 TableCell stated(double value, bool is_stated) {
@@ -604,7 +607,8 @@ void XlsxWriter::add(const ProjectPart& project) {
   }
   const PlaceNames names(t_, project);
   for (const RoomSummary& room : room_summaries(project))
-    rooms_.push_back(room_row(t_, project, room, names.rooms.at(room.space->id)));
+    rooms_.push_back(with_project<TableCell>(room_row(t_, room, names.rooms.at(room.space->id)),
+                                             project.path, has_projects()));
   projects_.add(project_row(t_, project));
   results_in(t_, project, [&](std::span<const TableCell> row) {
     requirements_.add(results_order_.row(names, row));
@@ -722,8 +726,8 @@ void XlsxWriter::write_sizes(SheetSeries& about) const {
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_), look_, place_,
-                       kMostSheetRows, SheetHead::without);
+  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_, has_projects()), look_,
+                       place_, kMostSheetRows, SheetHead::without);
   SheetSeries about(t_[Text::xlsx_sheet_about], {{"", 46}, {"", 100, kOfColumn, true}}, look_,
                     place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;

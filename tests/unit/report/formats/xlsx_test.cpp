@@ -135,6 +135,36 @@ TEST(Xlsx, ARoomHasARowThatSaysWhy) {
               testing::AllOf(HasSubstr("Work plane: "), HasSubstr("required ")));
 }
 
+// A cell has one line: what is joined must be told apart there.
+TEST(Xlsx, UsesAndCausesAreJoinedBySigns) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.coverage = {{"desk", calc::Message::words("EN 1:2021 2"), {}},
+                    {"desk", calc::Message::words("EN 1:2021 3"), {}}};
+  space.planes[0].findings[0].requirement.limit = 600.0;
+  space.planes[0].findings[1].requirement.limit = 424.0;
+  for (rules::Finding& finding : space.planes[0].findings) judge_again(finding);
+  const Book book(rendered("xlsx", document));
+  const std::string row = row_with(book, "Overview", "Office");
+  EXPECT_EQ(book.words("Overview", "C" + row), "EN 1:2021 2; EN 1:2021 3");
+  EXPECT_THAT(book.words("Overview", "M" + row), HasSubstr(" | "));
+}
+
+TEST(Xlsx, OfSeveralProjectsTheOverviewBeginsWithTheProject) {
+  Document document = small_document();
+  document.projects.push_back(document.projects[0]);
+  document.projects[1].path = "other.xml";
+  const Book book(rendered("xlsx", document));
+  const std::size_t head = std::stoul(row_with(book, "Overview", "Verdict"));
+  EXPECT_EQ(book.words("Overview", "A" + std::to_string(head)), "Project");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string row = std::to_string(head + 1 + i);
+    EXPECT_EQ(book.words("Overview", "A" + row), document.projects[i].path);
+    EXPECT_EQ(book.words("Overview", "B" + row), "fail");
+    EXPECT_EQ(book.words("Overview", "C" + row), "Office");
+  }
+}
+
 TEST(Xlsx, NamesStandBesideIdsAndWhatIsForProgramsIsNotPrinted) {
   const Book book(rendered("xlsx", small_document()));
   EXPECT_EQ(book.words("Requirements", "B2"), "Office");
