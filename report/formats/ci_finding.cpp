@@ -138,10 +138,10 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
   return lines;
 }
 
-std::vector<std::string> ci_left_out(const ProjectPart& project) {
+std::vector<std::string> ci_left_out(const ProjectPart& project, const Texts& t) {
   std::vector<std::string> lines;
   for (const Notice& notice : notices_of(project)) {
-    if (notice.kind == NoticeKind::left_out) lines.push_back(notice_line({}, notice));
+    if (notice.kind == NoticeKind::left_out) lines.push_back(notice_line(t, notice));
   }
   return lines;
 }

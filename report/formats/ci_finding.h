@@ -48,7 +48,7 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {
 // What workplaces leave out, who lives with that and up to which day: "room: desk, EN ... 34.2:
 // left out: wall.2 (glass, by A. Meier until 2027-06-30)"; printable(), in document order. For
 // formats that have no ci_notes().
-std::vector<std::string> ci_left_out(const ProjectPart& project);
+std::vector<std::string> ci_left_out(const ProjectPart& project, const Texts& t = {});
 
 // Waived, requirement or aggregate.
 bool is_waived(const CiFinding& entry);

@@ -468,7 +468,7 @@ std::vector<Remark> remarks_of(const Texts& t, const ProjectPart& project) {
     for (const PlanePart& plane : space.planes)
       add_plane_remarks(t, titles[i], space, plane, remarks);
   }
-  for (const std::string& words : ci_left_out(project))
+  for (const std::string& words : ci_left_out(project, t))
     remarks.push_back({t[Text::xlsx_kind_left_out], "", words});
   return remarks;
 }
@@ -535,6 +535,7 @@ WorkbookLook workbook_look(const Texts& t, Paper paper) {
                 {t[Text::verdict_undecided], unsure},   {t[Text::warning], unsure},
                 {t[Text::xlsx_kind_in_part], unsure},   {t[Text::xlsx_kind_left_out], unsure},
                 {t[Text::verdict_not_judged], unjudged}};
+  look.cut_mark = std::string(" [") + t[Text::xlsx_cut_mark] + "]";
   look.uncounted = {t[Text::xlsx_counts_waived], t[Text::xlsx_counts_advice]};
   return look;
 }

@@ -141,23 +141,22 @@ std::string column_letters(std::size_t column) {
 // A spreadsheet counts in units of UTF-16.
 std::size_t utf16_units(std::string_view character) { return character.size() == 4 ? 2 : 1; }
 
-// At most so many as a cell may have, and then says so.
-std::string cut_to_cell(std::string text, bool& is_cut) {
+// At most so many as a cell may have, and then with the mark at its end.
+std::string cut_to_cell(std::string text, std::string_view mark, bool& is_cut) {
   is_cut = false;
   if (text.size() <= kMostCellCharacters) return text;  // bytes are never fewer
-  constexpr std::string_view kSays = " [cut: longer than a cell may be]";
   std::size_t units = 0, end_of_short = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view rest = std::string_view(text).substr(at);
     const std::size_t length = std::max<std::size_t>(calc::first_character(rest).length, 1);
     units += utf16_units(rest.substr(0, length));
     at += length;
-    if (units <= kMostCellCharacters - kSays.size()) end_of_short = at;
+    if (units <= kMostCellCharacters - mark.size()) end_of_short = at;
   }
   if (units <= kMostCellCharacters) return text;
   is_cut = true;
   text.resize(end_of_short);
-  return text.append(kSays);
+  return text.append(mark);
 }
 
 bool is_hex(char c) {
@@ -371,7 +370,7 @@ void SheetSeries::add_cell(std::size_t column, const TableCell& cell, TextLook l
   if (const auto* text = std::get_if<std::string>(&cell); text != nullptr && !text->empty()) {
     LastText& last = last_texts_[column];
     if (last.text != *text || last.xml.empty()) {  // a column often repeats itself
-      const std::string safe = cut_to_cell(printable(*text), last.is_cut);
+      const std::string safe = cut_to_cell(printable(*text), look_.cut_mark, last.is_cut);
       last.text = *text;
       last.is_quoted = begins_like_a_formula(safe);
       last.xml = "<is><t xml:space=\"preserve\">" + xlsx_text(safe) + "</t></is></c>";

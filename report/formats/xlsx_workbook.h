@@ -46,6 +46,7 @@ struct WorkbookLook {
   std::vector<std::pair<std::string, CellColour>> words;  // of verdicts, in the reader's language;
                                                           // one without a colour is never good
   std::vector<std::string> uncounted;                     // words of `counts`
+  std::string cut_mark;  // at the end of a text that is longer than a cell may be; short
 };
 
 // How a sheet is printed: all columns that are printed on one page width, whatever that takes.

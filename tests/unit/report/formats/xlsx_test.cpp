@@ -404,6 +404,29 @@ TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
   const std::string shown = Book(rendered("xlsx", document)).words("Requirements", "B2");
   EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: longer than a cell may be]"));
   EXPECT_LE(shown.size() / 2, kMostCellCharacters);
+  FormatStyle style;
+  style.texts = Texts(Language::german, true);
+  EXPECT_THAT(Book(rendered("xlsx", document, style)).words("Anforderungen", "B2"),
+              testing::EndsWith("\U0001F4A1 [gekürzt: länger, als eine Zelle sein darf]"));
+}
+
+TEST(Xlsx, WhatIsLeftOutIsToldInTheReadersLanguage) {
+  Document document = small_document();
+  document.projects[0].spaces[0].coverage = {
+      {"desk",
+       calc::Message::words("EN 1:2021 2"),
+       {{"wall",
+         rules::RoleState::left_out,
+         {},
+         {},
+         {{"wall.2", {"glass", "A. Meier", "2099-12-31"}, false}}}}}};
+  FormatStyle style;
+  style.texts = Texts(Language::german, true);
+  const Book book(rendered("xlsx", document, style));
+  const std::string& notes = book.sheets().at(5);
+  EXPECT_TRUE(says(book, notes, "weggelassen: "));
+  EXPECT_TRUE(says(book, notes, "A. Meier"));
+  EXPECT_FALSE(says(book, notes, "left out"));
 }
 
 }  // namespace
