@@ -254,7 +254,9 @@ class DxfWriter : public FormatWriter {
         entities_(place),
         dxf_{"", 1.0 / unit_.metres},
         scale_(style.drawing.scale) {
-    table_ = text_writer(frame, place, {}, t);
+    TextOptions all;  // the legend says that nothing is missing there
+    all.lists_passes = all.shows_notes = true;
+    table_ = text_writer(frame, place, all, t);
     for (const auto& [name, colour] :
          {std::pair(kRooms, DxfColour::ink), std::pair(kRoomNames, DxfColour::ink),
           std::pair(kRoomData, DxfColour::ink), std::pair(kFurniture, DxfColour::grey),

@@ -1,6 +1,7 @@
 #include "report/formats/dxf_legend.h"
 
 #include "report/formats/dxf_text.h"
+#include "report/text/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,15 @@ namespace {
 
 constexpr std::size_t kMostOfCell = 40, kBetweenCells = 2;  // characters
 
+// Of a long one the end stays, too: rooms of one name have their ids there.
 std::string cell_text(std::string_view utf8) {
-  return dxf_lines(dxf_signs(utf8), kMostOfCell).front();
+  constexpr std::size_t kMark = 2;  // columns that "..." takes more than "…"
+  const std::string whole = printable(utf8);
+  std::vector<std::string> lines = dxf_lines(dxf_signs(whole), kMostOfCell);
+  if (lines.size() == 1) return lines.front();
+  lines = dxf_lines(dxf_signs(shorten_middle(dxf_signs(whole), kMostOfCell - kMark)), kMostOfCell);
+  // Characters that take no column in a terminal do so here.
+  return lines.size() == 1 ? lines.front() : lines.front() + "...";
 }
 
 // Where each column begins.

@@ -35,7 +35,7 @@ class DxfColumns {
     lines_.insert(lines_.end(), other.lines_.begin(), other.lines_.end());
   }
   // A table: rows as long as the head, whose columns are as wide as they must be, each at most 40
-  // characters. colours: of the rows.
+  // characters, of longer cells the start and the end. colours: of the rows.
   void add_table(const std::vector<std::string>& head,
                  const std::vector<std::vector<std::string>>& rows,
                  const std::vector<DxfColour>& colours);

@@ -18,6 +18,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -447,7 +448,7 @@ TEST(Dxf, WhatWasNotComputedIsNamedAndHasNoValues) {
   EXPECT_THAT(drawing.words("LUX_PLANE_NAMES"),
               testing::ElementsAre("Work plane: not judged, not computed"));
   EXPECT_TRUE(drawing.words("LUX_VALUES").empty());
-  EXPECT_THAT(drawing.words("LUX_NOTES"), Contains(HasSubstr("no point of the grid is left")));
+  EXPECT_THAT(joined(drawing.words("LUX_NOTES")), HasSubstr("no point of the grid is left"));
 }
 
 TEST(Dxf, IsoluxLinesAreThoseOfHtml) {
@@ -542,11 +543,50 @@ TEST(Dxf, TheLegendHasTheRoomsAndSpeaksTheLanguage) {
   EXPECT_THAT(legend, HasSubstr("95 %"));
   EXPECT_THAT(legend, HasSubstr("2 requirements: 1 pass, 1 fail"));
   EXPECT_THAT(drawing.words("LUX_LEGEND"), Contains("Office"));
-  EXPECT_THAT(joined(drawing.words("LUX_NOTES")), HasSubstr("512 "));
+  EXPECT_THAT(drawing.words("LUX_NOTES"), Contains(HasSubstr("average   >= 500 lx  512 %%p 5 lx")));
   EXPECT_EQ(drawing.layer("LUX_NOTES")->text(70), "1");
   const Drawing german =
       read_strictly(rendered_dxf(sample_document(), Texts(Language::german, true)));
   EXPECT_THAT(joined(german.words("LUX_LEGEND")), HasSubstr("Zeichnung der Ergebnisse"));
+}
+
+// Nothing is folded there: of each room each requirement, each note and each doubt.
+TEST(Dxf, TheNotesAreTheWholeTable) {
+  Document document = small_document();
+  std::vector<SpacePart>& spaces = document.projects[0].spaces;
+  spaces.push_back(spaces[0]);
+  spaces[1].id = "r2";
+  spaces[1].name = "Store";
+  for (std::size_t k = 0; k < spaces.size(); ++k) {
+    spaces[k].notes = {calc::Message::words("made-up note")};
+    PlanePart& plane = spaces[k].planes[0];
+    plane.space_id = spaces[k].id;
+    plane.findings.resize(1);  // passes
+    plane.unseen_points = k + 1;
+  }
+  FormatStyle style;
+  style.terminal.lists_passes = style.terminal.shows_notes = true;
+  const std::string table = rendered("text", document, style);
+  std::string wanted;
+  for (const char c : table) wanted += c == '\n' ? ' ' : c;
+  const auto without_blanks = [](const std::vector<std::string>& lines) {
+    std::string text = joined(lines);
+    std::erase(text, ' ');
+    return text;
+  };
+  const std::vector<std::string> notes = drawn(document).words("LUX_NOTES");
+  EXPECT_EQ(without_blanks(notes), without_blanks(dxf_lines(dxf_signs(wanted), kMostDxfBytes)));
+  for (const SpacePart& space : spaces)
+    EXPECT_THAT(joined(notes), HasSubstr(doubt_words({}, space.planes[0])));
+}
+
+TEST(Dxf, ALongCellOfTheLegendShowsThatItIsCut) {
+  Document document = small_document();
+  document.projects[0].spaces[0].name = "Storage of the registry, north wing, shelves 1 to 40";
+  EXPECT_THAT(
+      drawn(document).words("LUX_LEGEND"),
+      Contains(testing::AllOf(testing::StartsWith("Storage of the"), HasSubstr("..."),
+                              testing::EndsWith("1 to 40"), testing::SizeIs(testing::Le(40)))));
 }
 
 TEST(Dxf, TheLegendIsNoTallerThanThePlan) {
