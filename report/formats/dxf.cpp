@@ -27,7 +27,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -112,12 +114,32 @@ std::vector<std::string> point_words(const Texts& t, const PlanePart& plane) {
   return words;
 }
 
+// The lowest and the highest value decide, and so stay in sight: before all others the one that a
+// limit is for. texts: of all points.
+void give_turns(const PlanePart& plane, std::vector<DxfPlacedText>& texts) {
+  std::optional<std::size_t> low, high;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const calc::Estimate& measured = plane.points[i].measured;
+    if (calc::is_nothing(measured)) continue;
+    if (!low || measured.value < plane.points[*low].measured.value) low = i;
+    if (!high || measured.value > plane.points[*high].measured.value) high = i;
+  }
+  if (!low || !high) return;
+  const bool is_high_first =
+      std::any_of(plane.findings.begin(), plane.findings.end(), [](const auto& finding) {
+        return finding.requirement.comparison == rules::Comparison::at_most;
+      });
+  texts[is_high_first ? *low : *high].turn = DxfTurn::second;
+  texts[is_high_first ? *high : *low].turn = DxfTurn::first;
+}
+
 std::vector<DxfPlacedText> placed_values(const Texts& t, const PlanePart& plane,
                                          const Placing& placing) {
   const std::vector<std::string> words = point_words(t, plane);
   std::vector<DxfPlacedText> texts;
   for (std::size_t i = 0; i < words.size(); ++i)
     texts.push_back(DxfPlacedText{glm::dvec2(placing.at(plane.points[i].position_m)), words[i]});
+  give_turns(plane, texts);
   return texts;
 }
 
@@ -288,6 +310,7 @@ class DxfWriter : public FormatWriter {
     if (box.is_empty()) return;
     extent_.add(box.low);
     extent_.add(box.high);
+    right_m_ = std::max(right_m_, box.high.x);
   }
 
   void choose_scale(const std::vector<PlaneDrawing>& planes, double plan_m);
@@ -310,10 +333,15 @@ class DxfWriter : public FormatWriter {
   void draw_outlines(const PlanePart& plane, const Placing& placing, const std::string& layer);
   void draw_values(const PlaneDrawing& drawing, const Placing& placing, const PlaneLayers& layers,
                    bool is_visible);
-  void draw_left_out(const PlaneDrawing& drawing, const Placing& placing, const std::string& layer,
+  // How many marks have no free place.
+  std::size_t draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
+                            const std::string& layer, bool is_visible);
+  // How many labels have no free place.
+  std::size_t draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
+                          const PlaneLayers& layers, bool is_visible);
+  // All three, of a plane that was computed.
+  void draw_contents(const PlaneDrawing& drawing, const Placing& placing, const PlaneLayers& layers,
                      bool is_visible);
-  void draw_isolux(const PlaneDrawing& drawing, const Placing& placing, const PlaneLayers& layers,
-                   bool is_visible);
   void draw_level(const PlaneDrawing& drawing);
   void draw_plane_name(const PlaneDrawing& drawing);
   // Below the plan.
@@ -334,9 +362,10 @@ class DxfWriter : public FormatWriter {
   std::vector<std::string> notes_;     // of the legend
   DxfColumns summary_{kLegendColumn};  // of the legend: a table for each project
   FlatBox extent_;                     // of all that is drawn and not frozen
-  DxfText dxf_;                        // entities that are not yet in entities_
-  int scale_ = 0;                      // 0: not yet chosen
-  double text_m_ = 0.0;                // height of all texts
+  double right_m_ = std::numeric_limits<double>::lowest();  // of that, and of frozen planes
+  DxfText dxf_;          // entities that are not yet in entities_
+  int scale_ = 0;        // 0: not yet chosen
+  double text_m_ = 0.0;  // height of all texts
   bool has_beside_ = false, has_aside_ = false;
   std::map<calc::DiagnosticId, std::size_t> warnings_;
 
@@ -588,18 +617,19 @@ void DxfWriter::draw_outlines(const PlanePart& plane, const Placing& placing,
 }
 
 // Labels that have no free place are with the values that have none.
-void DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
-                            const PlaneLayers& layers, bool is_visible) {
+std::size_t DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
+                                   const PlaneLayers& layers, bool is_visible) {
   const PlanePart& plane = *drawing.plane;
-  if (!has_cells(plane)) return;
+  if (!has_cells(plane)) return 0;
   const std::string title = title_of_plane(drawing);
   if (!has_all_values(plane)) {
     if (is_visible) note(t_.say<Text::dxf_no_isolux>(title));
-    return;
+    return 0;
   }
   const PlanIsolux isolux =
       plan_isolux(t_, *drawing.space, plane, scales_.of(*drawing.space, plane));
   if (!isolux.has_all && is_visible) note(title + ": " + t_[Text::isolux_left_out]);
+  std::size_t without_place = 0;
   for (const IsoluxLevel& level : isolux.levels) {
     std::vector<glm::dvec3> longest;
     double length = -1.0;
@@ -628,26 +658,29 @@ void DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
     }
     dxf_words(is_free ? layers.labels : kMoreValues, at, text_m_, words, DxfAlign::middle,
               DxfColour::by_layer, dxf_);
-    if (!is_free) layers_[kMoreValues] = {DxfColour::ink, true};
+    without_place += is_free ? 0 : 1;
   }
+  return without_place;
 }
 
-void DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
-                              const std::string& layer, bool is_visible) {
+std::size_t DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
+                                     const std::string& layer, bool is_visible) {
   const calc::SensorGrid& grid = drawing.plane->grid;
+  std::size_t without_place = 0;
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_area) continue;  // no point of the plane
     const glm::dvec3 at = placing.at(point.position_m);
     const LabelBox box = text_box(at, "x", text_m_);
     const bool is_free = !is_visible || !taken_->meets(box);
     if (is_visible && is_free) taken_->add(box);
-    if (!is_free) layers_[kMoreValues] = {DxfColour::ink, true};
+    without_place += is_free ? 0 : 1;
     dxf_words(is_free ? layer : kMoreValues, at, text_m_, "x", DxfAlign::middle, DxfColour::grey,
               dxf_);
   }
   if (is_visible && !grid.dropped.empty()) {
     note(t_.say<Text::dxf_left_out>(title_of_plane(drawing), dropped_reasons(t_, grid)));
   }
+  return without_place;
 }
 
 // Of visible ones those that meet others are on a layer of their own.
@@ -667,7 +700,17 @@ void DxfWriter::draw_values(const PlaneDrawing& drawing, const Placing& placing,
     layers_[kMoreValues] = {DxfColour::ink, true};
     note(t_.say<Text::dxf_thinned>(title_of_plane(drawing), count, texts.size(), kMoreValues));
   }
-  draw_left_out(drawing, placing, layers.values, is_visible);
+}
+
+// Values first, then marks, then labels: each where the ones before it leave a place.
+void DxfWriter::draw_contents(const PlaneDrawing& drawing, const Placing& placing,
+                              const PlaneLayers& layers, bool is_visible) {
+  draw_values(drawing, placing, layers, is_visible);
+  const std::size_t marks = draw_left_out(drawing, placing, layers.values, is_visible),
+                    labels = draw_isolux(drawing, placing, layers, is_visible);
+  if (marks + labels == 0) return;
+  layers_[kMoreValues] = {DxfColour::ink, true};
+  note(t_.say<Text::dxf_more_marks>(title_of_plane(drawing), labels, marks, kMoreValues));
 }
 
 void DxfWriter::draw_level(const PlaneDrawing& drawing) {
@@ -683,8 +726,7 @@ void DxfWriter::draw_level(const PlaneDrawing& drawing) {
   if (drawing.is_task && tier > 0) {
     note(t_.say<Text::dxf_behind>(title_of_plane(drawing), layers.values));
   }
-  draw_values(drawing, placing, layers, is_visible);
-  draw_isolux(drawing, placing, layers, is_visible);
+  draw_contents(drawing, placing, layers, is_visible);
 }
 
 // Above or below the plane, or inside it, or anywhere in the room where nothing else is written;
@@ -765,15 +807,13 @@ void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
       shelf_m_ - glm::dvec2(0.0, above + text_m_) - glm::dvec2(box.low.x, box.high.y);
   const Placing placing = Placing::flat(grid, corner);
   draw_outlines(plane, placing, layers.outlines);
-  if (plane.is_computed) {
-    draw_values(drawing, placing, layers, drawing.is_task);
-    draw_isolux(drawing, placing, layers, drawing.is_task);
-  }
+  if (plane.is_computed) draw_contents(drawing, placing, layers, drawing.is_task);
   const double height = above + text_m_ + box.size().y;
   FlatBox used;
   used.add(shelf_m_);
   used.add(shelf_m_ + glm::dvec2(width, -height));
   if (drawing.is_task) extend(used);
+  right_m_ = std::max(right_m_, used.high.x);
   shelf_m_.x += width + kGap_m;
   shelf_height_m_ = std::max(shelf_height_m_, height);
 }
@@ -783,8 +823,8 @@ void DxfWriter::begin_project(const ProjectPart& project) {
   constexpr double kWidest_m = 20.0;
   FlatBox box = box_of(project);
   shift_m_ = glm::dvec2(0.0);
-  if (!extent_.is_empty() && extent_.high.x + kGap_m > box.low.x) {
-    shift_m_.x = extent_.high.x + kGap_m - box.low.x;
+  if (!extent_.is_empty() && right_m_ + kGap_m > box.low.x) {
+    shift_m_.x = right_m_ + kGap_m - box.low.x;
     note(t_.say<Text::dxf_moved>(title_of(project.name, project.path),
                                  format_metres(t_, shift_m_.x)));
   }

@@ -82,11 +82,14 @@ void TakenPlaces::add(const LabelBox& box) {
 
 std::vector<bool> shown_texts(const std::vector<DxfPlacedText>& texts, double text_m) {
   TakenPlaces taken(text_m);
-  std::vector<bool> shown;
-  for (const DxfPlacedText& text : texts) {
-    const LabelBox box = text_box(text.at, text.words, text_m);
-    shown.push_back(!taken.meets(box));
-    if (shown.back()) taken.add(box);
+  std::vector<bool> shown(texts.size(), false);
+  for (const DxfTurn turn : {DxfTurn::first, DxfTurn::second, DxfTurn::other}) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (texts[i].turn != turn) continue;
+      const LabelBox box = text_box(texts[i].at, texts[i].words, text_m);
+      shown[i] = !taken.meets(box);
+      if (shown[i]) taken.add(box);
+    }
   }
   return shown;
 }
@@ -111,9 +114,11 @@ int chosen_scale(const std::vector<std::vector<DxfPlacedText>>& planes, double p
 std::optional<glm::dvec2> free_place(const std::vector<glm::dvec2>& outline_m,
                                      const glm::dvec2& size_m, const TakenPlaces& taken) {
   constexpr int kMostSteps = 60;
+  // Each place is held against all corners.
+  constexpr std::size_t kMostCorners = 1000;
   FlatBox box;
   for (const glm::dvec2& corner : outline_m) box.add(corner);
-  if (box.is_empty()) return {};
+  if (box.is_empty() || outline_m.size() > kMostCorners) return {};
   const glm::dvec2 ways = box.size() - size_m;
   if (!(ways.x >= 0.0 && ways.y >= 0.0)) return {};
   for (int row = 1; row < kMostSteps; ++row) {
@@ -121,7 +126,7 @@ std::optional<glm::dvec2> free_place(const std::vector<glm::dvec2>& outline_m,
       const glm::dvec2 corner(box.low.x + ways.x * column / kMostSteps,
                               box.high.y - ways.y * row / kMostSteps);
       const LabelBox place{{corner.x, corner.y - size_m.y}, {corner.x + size_m.x, corner.y}};
-      if (is_inside(place, outline_m) && !taken.meets(place)) return corner;
+      if (!taken.meets(place) && is_inside(place, outline_m)) return corner;
     }
   }
   return {};

@@ -13,10 +13,14 @@
 
 namespace report {
 
+// Which texts get their places before others.
+enum class DxfTurn { first, second, other };
+
 // A text whose middle is at that place.
 struct DxfPlacedText {
   glm::dvec2 at{0.0};
   std::string words;
+  DxfTurn turn = DxfTurn::other;
 };
 
 // The place that a text takes, with a little air above and below.
@@ -41,8 +45,8 @@ class TakenPlaces {
   std::map<Cell, std::vector<LabelBox>> boxes_;
 };
 
-// Which of the texts can be shown, so that none meets another: in their order, each that meets none
-// before it.
+// Which of the texts can be shown, so that none meets another: turn by turn and in their order,
+// each that meets none before it.
 std::vector<bool> shown_texts(const std::vector<DxfPlacedText>& texts, double text_m);
 
 // Height of texts that are 2.5 mm high on paper at 1:scale.
@@ -55,7 +59,7 @@ double text_height_m(int scale);
 int chosen_scale(const std::vector<std::vector<DxfPlacedText>>& planes, double plan_m);
 
 // The upper left corner of a free place of that size inside the outline: the highest one, and of
-// these the leftmost. Tried are 59 x 59 places.
+// these the leftmost. Tried are 59 x 59 places; none in an outline of more than 1,000 corners.
 std::optional<glm::dvec2> free_place(const std::vector<glm::dvec2>& outline_m,
                                      const glm::dvec2& size_m, const TakenPlaces& taken);
 

@@ -8,9 +8,11 @@
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "tests/support/hostile_document.h"
+#include "tests/support/legible.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -343,6 +345,95 @@ TEST(Dxf, PointsThatWereLeftOutAreMarkedAndCounted) {
   EXPECT_THAT(drawn(small_document()).words("LUX_VALUES"), Not(Contains("x")));
 }
 
+TEST(Dxf, MarksAndLabelsWithoutAPlaceAreCounted) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.grid.dropped = {{plane.points[0].position_m, 1, 0, calc::DropReason::inside_solid, "box"}};
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_VALUES"), Not(Contains("x")));
+  EXPECT_THAT(drawing.words("LUX_VALUES_MORE"), Contains("x"));
+  EXPECT_EQ(drawing.layer("LUX_VALUES_MORE")->text(70), "1");
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")),
+              HasSubstr("and 1 marks of left-out points (x) have no free place; they are on the "
+                        "frozen layer LUX_VALUES_MORE."));
+
+  // All that is on the layer, in a drawing with much of it.
+  const Drawing full = read_strictly(rendered_dxf(sample_document(), {}, {200}));
+  const std::string legend = joined(full.words("LUX_LEGEND"));
+  const auto sum_of = [&](const char* pattern, auto&& count_of) {
+    const std::regex words(pattern);
+    std::size_t sum = 0;
+    for (std::sregex_iterator one(legend.begin(), legend.end(), words), end; one != end; ++one)
+      sum += count_of(std::stoul((*one)[1]), std::stoul((*one)[2]));
+    return sum;
+  };
+  const std::size_t values = sum_of("([0-9]+) of ([0-9]+) values are shown",
+                                    [](auto shown, auto all) { return all - shown; });
+  const std::size_t others = sum_of("([0-9]+) labels of isolux lines and ([0-9]+) marks",
+                                    [](auto labels, auto marks) { return labels + marks; });
+  EXPECT_GT(values, 0u);
+  EXPECT_EQ(values + others, full.words("LUX_VALUES_MORE").size());
+}
+
+// These decide; the texts are so large that most others have no place.
+TEST(Dxf, TheLowestAndTheHighestValueAreShown) {
+  const Document document = sample_document();
+  const PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  const auto [low, high] = std::minmax_element(
+      plane.points.begin(), plane.points.end(),
+      [](const PointRow& a, const PointRow& b) { return a.measured.value < b.measured.value; });
+  const Drawing drawing = read_strictly(rendered_dxf(document, {}, {200}));
+  const std::vector<Entity> values = drawing.of("TEXT", "LUX_VALUES");
+  EXPECT_LT(2 * values.size(), plane.points.size());
+  for (const PointRow& point : {*low, *high}) {
+    EXPECT_TRUE(std::any_of(values.begin(), values.end(), [&](const Entity& text) {
+      return glm::distance(text.point(11), point.position_m) < 1e-5;
+    })) << point.measured.value;
+  }
+}
+
+TEST(Dxf, APlaneOfOnePointHasItsValue) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.points.resize(1);
+  plane.grid.columns = 1;
+  for (auto* list : {&plane.grid.position_m, &plane.grid.normal}) list->resize(1);
+  for (auto* list : {&plane.grid.column, &plane.grid.row}) list->resize(1);
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_VALUES"),
+              testing::ElementsAre(format_cell(600.5, point_thresholds(plane))));
+}
+
+// Of two values in one place the one that a limit is for stays.
+TEST(Dxf, APlaneOneMillimetreWideShowsTheValueThatDecides) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.outline_m = {{0, 0}, {0.001, 0}, {0.001, 1.5}, {0, 1.5}};
+  plane.grid.spacing_u_m = 0.0005;
+  for (std::size_t i = 0; i < plane.points.size(); ++i) {
+    plane.points[i].position_m.x = 0.50025 + 0.0005 * static_cast<double>(i);
+    plane.grid.position_m[i] = plane.points[i].position_m;
+  }
+  const Drawing drawing = drawn(document);
+  EXPECT_THAT(drawing.words("LUX_VALUES"),
+              testing::ElementsAre(format_cell(424.5, point_thresholds(plane))));
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("1 of 2 values are shown"));
+}
+
+TEST(Dxf, AHundredThousandPointsAreThinned) {
+  SampleLight light;
+  light.position_m = {{2.0, 1.0, 2.8}};
+  Document document = small_document();
+  document.projects[0].spaces[0].planes = {sample_plane("big", "Big", {0, 0, 0.8}, {1, 0, 0},
+                                                        {0, 1, 0}, {400, 250}, {4, 2}, light,
+                                                        [](double, double) { return true; })};
+  const std::string words = words_of_drawing(rendered_dxf(document));
+  std::smatch shown;
+  ASSERT_TRUE(std::regex_search(words, shown, std::regex("([0-9]+) of 100000 values are shown")));
+  EXPECT_GE(std::stoul(shown[1]), 2u);
+  EXPECT_LT(std::stoul(shown[1]), 5000u);
+}
+
 TEST(Dxf, AValueThatIsNoneIsMarked) {
   Document document = small_document();
   document.projects[0].spaces[0].planes[0].points[0].measured = no_estimate();
@@ -473,12 +564,22 @@ TEST(Dxf, IsoluxLinesAreThoseOfHtml) {
                corners.size() == line.points_m.size() - (line.is_closed ? 1 : 0);
       }));
     }
-    std::vector<std::string> labels = drawing.words("LUX_ISOLUX_LABELS");
-    const std::vector<std::string> without_place = drawing.words("LUX_VALUES_MORE");
+    std::vector<Entity> labels = drawing.of("TEXT", "LUX_ISOLUX_LABELS");
+    const std::vector<Entity> without_place = drawing.of("TEXT", "LUX_VALUES_MORE");
     labels.insert(labels.end(), without_place.begin(), without_place.end());
-    if (!level.lines.empty()) {
-      EXPECT_THAT(labels, Contains(format_shortest(level.value)));
-    }
+    // A value may have the same words; the label is on a line of its level.
+    const auto is_label = [&](const Entity& text) {
+      return text.text(1) == format_shortest(level.value) &&
+             std::any_of(level.lines.begin(), level.lines.end(), [&](const IsoluxLine& line) {
+               return std::any_of(line.points_m.begin(), line.points_m.end(), [&](const auto& uv) {
+                 const glm::dvec3 at =
+                     plane.grid.origin_m + uv.x * plane.grid.u + uv.y * plane.grid.v;
+                 return glm::distance(text.point(11), at) < 1e-5;
+               });
+             });
+    };
+    EXPECT_TRUE(level.lines.empty() || std::any_of(labels.begin(), labels.end(), is_label))
+        << level.value;
   }
   EXPECT_GT(count, 3u);
 }
@@ -533,7 +634,45 @@ TEST(Dxf, ProjectsLieBesideEachOther) {
   // The first is 4 m long; what has no free place in its room is right of it.
   EXPECT_GE(rooms[1][0].x, 5.0);
   EXPECT_EQ(rooms[1][0].y, 0.0);
-  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("m further in x than it is"));
+  const std::string legend = joined(drawing.words("LUX_LEGEND"));
+  std::smatch moved;
+  ASSERT_TRUE(std::regex_search(
+      legend, moved, std::regex("Small office: drawn ([0-9.]+) m further in x than it is")));
+  EXPECT_NEAR(std::stod(moved[1]), rooms[1][0].x, 1e-3);
+  EXPECT_LT(drawing.of("INSERT", "LUX_ROOM_DATA").at(0).point(10).x, rooms[1][0].x);
+}
+
+// What is frozen makes no drawing larger, but no other project is drawn over it.
+TEST(Dxf, FrozenPlanesBesideThePlanDoNotExtendIt) {
+  const Document plain = small_document();
+  Document document = plain;
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  for (int i = 0; i < 6; ++i) {
+    PlanePart wall = planes[0];
+    wall.id = wall.name = fmt::format("wall {}", i);
+    wall.made_by = calc::Message::words("workplace");
+    wall.grid.v = {0, 0, 1};
+    for (rules::Finding& finding : wall.findings) finding.requirement.origin.is_of_own_role = false;
+    planes.push_back(wall);
+  }
+  const auto head_of = [](const std::string& dxf) {
+    const std::size_t at = dxf.find("$EXTMIN");
+    return dxf.substr(at, dxf.find("$EXTMAX") - at);
+  };
+  EXPECT_EQ(head_of(rendered_dxf(document)), head_of(rendered_dxf(plain)));
+  const auto legend_left = [](const Document& of) {
+    const auto frames = polylines(drawn(of), "LUX_LEGEND");
+    return frames.empty() ? std::nan("") : frames[0][0].x;
+  };
+  EXPECT_EQ(legend_left(document), legend_left(plain));
+  document.projects.push_back(plain.projects[0]);
+  const Drawing both = drawn(document);
+  double right = 0.0;
+  for (const auto& outline : polylines(both, "LUX_PLANES_OTHER")) {
+    for (const glm::dvec3& corner : outline) right = std::max(right, corner.x);
+  }
+  EXPECT_GT(right, 10.0);
+  EXPECT_GT(polylines(both, "LUX_ROOMS").at(1).at(0).x, right);
 }
 
 TEST(Dxf, TheLegendHasTheRoomsAndSpeaksTheLanguage) {
@@ -689,6 +828,24 @@ TEST(DxfLayout, TheScaleIsTheCoarsestAtWhichHalfOfTheValuesHaveRoom) {
   EXPECT_EQ(std::count(shown.begin(), shown.end(), true), 10);
 }
 
+TEST(DxfLayout, TextsHaveTheirTurns) {
+  const std::vector<DxfPlacedText> texts{{{0.0, 0.0}, "500"},
+                                         {{0.1, 0.0}, "501", DxfTurn::second},
+                                         {{0.2, 0.0}, "499", DxfTurn::first},
+                                         {{9.0, 0.0}, "500"}};
+  EXPECT_THAT(shown_texts(texts, 0.1), testing::ElementsAre(false, false, true, true));
+}
+
+TEST(DxfLayout, AnOutlineOfVeryManyCornersHasNoFreePlace) {
+  std::vector<glm::dvec2> room{{4, 0}, {4, 3}, {0, 3}};
+  for (int i = 0; i < 1000; ++i) room.emplace_back(0.004 * i, 0.0);
+  EXPECT_FALSE(free_place(room, {1.0, 1.0}, TakenPlaces(0.1)).has_value());
+  room.pop_back();
+  room.pop_back();
+  room.pop_back();
+  EXPECT_TRUE(free_place(room, {1.0, 1.0}, TakenPlaces(0.1)).has_value());
+}
+
 TEST(DxfLayout, AFreePlaceIsInTheRoomAndWhereNothingIs) {
   const std::vector<glm::dvec2> room{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
   TakenPlaces taken(0.1);
@@ -699,6 +856,9 @@ TEST(DxfLayout, AFreePlaceIsInTheRoomAndWhereNothingIs) {
   const auto place = free_place(room, {1.0, 0.3}, taken);
   ASSERT_TRUE(place.has_value());
   EXPECT_GE(place->y - 0.3, 2.5);
+  // The highest one, and of these the leftmost: 59 steps of the way that is left.
+  EXPECT_NEAR(place->x, 3.0 / 60, 1e-12);
+  EXPECT_NEAR(place->y, 3.0 - 2.7 / 60, 1e-12);
 }
 
 }  // namespace
