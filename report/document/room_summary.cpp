@@ -70,9 +70,11 @@ void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSumm
   const bool is_plain =
       plane.kernel == calc::ReceiverKernel::planar && plane.derived == calc::DerivedQuantity::none;
   if (!is_plain || !requirement.origin.is_of_own_role) return;
-  if (is_average) room.average = worse(room.average, finding);
+  if (is_average || requirement.metric == rules::Metric::road_luminance)
+    room.average = worse(room.average, finding);
   if (requirement.metric == rules::Metric::minimum) room.minimum = worse(room.minimum, finding);
-  if (requirement.metric == rules::Metric::uniformity_min_avg) {
+  if (requirement.metric == rules::Metric::uniformity_min_avg ||
+      requirement.metric == rules::Metric::road_uniformity) {
     room.uniformity = worse(room.uniformity, finding);
   }
 }

@@ -50,8 +50,8 @@ struct RoomSummary {
   int required = 0, met = 0;  // of the requirements that count
   // The requirement of the gravest verdict, and of these the one with the least margin, of the task
   // or of planes that the project describes by itself. Glare: of all planes. Null: none is asked.
-  const rules::Finding* average = nullptr;
-  const rules::Finding* uniformity = nullptr;   // minimum / average
+  const rules::Finding* average = nullptr;      // of illuminance, or of a carriageway's luminance
+  const rules::Finding* uniformity = nullptr;   // minimum / average of either
   const rules::Finding* minimum = nullptr;      // as on the line of an escape route
   const rules::Finding* glare = nullptr;        // UGR, at observers or by table
   const rules::Finding* cylindrical = nullptr;  // average of Ez

@@ -275,7 +275,9 @@ void add_value(const Texts& t, const rules::Finding* finding, std::vector<TableC
         interval_decimals(finding->measured, rules::unit_of(requirement), threshold);
     row.emplace_back(TableNumber{finding->measured.value, decimals});
   }
-  row.emplace_back(format_required(t, threshold, ""));
+  const bool is_of_road =
+      requirement.metric == rules::Metric::road_luminance;  // no lx, as the head
+  row.emplace_back(format_required(t, threshold, is_of_road ? rules::unit_of(requirement) : ""));
 }
 
 // "EN 12464-1:2021 34.2", each once.

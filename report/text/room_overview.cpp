@@ -112,12 +112,19 @@ std::string use_head(const Texts& t, const std::vector<RoomSummary>& rooms) {
                 : std::string(t[Text::overview_use]);
 }
 
+// The column is of illuminances: "L 0.76 ≥ 0.75" says that a road's is of luminances.
+std::string average_cell(const Texts& t, const rules::Finding* average) {
+  const std::string cell = overview_cell(t, average);
+  if (average == nullptr || average->requirement.metric == rules::Metric::average) return cell;
+  return std::string(average_symbol(*average)) + " " + cell;
+}
+
 std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room, std::string title) {
   return {std::string(outcome_symbol(room.outcome)) + " " + outcome_words(t, room.outcome),
           std::move(title),
           use_cell(t, room),
           t.say<Text::overview_of>(room.met, room.required),
-          overview_cell(t, room.average),
+          average_cell(t, room.average),
           overview_cell(t, room.minimum),
           overview_cell(t, room.uniformity),
           overview_cell(t, room.glare),
@@ -168,6 +175,10 @@ std::string overview_value(const Texts& t, const rules::Finding& finding, bool w
   if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
     return format_fixed(t, value, kRatioDigits);
   return format_cell(t, value, threshold);
+}
+
+const char* average_symbol(const rules::Finding& average) {
+  return average.requirement.metric == rules::Metric::road_luminance ? "L" : "Em";
 }
 
 std::string overview_cell(const Texts& t, const rules::Finding* finding) {

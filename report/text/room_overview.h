@@ -51,6 +51,8 @@ RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size
 // with_interval: false where there is no room for it.
 std::string overview_value(const Texts& t, const rules::Finding& finding,
                            bool with_interval = true);
+// What an average is called beside its value: "Em", or "L" of a carriageway's luminance.
+const char* average_symbol(const rules::Finding& average);
 // With what is required: "412 ≥ 500". "" without a finding.
 std::string overview_cell(const Texts& t, const rules::Finding* finding);
 

@@ -154,7 +154,7 @@ std::vector<std::string> value_lines(const Texts& t, const RoomSummary& room, Va
                          ? overview_cell(t, finding)
                          : overview_value(t, *finding, detail == ValueDetail::interval)));
   };
-  add("Em", room.average);
+  if (room.average != nullptr) add(average_symbol(*room.average), room.average);
   add("Uo", room.uniformity);
   add("UGR", room.glare);
   return lines;
