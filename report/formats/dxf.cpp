@@ -110,7 +110,7 @@ std::vector<std::string> point_words(const Texts& t, const PlanePart& plane) {
   const Thresholds thresholds = point_thresholds(plane);
   std::vector<std::string> words;
   for (const PointRow& point : plane.points)
-    words.push_back(dxf_text(dxf_signs(cell_words(t, plane, point.measured.value, thresholds))));
+    words.push_back(dxf_text(dxf_signs(cell_words(t, plane, point.measured, thresholds))));
   return words;
 }
 

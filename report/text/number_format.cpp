@@ -203,8 +203,9 @@ std::string format_measured(const calc::Estimate& estimate, std::string_view uni
 bool is_below_ugr_scale(const calc::Estimate& estimate, const Thresholds& thresholds) {
   constexpr double kLowest = 10.0;
   return estimate.high < kLowest && estimate.value < kLowest && !calc::is_nothing(estimate) &&
-         std::none_of(thresholds.list.begin(), thresholds.list.end(),
-                      [](const Threshold& one) { return one.limit < kLowest; });
+         std::none_of(thresholds.list.begin(), thresholds.list.end(), [](const Threshold& one) {
+           return one.limit < kLowest || rules::is_lower_limit(one.comparison);
+         });
 }
 
 std::string format_ugr(const calc::Estimate& estimate, const Thresholds& thresholds,
@@ -241,6 +242,10 @@ int interval_decimals(const calc::Estimate& estimate, std::string_view unit,
     if (++decimals > kMostDecimals) return kMostDecimals;
   }
   return decimals;
+}
+
+bool reads_alike(double value, int decimals, const Threshold& threshold) {
+  return are_alike(rounded(value, decimals), value, threshold);
 }
 
 std::string format_cell(double value, const Thresholds& thresholds) {

@@ -68,11 +68,14 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
                             const Thresholds& thresholds = {});
 
 // UGR is a scale from 10 up: what is below troubles nobody, and how far below says nothing. Whether
-// all of it is below, where no threshold is.
+// all of it is below, where no threshold is. Of what must be above a limit it says something.
 bool is_below_ugr_scale(const calc::Estimate& estimate, const Thresholds& thresholds = {});
 // "< 10" of that, and else as format_measured() has it without a unit.
 std::string format_ugr(const calc::Estimate& estimate, const Thresholds& thresholds = {},
                        std::string_view to = "to");
+
+// Whether format_fixed() in so many decimals is on the value's side of the limit.
+bool reads_alike(double value, int decimals, const Threshold& threshold);
 
 // One illuminance without interval, short enough for a cell of a plan: "1240", "512", "51.2",
 // "5.12".

@@ -32,12 +32,6 @@ bool is_near_limit(const rules::Finding& finding) {
 
 constexpr int kRatioDigits = 2;
 
-// Whether the value stays on its side of the limit in so few digits.
-bool reads_alike(double value, double limit) {
-  const double shown = std::round(100.0 * value) / 100.0;
-  return (shown < limit) == (value < limit) && (shown > limit) == (value > limit);
-}
-
 // "503.0 ±9.0": by the wider side, where that does not reach beyond a limit which the interval
 // itself does not reach; else both ends.
 std::string value_and_interval(const Texts& t, const rules::Finding& finding,
@@ -172,7 +166,7 @@ std::string overview_value(const Texts& t, const rules::Finding& finding, bool w
   if (is_below_scale(finding)) return measured_words(t, finding);
   const double value = finding.measured.value;
   if (with_interval && is_near_limit(finding)) return value_and_interval(t, finding, threshold);
-  if (rules::is_ratio(requirement.metric) && reads_alike(value, requirement.limit))
+  if (rules::is_ratio(requirement.metric) && reads_alike(value, kRatioDigits, threshold))
     return format_fixed(t, value, kRatioDigits);
   return format_cell(t, value, threshold);
 }

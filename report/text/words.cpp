@@ -596,11 +596,11 @@ std::string value_words(const Texts& t, const PlanePart& plane, const calc::Esti
              : format_measured(t, value, plane_unit(plane), thresholds);
 }
 
-std::string cell_words(const Texts& t, const PlanePart& plane, double value,
+std::string cell_words(const Texts& t, const PlanePart& plane, const calc::Estimate& value,
                        const Thresholds& thresholds) {
-  const bool is_below = plane.derived == calc::DerivedQuantity::ugr &&
-                        is_below_ugr_scale({value, value, value}, thresholds);
-  return is_below ? "<10" : format_cell(t, value, thresholds);
+  const bool is_below =
+      plane.derived == calc::DerivedQuantity::ugr && is_below_ugr_scale(value, thresholds);
+  return is_below ? format_ugr(t, value, thresholds) : format_cell(t, value.value, thresholds);
 }
 
 bool is_below_scale(const rules::Finding& finding) {
@@ -613,7 +613,7 @@ std::string margin_words(const Texts& t, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const std::string_view rating = rules::rating_of(requirement);
   if (rating.empty()) return format_margin(t, finding.margin);
-  if (is_below_scale(finding)) {
+  if (finding.margin > 0.0 && is_below_scale(finding)) {
     constexpr double kLowest = 10.0;  // of the scale
     const double to_scale = (requirement.limit - kLowest) / std::abs(requirement.limit);
     return "> " + t.number(format_rating_margin(to_scale, requirement.limit, rating));

@@ -107,8 +107,9 @@ inline std::string measured_words(const Texts& t, const rules::Finding& finding)
 // The same of a point's value, or of an average, minimum or maximum of them.
 std::string value_words(const Texts& t, const PlanePart& plane, const calc::Estimate& value,
                         const Thresholds& thresholds = {});
-// A point's value alone, short enough for a cell of a plan, see format_cell(); "<10" of such a UGR.
-std::string cell_words(const Texts& t, const PlanePart& plane, double value,
+// A point's value alone, short enough for a cell of a plan, see format_cell(); "< 10" of a UGR that
+// is below its scale with all of its interval.
+std::string cell_words(const Texts& t, const PlanePart& plane, const calc::Estimate& value,
                        const Thresholds& thresholds = {});
 // A UGR all of which is below its scale, see is_below_ugr_scale().
 bool is_below_scale(const rules::Finding& finding);

@@ -185,7 +185,7 @@ std::string svg_hatch(const Drawing& drawing) {
                      path);
 }
 
-std::string cell_text(const Drawing& drawing, double value) {
+std::string cell_text(const Drawing& drawing, const calc::Estimate& value) {
   return cell_words(drawing.t, drawing.plane, value, drawing.thresholds());
 }
 
@@ -194,7 +194,7 @@ constexpr double kDigitWidth = 0.6;  // of the font's size
 std::size_t longest_number(const Drawing& drawing) {
   std::size_t longest = 1;
   for (const PointRow& point : drawing.plane.points) {
-    longest = std::max(longest, cell_text(drawing, point.measured.value).size());
+    longest = std::max(longest, cell_text(drawing, point.measured).size());
   }
   return longest;
 }
@@ -265,7 +265,7 @@ std::string svg_numbers(const Drawing& drawing) {
       svg += fmt::format("<text{} x=\"{}\" y=\"{}\">{}</text>\n",
                          drawing.on_paper && !is_printed ? " class=\"unprinted\"" : "",
                          svg_number(middle.x), svg_number(middle.y + 0.36 * size),
-                         escape_html(cell_text(drawing, point->measured.value)));
+                         escape_html(cell_text(drawing, point->measured)));
     }
     svg += "</g>\n";
   }
@@ -347,7 +347,7 @@ std::vector<LabelBox> taken_by_numbers(const Drawing& drawing, double size, bool
   for (const PointRow& point : drawing.plane.points) {
     if (size == 0.0 || (on_paper && !is_on_paper(drawing, point))) continue;
     const glm::dvec2 middle = drawing.cell_middle_px(point.column, point.row);
-    const auto digits = static_cast<double>(cell_text(drawing, point.measured.value).size());
+    const auto digits = static_cast<double>(cell_text(drawing, point.measured).size());
     taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
   }
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
@@ -411,8 +411,8 @@ std::string spoken(const Drawing& drawing) {
   const PointRow& lowest = lowest_point(plane);
   return drawing.t.say<Text::heat_map_of>(
       escape_html(drawing.name), plane.points.size(), plane_words(drawing.t, plane),
-      cell_text(drawing, plane.minimum.value), cell_text(drawing, plane.maximum.value),
-      unit_words(plane), format_position(drawing.t, lowest.position_m));
+      cell_text(drawing, plane.minimum), cell_text(drawing, plane.maximum), unit_words(plane),
+      format_position(drawing.t, lowest.position_m));
 }
 
 // Lengths in the drawing's pixels for the style sheet of paper.
@@ -541,7 +541,7 @@ PlanSigns signs_of(const Drawing& drawing) {
   const PointRow& lowest = lowest_point(drawing.plane);
   const Texts& t = drawing.t;
   signs.minimum = t.say<Text::value_at_place>(
-      escape_html(cell_text(drawing, lowest.measured.value)) + unit_words(drawing.plane),
+      escape_html(cell_text(drawing, lowest.measured)) + unit_words(drawing.plane),
       with_minus(format_position(t, lowest.position_m)));
   const char* unit = plane_unit(drawing.plane);
   for (const PointRow& point : drawing.plane.points) {

@@ -55,9 +55,9 @@ MatrixHeads matrix_heads(const calc::SensorGrid& grid) {
 std::string value_matrix(const Texts& t, const PlanePart& plane, int first, int end) {
   const calc::SensorGrid& grid = plane.grid;
   const Thresholds thresholds = point_thresholds(plane);
-  std::map<std::pair<int, int>, double> value_of_cell;
+  std::map<std::pair<int, int>, calc::Estimate> value_of_cell;
   for (const PointRow& point : plane.points)
-    value_of_cell[{point.row, point.column}] = point.measured.value;
+    value_of_cell[{point.row, point.column}] = point.measured;
   std::string html = "<table class=\"matrix\"><caption>" + matrix_caption(t, plane) +
                      "</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   const MatrixHeads heads = matrix_heads(grid);

@@ -159,6 +159,24 @@ TEST(StandardWords, ARowIsNotMetByWaivingIt) {
             "surround, wall.2");
 }
 
+// Who waits for a colour rendering that nobody states must not read that the row is met.
+// Only in clauses of packs it is a level; the project's words stay its own.
+// Below 10 a UGR has no number, unless the number is what the limit is about.
+TEST(StandardWords, AGlareRatingBelowItsScaleNeverFailsByAPositiveMargin) {
+  PlanePart plane;
+  plane.derived = calc::DerivedQuantity::ugr;
+  const Threshold limit{19, rules::Comparison::at_most};
+  EXPECT_EQ(cell_words({}, plane, estimate(9.0, 0.5), limit), "< 10");
+  EXPECT_EQ(cell_words({}, plane, estimate(9.8, 0.8), limit), "9.80");
+  rules::Finding finding = sample_finding(rules::Metric::maximum, 19, estimate(9.0, 0.5));
+  finding.requirement.derived = plane.derived;
+  ASSERT_EQ(finding.verdict, rules::Verdict::fail);  // at least 19
+  EXPECT_EQ(margin_words({}, finding), "-10.0 UGR");
+  finding.requirement.comparison = rules::Comparison::at_most;
+  judge_again(finding);
+  EXPECT_EQ(margin_words({}, finding), "> +9.0 UGR");
+}
+
 TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings.at(1);

@@ -82,8 +82,7 @@ TEST(NumberFormat, ALopsidedIntervalIsShownByItsEnds) {
   EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx", {}, "bis"), "100 (95 bis 101) lx");
   EXPECT_EQ(format_measured({0.5, 0.5, 0.6}, ""), "0.50 (0.50 to 0.60)");
   // Both ends stay on their side of the limit, as all digits do.
-  EXPECT_EQ(format_measured({505.0, 499.96, 520.0}, "lx", at_least(500)),
-            "505 (499 to 520) lx");
+  EXPECT_EQ(format_measured({505.0, 499.96, 520.0}, "lx", at_least(500)), "505 (499 to 520) lx");
   // Not seen in these digits.
   EXPECT_EQ(format_measured({512.3, 508.2004, 516.4}, "lx"), "512 ± 5 lx");
   EXPECT_EQ(format_interval({100.0, 95.0, 101.0}, "lx"), "95 – 101 lx");
@@ -174,6 +173,15 @@ TEST(NumberFormat, CellsAreShortAndOnTheirSideOfTheLimit) {
   EXPECT_EQ(format_cell(499.2, at_least(500)), "499");
 }
 
+// As it is printed, not as 100 times it would round.
+TEST(NumberFormat, AFewDigitsReadAlikeOnTheSideOfTheLimit) {
+  EXPECT_EQ(format_fixed(0.595, 2), "0.59");
+  EXPECT_TRUE(reads_alike(0.595, 2, at_least(0.6)));
+  EXPECT_FALSE(reads_alike(0.596, 2, at_least(0.6)));
+  EXPECT_TRUE(reads_alike(0.604, 2, at_least(0.6)));
+  EXPECT_FALSE(reads_alike(0.604, 2, at_most(0.6)));
+}
+
 TEST(NumberFormat, DigitsRespectSeveralLimits) {
   const Thresholds both(at_least(500), at_most(600));
   EXPECT_EQ(format_cell(499.96, both), "499.96");
@@ -239,6 +247,7 @@ TEST(NumberFormat, UgrBelowItsScaleHasNoNumber) {
             format_measured({9.5, 9.0, 9.9}, "", at_most(9.2)))
       << "it fails, and must be seen to";
   EXPECT_EQ(format_ugr({16.4, 16.4, 16.4}, at_most(19)), "16.4");
+  EXPECT_FALSE(is_below_ugr_scale({9.0, 9.0, 9.0}, at_least(16))) << "it fails by so much";
 }
 
 }  // namespace
