@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace report {
 namespace {
@@ -34,10 +35,10 @@ std::string with_level(const Texts& t, std::string words) {
 
 std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source) {
   if (clause.empty()) return {};
-  const std::string words = with_level(t, sentence(t, clause));
+  std::string words = sentence(t, clause);
   switch (source) {
     case rules::LimitSource::pack:
-      return words;
+      return with_level(t, std::move(words));
     case rules::LimitSource::project:
       return t.say<Text::clause_and_source>(words, t[Text::source_project]);
     case rules::LimitSource::user_pack:

@@ -418,9 +418,12 @@ std::string advice_range_words(const Texts& t, const PlanePart& plane,
   const auto other =
       std::find_if(plane.findings.begin(), plane.findings.end(), [&](const auto& candidate) {
         const rules::Requirement& of = candidate.requirement;
+  const bool is_ratio = rules::is_ratio(own.metric);
         return of.severity == rules::Severity::advice && of.derived == own.derived &&
-               of.clause == own.clause && of.scene == own.scene && of.state == own.state &&
-               is_lower(of) != is_lower(own) && is_lower(of) == (of.limit < own.limit);
+               std::string_view(rules::unit_of(of)) == unit &&
+               rules::is_ratio(of.metric) == is_ratio && of.clause == own.clause &&
+               of.scene == own.scene && of.state == own.state && is_lower(of) != is_lower(own) &&
+               is_lower(of) == (of.limit < own.limit);
       });
   if (other == plane.findings.end()) {
     return t.say<Text::advice_limit>(format_required(t, {own.limit, own.comparison}, unit));

@@ -161,6 +161,13 @@ TEST(StandardWords, ARowIsNotMetByWaivingIt) {
 
 // Who waits for a colour rendering that nobody states must not read that the row is met.
 // Only in clauses of packs it is a level; the project's words stay its own.
+TEST(StandardWords, LevelsOfClausesOfTheProjectStayAsTheyAre) {
+  const Texts german(Language::german, true);
+  const calc::Message clause = calc::Message::words("brief 7 (+1 step)");
+  EXPECT_THAT(clause_words(german, clause, rules::LimitSource::project), HasSubstr("(+1 step)"));
+  EXPECT_THAT(clause_words(german, clause, rules::LimitSource::pack), Not(HasSubstr("step")));
+}
+
 // Below 10 a UGR has no number, unless the number is what the limit is about.
 TEST(StandardWords, AGlareRatingBelowItsScaleNeverFailsByAPositiveMargin) {
   PlanePart plane;
@@ -175,6 +182,18 @@ TEST(StandardWords, AGlareRatingBelowItsScaleNeverFailsByAPositiveMargin) {
   finding.requirement.comparison = rules::Comparison::at_most;
   judge_again(finding);
   EXPECT_EQ(margin_words({}, finding), "> +9.0 UGR");
+}
+
+TEST(StandardWords, RecommendedRangesAreOfOneQuantity) {
+  PlanePart plane;
+  plane.findings = {sample_finding(rules::Metric::average, 300, estimate(400, 4)),
+                    sample_finding(rules::Metric::uniformity_min_avg, 0.6, estimate(0.7, 0.01))};
+  for (rules::Finding& finding : plane.findings)
+    finding.requirement.severity = rules::Severity::advice;
+  plane.findings[0].requirement.comparison = rules::Comparison::at_most;
+  EXPECT_EQ(advice_range_words({}, plane, plane.findings[0]).find("0.6"), std::string::npos);
+  plane.findings[1].requirement.metric = rules::Metric::minimum;
+  EXPECT_NE(advice_range_words({}, plane, plane.findings[0]).find("0.6"), std::string::npos);
 }
 
 TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
