@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace report {
@@ -34,12 +35,13 @@ bool is_of_only_place(const SpacePart& space, const std::string& own) {
   });
 }
 
-// The first letter of texts of ours: ASCII, or one of Latin-1 with its small letter 0x20 behind.
+// The first letter of texts of ours: ASCII, or one of Latin-1 with its small letter 0x20 behind;
+// \xB7 is the sign of division.
 std::string with_capital(std::string words) {
   const auto lower = [](char& c, char first, char last) {
     if (c >= first && c <= last) c = static_cast<char>(c - 0x20);
   };
-  if (words.size() > 1 && words[0] == '\xC3') {
+  if (words.size() > 1 && words[0] == '\xC3' && words[1] != '\xB7') {
     lower(words[1], '\xA0', '\xBE');
   } else if (!words.empty()) {
     lower(words[0], 'a', 'z');
@@ -53,9 +55,8 @@ std::string in_place(const Texts& t, const SpacePart& space, const PlanePart& pl
   return place.empty() || is_of_only_place(space, place) ? words : place + t[Text::colon] + words;
 }
 
-}  // namespace
-
-std::string role_name(const Texts& t, std::string_view role) {
+// Of "wall.2" that of walls; nothing of roles that only rule packs of the user's own have.
+std::optional<Text> known_role(std::string_view role) {
   constexpr std::pair<std::string_view, Text> kRoles[] = {{"task", Text::role_task},
                                                           {"surround", Text::role_surround},
                                                           {"background", Text::role_background},
@@ -78,12 +79,19 @@ std::string role_name(const Texts& t, std::string_view role) {
                                                           {"footway", Text::role_footway},
                                                           {"luminaire", Text::role_luminaire},
                                                           {"shelf", Text::role_shelf}};
+  const auto* const row = std::find_if(
+      std::begin(kRoles), std::end(kRoles),
+      [&](const auto& known) { return known.first == role.substr(0, role.find('.')); });
+  return row == std::end(kRoles) ? std::nullopt : std::optional<Text>(row->second);
+}
+
+}  // namespace
+
+std::string role_name(const Texts& t, std::string_view role) {
+  const std::optional<Text> known = known_role(role);
+  if (!known) return with_blanks(role);
   const std::size_t dot = role.find('.');
-  const auto* const row =
-      std::find_if(std::begin(kRoles), std::end(kRoles),
-                   [&](const auto& known) { return known.first == role.substr(0, dot); });
-  if (row == std::end(kRoles)) return with_blanks(role);
-  return t[row->second] + (dot == role.npos ? "" : with_blanks(role.substr(dot)));
+  return t[*known] + (dot == role.npos ? "" : with_blanks(role.substr(dot)));
 }
 
 std::string made_role(const PlanePart& plane) {
@@ -111,7 +119,9 @@ std::string plane_name(const Texts& t, const SpacePart& space, const PlanePart& 
   std::string words = role_name(t, role);
   if (const std::size_t wall = looked_at_wall(space, plane); wall > 0)
     words = t.say<Text::role_looking_to_wall>(words, wall);
-  return with_capital(in_place(t, space, plane, words));
+  // Names of workplaces and of roles of the user's own packs stay as they are.
+  const std::string named = in_place(t, space, plane, words);
+  return named == words && known_role(role) ? with_capital(words) : named;
 }
 
 }  // namespace report

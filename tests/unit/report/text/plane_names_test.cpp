@@ -36,6 +36,7 @@ TEST(PlaneNames, AreOfTheirPlaceInTheRoom) {
   EXPECT_EQ(plane_name({}, space, space.planes[1]), "Wall 2");
   EXPECT_EQ(plane_name({}, space, space.planes[2]), "Observer 1, looking to wall 2");
   EXPECT_EQ(plane_name({}, space, space.planes[3]), "Cylindrical illuminance");
+  EXPECT_EQ(plane_name({}, space, made("use-1.01.iMac", "Use: iMac")), "iMac") << "of its own pack";
   EXPECT_EQ(plane_in_room({}, space, space.planes[1]), "wall 2");
   EXPECT_EQ(plane_in_room({}, space, space.planes[2]), "observer 1");
 }
@@ -55,6 +56,8 @@ TEST(PlaneNames, NameTheWorkplaceWhereThereAreSeveral) {
   EXPECT_EQ(plane_name({}, space, space.planes[0]), "Use: task");
   EXPECT_EQ(plane_name({}, space, space.planes[1]), "Wall 2");
   EXPECT_EQ(plane_name({}, space, space.planes[4]), "Board: task");
+  space.planes[4].name = "iMac: task";
+  EXPECT_EQ(plane_name({}, space, space.planes[4]), "iMac: task") << "the project's own word";
 }
 
 TEST(PlaneNames, OfTheProjectStayAsTheyAre) {
