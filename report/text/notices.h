@@ -14,7 +14,7 @@ namespace report {
 enum class NoticeKind {
   note,      // of a room: what workplaces leave out or could not make, how it was come by
   row,       // of a row of a rule pack: all of it is asked
-  in_part,   // not all of it is
+  in_part,   // not all of it is, or can be
   left_out,  // a zone of a row, by the project, up to a day that is not over
   changed,   // of a plane that a workplace has made: by the project
   remark,    // of a plane: how its quantity was come by

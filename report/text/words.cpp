@@ -314,6 +314,13 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
 
 }  // namespace
 
+bool asks_all(const rules::RowCoverage& row) {
+  return row.is_whole() &&
+         std::none_of(row.roles.begin(), row.roles.end(), [](const rules::RoleCoverage& role) {
+           return role.state == rules::RoleState::not_possible;
+         });
+}
+
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
   const std::string title =
@@ -327,10 +334,11 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
       roles_in(t, row, {met, failed, undecided, not_judged, waived, asked_in_part});
   std::string words = !row.is_whole() && asked.empty() ? t.say<Text::row_not_asked>(title)
                       : !row.is_whole()                ? t.say<Text::row_in_part>(title, asked)
+                      : row.is_met() && !asks_all(row) ? t.say<Text::row_possible_is_met>(title)
                       : row.is_met()                   ? t.say<Text::row_is_met>(title)
                       : row.is_accepted()              ? t.say<Text::row_is_accepted>(title)
-                      : row.has_exceptions()           ? t.say<Text::row_is_not_met>(title)
-                                                       : t.say<Text::row_is_asked>(title);
+                      : row.has_exceptions() || !asks_all(row) ? t.say<Text::row_is_not_met>(title)
+                                                               : t.say<Text::row_is_asked>(title);
   if (row.is_whole()) {
     std::string waived_roles, zones;
     const auto add = [&t](const std::string& role, std::string& list) {
@@ -347,8 +355,6 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   }
   words += end(said(roles_in(t, row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
-  // Of a workplace the room's notes say the rest.
-  if (!row.workplace.empty()) return words;
   words += end(said(roles_in(t, row, {not_possible}),
                     [&](const auto& roles) { return t.say<Text::roles_not_possible>(roles); }));
   return words;
@@ -412,13 +418,13 @@ std::string advice_range_words(const Texts& t, const PlanePart& plane,
                                const rules::Finding& finding) {
   const rules::Requirement& own = finding.requirement;
   const char* unit = rules::unit_of(own);
+  const bool is_ratio = rules::is_ratio(own.metric);
   const auto is_lower = [](const rules::Requirement& of) {
     return rules::is_lower_limit(of.comparison);
   };
   const auto other =
       std::find_if(plane.findings.begin(), plane.findings.end(), [&](const auto& candidate) {
         const rules::Requirement& of = candidate.requirement;
-  const bool is_ratio = rules::is_ratio(own.metric);
         return of.severity == rules::Severity::advice && of.derived == own.derived &&
                std::string_view(rules::unit_of(of)) == unit &&
                rules::is_ratio(of.metric) == is_ratio && of.clause == own.clause &&

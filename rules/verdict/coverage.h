@@ -23,7 +23,7 @@ enum class RoleState {
   left_out,        // by the project, by name
   left_out_ended,  // so it was, and the last day is over
   not_made,        // by a workplace, which has no place for it in this room
-  not_possible,    // its quantity is not measured on planes
+  not_possible,    // its quantity is neither measured on planes nor stated by the makers
   never_asked,
   asked_in_part,  // of some of the walls only; or it is not known which walls there are
 };

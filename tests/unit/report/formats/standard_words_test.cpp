@@ -160,6 +160,30 @@ TEST(StandardWords, ARowIsNotMetByWaivingIt) {
 }
 
 // Who waits for a colour rendering that nobody states must not read that the row is met.
+TEST(StandardWords, ARowIsNotWholeWithWhatIsImpossible) {
+  Document document = small_document();
+  document.projects[0].spaces[0].coverage = {
+      {"desk",
+       calc::Message::words("EN 12464-1:2021 34.2"),
+       {{"task", rules::RoleState::met, {}},
+        {"lamp", rules::RoleState::not_possible, calc::Message::words("made-up reason")}}}};
+  for (const Format& format : formats()) {
+    const std::string text = legible(format, document);
+    EXPECT_THAT(text, Not(HasSubstr("whole row is"))) << format.name;
+    const bool lists_problems = format.name == "github" || format.name == "gitlab";
+    if (is_table(format) || lists_problems || format.name == "dxf") continue;
+    EXPECT_THAT(text, HasSubstr("made-up reason")) << format.name;
+  }
+  rules::RowCoverage& row = document.projects[0].spaces[0].coverage[0];
+  EXPECT_EQ(coverage_words({}, row),
+            "desk, EN 12464-1:2021 34.2: all of the row that can be judged here is met; not "
+            "possible here: lamp (made-up reason)");
+  row.roles[0].state = rules::RoleState::failed;
+  EXPECT_EQ(coverage_words({}, row),
+            "desk, EN 12464-1:2021 34.2: not all that is asked of the row is met; not possible "
+            "here: lamp (made-up reason)");
+}
+
 // Only in clauses of packs it is a level; the project's words stay its own.
 TEST(StandardWords, LevelsOfClausesOfTheProjectStayAsTheyAre) {
   const Texts german(Language::german, true);

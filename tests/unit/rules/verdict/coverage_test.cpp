@@ -174,6 +174,17 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_THAT(covered.roles(), ElementsAre("task met", "surround not-made", "background not-made",
                                            "wall met", "ceiling met", "cylinder met",
                                            "observer met", "room not-made", "lamp not-possible"));
+  EXPECT_EQ(covered.rows[0].roles.back().words,
+            "Ra is not calculated, and no stated value decides it for every luminaire");
+}
+
+// Nobody has looked then whether the makers state it.
+TEST(RowCoverage, ColourIsNeverAskedWhereTheTaskIsNot) {
+  const Covered covered = cover(
+      "<plane id='s' on='wall1' margin='0.5'><require pack='en12464-1:2021' row='34.2' "
+      "role='wall'/></plane>");
+  EXPECT_THAT(covered.roles(), Contains("lamp never-asked"));
+  EXPECT_THAT(covered.roles(), Contains("task never-asked"));
 }
 
 // Nobody says where the background of a board is: until the project does, the row is not whole.
