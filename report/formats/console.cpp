@@ -497,7 +497,7 @@ class TextWriter : public FormatWriter {
   Texts t_;
   Widths widths_{};
   RoomsToName rooms_;
-  bool has_overview_ = false;
+  bool has_overview_ = false, has_folded_notes_ = false;
   std::size_t hidden_notes_ = 0;
   TextList waiting_;  // finished text, and lines after an empty one
 };
@@ -533,13 +533,15 @@ void TextWriter::add(const ProjectPart& project) {
     const RoomNotesText notes = notes_text(t_, project, options_);
     text += overview + causes_text(t_, project, options_) + notes.text;
     hidden_notes_ += notes.hidden;
+    has_folded_notes_ = has_folded_notes_ || notes.is_folded;
   }
   if (of_rooms && lines.empty() && text.ends_with("\n\n")) text.pop_back();
   waiting_.add(text);
   if (is_shown) {
     for (const TableLine& line : lines) add_line(line);
   }
-  const bool folds = of_rooms && !options_.shows_notes;
+  // Files and pipes are logs, which have them all.
+  const bool folds = of_rooms && !options_.shows_notes && options_.width > 0;
   waiting_.add((is_shown ? advice_text(t_, project, options_.width) : "") +
                (options_.has_messages ? messages(project, options_, folds) : "") + "\n");
 }
@@ -570,6 +572,7 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
     text += line(hidden_notes_ == 1 ? t_.say<Text::one_method_note>(hidden_notes_)
                                     : t_.say<Text::method_notes>(hidden_notes_));
   }
+  if (has_folded_notes_) text += line(t_[Text::notes_of_a_kind]);
   text += painted(line(summary_words(t_, end.totals)), outcome_colour(end.totals.outcome),
                   options_.colour);
   if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())

@@ -143,6 +143,7 @@ RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextO
       ++notes.hidden;
     } else {
       notes.text += note_lines(note_line(t, note), 0, options.width, "· ");
+      notes.is_folded = notes.is_folded || note.alike > 0;
     }
   }
   if (!notes.text.empty()) notes.text = t[Text::notes_once] + ("\n" + notes.text) + "\n";

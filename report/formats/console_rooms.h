@@ -23,6 +23,7 @@ std::string causes_text(const Texts& t, const ProjectPart& project, const TextOp
 struct RoomNotesText {
   std::string text;
   std::size_t hidden = 0;  // notes on method, which --notes shows
+  bool is_folded = false;  // of some the first of their kind is here, and --notes shows each
 };
 RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options);
 

@@ -1,6 +1,8 @@
 #include "report/text/room_notes.h"
 
+#include "calc/base/glare_limits.h"
 #include "calc/base/sentences.h"
+#include "calc/glare/ugr_table.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/notices.h"
@@ -15,6 +17,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace report {
@@ -27,15 +30,32 @@ using calc::Sentence;
 // How a quantity is come by, and how well numbers of standards are known where they are known: true
 // of every result of the kind. What is not in this list is told.
 constexpr std::array kOfMethod{
-    Sentence::ugr_method,      Sentence::ugr_background,      Sentence::ugr_by_table,
-    Sentence::ugr_table_ends,  Sentence::ugr_table_mixture,   Sentence::observers_see_none,
-    Sentence::not_made,        Sentence::one_source,          Sentence::readings_differ,
-    Sentence::energy_stated,   Sentence::road_method,         Sentence::road_standard,
-    Sentence::road_by_lane,    Sentence::road_by_edge,        Sentence::road_stated,
-    Sentence::road_rows_go_on, Sentence::road_street_assumed, Sentence::field_glare_method,
-    Sentence::field_stated,    Sentence::strongest_of,        Sentence::strongest_method,
-    Sentence::upward_method,   Sentence::glare_zone_of,       Sentence::distance_method,
-    Sentence::nearest_of,      Sentence::points_alike,        Sentence::mesh_room_faces};
+    Sentence::ugr_background,     Sentence::ugr_table_ends,     Sentence::ugr_table_mixture,
+    Sentence::observers_see_none, Sentence::not_made,           Sentence::readings_differ,
+    Sentence::energy_stated,      Sentence::road_method,        Sentence::road_standard,
+    Sentence::road_by_lane,       Sentence::road_by_edge,       Sentence::road_stated,
+    Sentence::road_rows_go_on,    Sentence::field_glare_method, Sentence::field_stated,
+    Sentence::strongest_of,       Sentence::upward_method,      Sentence::glare_zone_of,
+    Sentence::distance_method,    Sentence::nearest_of,         Sentence::points_alike,
+    Sentence::mesh_room_faces};
+
+// By how much another way to the same UGR can differ, which may be a verdict near the limit.
+constexpr std::array kOfUgrMethod{Sentence::ugr_method, Sentence::ugr_by_table};
+static_assert(calc::kUgrTablesDiffer == calc::kTableOfIndicesDiffers);
+
+// Whether such a difference leaves the verdict as it is.
+bool is_clear_ugr(const rules::Finding& finding) {
+  const calc::Estimate& measured = finding.measured;
+  const double limit = finding.requirement.limit;
+  return std::string_view(rules::rating_of(finding.requirement)) == "UGR" &&
+         std::max(limit - measured.high, measured.low - limit) >= calc::kTableOfIndicesDiffers;
+}
+
+bool is_clear_ugr(const PlanePart& plane) {
+  return std::all_of(plane.findings.begin(), plane.findings.end(), [](const auto& finding) {
+    return rules::is_of_space(finding.requirement.metric) || is_clear_ugr(finding);
+  });
+}
 
 // Between two sentences that could stand apart.
 bool is_separator(const MessagePart& part) {
@@ -54,28 +74,48 @@ std::vector<calc::Message> told_apart(const calc::Message& message) {
   return list;
 }
 
-bool is_of_method(const calc::Message& message);
-
-// Words: whether those of people, or of a pack that comes with the program, are of method.
-bool is_of_method(const MessagePart& part) {
-  if (part.kind != PartKind::sentence) return false;
-  if (part.id == Sentence::of_workplace || part.id == Sentence::of_workplaces) {
-    return !part.arguments.empty() && is_of_method(part.arguments.back());
-  }
-  return std::find(kOfMethod.begin(), kOfMethod.end(), part.id) != kOfMethod.end();
+bool is_of_workplaces(const MessagePart& part) {
+  return part.kind == PartKind::sentence && !part.arguments.empty() &&
+         (part.id == Sentence::of_workplace || part.id == Sentence::of_workplaces);
 }
 
-bool is_of_method(const calc::Message& message) {
-  return std::all_of(message.parts().begin(), message.parts().end(), [](const MessagePart& part) {
-    return is_separator(part) || is_of_method(part);
+bool is_of_method(const calc::Message& message, bool has_clear_ugr);
+
+// Words are not: what is not known to be of method is a doubt.
+bool is_of_method(const MessagePart& part, bool has_clear_ugr) {
+  if (part.kind != PartKind::sentence) return false;
+  if (is_of_workplaces(part)) return is_of_method(part.arguments.back(), has_clear_ugr);
+  const auto is_in = [&part](const auto& list) {
+    return std::find(list.begin(), list.end(), part.id) != list.end();
+  };
+  return is_in(kOfMethod) || (has_clear_ugr && is_in(kOfUgrMethod));
+}
+
+bool is_of_method(const calc::Message& message, bool has_clear_ugr) {
+  return std::all_of(message.parts().begin(), message.parts().end(), [&](const MessagePart& part) {
+    return is_separator(part) || is_of_method(part, has_clear_ugr);
   });
 }
 
-// A name for what differs in its arguments alone; "" of what has only its words.
+// A name for what differs in its arguments alone; "" of what has words of its own, or is to be read
+// wherever it is said.
 std::string kind_of(const calc::Message& message) {
-  if (message.parts().size() != 1) return {};
-  const MessagePart& part = message.parts().front();
-  return part.kind == PartKind::sentence ? std::to_string(static_cast<int>(part.id)) : "";
+  std::string kind;
+  for (const MessagePart& part : message.parts()) {
+    if (is_separator(part)) {
+      kind += part.text;
+      continue;
+    }
+    const bool is_sentence = part.kind == PartKind::sentence;
+    if (!is_sentence || part.id == Sentence::left_out || part.id == Sentence::task_anywhere)
+      return {};
+    kind += std::to_string(static_cast<int>(part.id));
+    if (!is_of_workplaces(part)) continue;
+    const std::string of = kind_of(part.arguments.back());
+    if (of.empty()) return {};
+    kind += "(" + of + ")";
+  }
+  return kind;
 }
 
 class NotesOnce {
@@ -85,24 +125,23 @@ class NotesOnce {
   void add(const std::string& place, const std::string& words, bool is_method,
            const std::string& kind = {}) {
     if (words.empty()) return;
+    // What is a doubt in one place and of method in another is two notes, each with its places.
     const bool is_folded = folds_ && !is_method && !kind.empty();
-    const auto [known, is_new] =
-        number_.try_emplace(is_folded ? "\n" + kind : words, notes_.size());
+    const std::string key = (is_method ? "m" : is_folded ? "k" : "d") + (is_folded ? kind : words);
+    const auto [known, is_new] = number_.try_emplace(key, notes_.size());
     if (is_new) notes_.push_back({is_method, words, {}, 0});
     RoomNote& note = notes_[known->second];
     if (words != note.words && alike_[known->second].insert(words).second) ++note.alike;
-    note.is_method = note.is_method && is_method;
     if (std::find(note.places.begin(), note.places.end(), place) == note.places.end()) {
       note.places.push_back(place);
     }
   }
-  // pack_words: of a rule pack that comes with the program, which says how it is done.
+  // has_clear_ugr: no UGR that the message is about is near its limit.
   void add(const std::string& place, const calc::Message& message, bool is_method,
-           bool has_pack_words = false) {
+           bool has_clear_ugr = false) {
     for (const calc::Message& one : told_apart(message)) {
-      const bool is_words = one.parts().size() == 1 && one.parts().front().kind == PartKind::words;
-      add(place, printable(sentence(t_, one)),
-          is_method || is_of_method(one) || (has_pack_words && is_words), kind_of(one));
+      add(place, printable(sentence(t_, one)), is_method || is_of_method(one, has_clear_ugr),
+          kind_of(one));
     }
   }
   std::vector<RoomNote> take() { return std::move(notes_); }
@@ -157,9 +196,7 @@ void add_finding(const Texts& t, const std::string& place, const PlanePart& plan
     if (part.message.empty()) {
       notes.add(place, printable(part.text), false);
     } else {
-      // The other messages are of the project: by which rounding it compares, and the like.
-      const bool is_own = part.message == finding.requirement.note;
-      notes.add(place, part.message, false, is_of_pack && is_own);
+      notes.add(place, part.message, false, is_clear_ugr(finding));
     }
   }
   if (finding.is_close) notes.add(place, close_words(t, finding), false);
@@ -169,7 +206,8 @@ void add_notice(const Texts& t, const std::string& place, const Notice& notice, 
   switch (notice.kind) {
     case NoticeKind::note:
     case NoticeKind::remark:
-      return notes.add(place, *notice.message, false);
+      return notes.add(place, *notice.message, false,
+                       notice.plane != nullptr && is_clear_ugr(*notice.plane));
     case NoticeKind::changed:
       return notes.add(place,
                        printable(t.say<Text::made_and_changed>(sentence(t, notice.plane->made_by),
@@ -182,6 +220,14 @@ void add_notice(const Texts& t, const std::string& place, const Notice& notice, 
     case NoticeKind::in_part:
       break;
   }
+}
+
+// Of rows of which all that is possible is asked, whichever they are; "" = of others.
+std::string row_kind(const Texts& t, rules::RowCoverage row) {
+  if (!row.is_whole() || row.has_exceptions()) return {};
+  row.workplace.clear();
+  row.clause = {};
+  return coverage_words(t, row);
 }
 
 void add_room(const Texts& t, const SpacePart& space, const std::string& room, NotesOnce& notes) {
@@ -202,7 +248,8 @@ void add_room(const Texts& t, const SpacePart& space, const std::string& room, N
                notice, notes);
   }
   for (const rules::RowCoverage& row : together(t, space.coverage)) {
-    notes.add(room, coverage_words(t, row), row.is_whole() && !row.has_exceptions());
+    notes.add(room, coverage_words(t, row), asks_all(row) && !row.has_exceptions(),
+              row_kind(t, row));
   }
 }
 
@@ -235,8 +282,7 @@ std::vector<RoomNote> room_notes(const Texts& t, const ProjectPart& project, boo
     add_room(t, space, room, notes);
     for (const rules::AggregateFinding& finding : project.aggregates) {
       if (finding.space_id != space.id) continue;
-      notes.add(room + " / " + printable(aggregate_title(t, finding)), finding.note, false,
-                !finding.is_user_supplied);
+      notes.add(room + " / " + printable(aggregate_title(t, finding)), finding.note, false);
       if (!finding.is_user_supplied || finding.clause.empty()) continue;
       notes.add(room, printable(clause_words(t, finding)), false);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// What must be read with the results of several rooms, each text once: the same for every format.
+// What must be read with the results of several rooms, each text once, or once as a doubt and once
+// as of method: the same for every format.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"

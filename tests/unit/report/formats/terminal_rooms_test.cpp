@@ -80,9 +80,11 @@ TEST(TerminalRooms, NotesOnMethodAreCountedAndDoubtsAreShownOnce) {
   const Document document = many_rooms_document(21);
   const std::string text = on_terminal(document, 0);
   EXPECT_THAT(text, HasSubstr("the plane has only 0.029 m2\n"));
-  EXPECT_THAT(text, Not(HasSubstr("one public source")));
+  EXPECT_THAT(text, HasSubstr("and 18 more: one public source\n"));
+  EXPECT_EQ(text.find("one public source"), text.rfind("one public source"));
   EXPECT_THAT(text, Not(HasSubstr("Guth")));
-  EXPECT_THAT(text, HasSubstr("\n23 notes on method and limits (--notes shows them)\n"));
+  EXPECT_THAT(text, HasSubstr("\n22 notes on method and limits (--notes shows them)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("--notes shows each")));
   FormatStyle style;
   style.terminal.shows_notes = true;
   const std::string all = rendered("text", document, style);
@@ -102,6 +104,54 @@ TEST(TerminalRooms, DoubtsOfAKindAreOne) {
   FormatStyle style;
   style.terminal.shows_notes = true;
   EXPECT_THAT(rendered("text", document, style), HasSubstr("0.027"));
+}
+
+TEST(TerminalRooms, DoubtsOfAKindAreOneOnlyWhereTheirSentencesAre) {
+  using enum calc::Sentence;
+  const auto of = [](const calc::Message& what) {
+    return calc::say<of_workplace>("w", calc::Message::words("EN 1"), what);
+  };
+  const auto text_of = [&](const calc::Message& first, const calc::Message& second) {
+    Document document = many_rooms_document(8);
+    document.projects[0].spaces[0].notes = {first};
+    document.projects[0].spaces[1].notes = {second};
+    return on_terminal(document, 0);
+  };
+  const auto front = calc::say<front_wall>(2), other_front = calc::say<front_wall>(4);
+  const std::string alike = text_of(of(front), of(other_front));
+  EXPECT_THAT(alike, Not(HasSubstr("wall 4")));
+  EXPECT_THAT(alike, HasSubstr("(--notes shows each)\n"));
+  EXPECT_THAT(text_of(of(front), of(other_front + "; " + calc::say<speck>(0.5))),
+              HasSubstr("wall 4"));
+  EXPECT_THAT(text_of(of(front), of(other_front + "; " + calc::Message::words("glass"))),
+              HasSubstr("glass"));
+  EXPECT_THAT(text_of(of(calc::say<left_out>(calc::Message::words("wall"))),
+                      of(calc::say<left_out>(calc::Message::words("ceiling")))),
+              HasSubstr("left out: ceiling"));
+}
+
+// What the method of UGR leaves open may be the verdict.
+TEST(TerminalRooms, TheMethodOfGlareIsADoubtNearItsLimit) {
+  for (const double rating : {17.9, 18.1, 19.9, 20.1}) {
+    Document document = many_rooms_document(8);
+    SpacePart& space = document.projects[0].spaces[4];
+    space.planes[1] = observer_plane(space.id, kRoomKinds[0], rating);
+    const bool is_near = rating > 18 && rating < 20;
+    EXPECT_EQ(on_terminal(document, 0).find("Guth") != std::string::npos, is_near) << rating;
+    if (is_near) {
+      EXPECT_THAT(on_terminal(document, 0), HasSubstr("· Copies / observer 1: "));
+    }
+  }
+}
+
+TEST(TerminalRooms, WarningsAreFoldedOnATerminalAlone) {
+  const Document document = many_rooms_document(21);
+  EXPECT_THAT(rendered("text", document), HasSubstr("'G[18,0]'"));
+  FormatStyle style;
+  style.terminal.width = 120;
+  const std::string text = rendered("text", document, style);
+  EXPECT_THAT(text, HasSubstr("7 times, first: "));
+  EXPECT_THAT(text, Not(HasSubstr("'G[18,0]'")));
 }
 
 TEST(TerminalRooms, LastLinesNameTheRooms) {
