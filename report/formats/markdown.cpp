@@ -238,6 +238,7 @@ class MarkdownWriter : public FormatWriter {
         findings_(frame, t),
         passed_(t, has_projects()),
         others_(t, has_projects()),
+        causes_(place),
         advice_(place),
         warnings_(place),
         notes_(place) {}
@@ -250,10 +251,8 @@ class MarkdownWriter : public FormatWriter {
       about_ = about_line(t_, project.about);
       title_ = title_of(project);
       overview_ = overview_markdown(t_, project);
-      if (!overview_.empty()) {
-        causes_ = causes_markdown(t_, project) + doubts_markdown(t_, project);
-      }
     }
+    if (has_overview(project)) causes_.write(causes(project));
     // Of many the passing ones are folded: what is left to do must not be looked for.
     const bool is_folded =
         frame_.paths.size() > kMostListed && outcome_of(project) == rules::Outcome::pass;
@@ -280,13 +279,20 @@ class MarkdownWriter : public FormatWriter {
   };
   bool has_projects() const { return frame_.paths.size() > 1; }
 
+  // Of several rooms.
+  std::string causes(const ProjectPart& project) const {
+    const std::string text = causes_markdown(t_, project) + doubts_markdown(t_, project);
+    if (!has_projects() || text.empty()) return text;
+    return "\n#### " + escape_markdown(project.path) + "\n" + text;
+  }
+
   const DocumentFrame& frame_;
   Texts t_;
   CiFindings findings_;
   Table passed_, others_;
   Lines project_lines_, folded_lines_;
-  std::string title_, about_, overview_, causes_;  // of the only one
-  Spill advice_, warnings_, notes_;                // of all projects
+  std::string title_, about_, overview_;      // of the only one
+  Spill causes_, advice_, warnings_, notes_;  // of all projects
 };
 
 void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -304,8 +310,11 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   }
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
-  text += overview_ + causes_;
+  text += overview_;
   if (has_projects() && project_lines_.count > 0) text += "\n" + project_lines_.with_rest(t_);
+  sink.write(text);
+  causes_.copy_to(sink);
+  text.clear();
   if (others_.count() > 0) {
     text += overview_.empty()
                 ? "\n" + others_.text()

@@ -154,6 +154,19 @@ TEST(TerminalRooms, WarningsAreFoldedOnATerminalAlone) {
   EXPECT_THAT(text, Not(HasSubstr("'G[18,0]'")));
 }
 
+TEST(TerminalRooms, MarkdownOfSeveralProjectsHasTheCausesOfEach) {
+  Document document = many_rooms_document(8);
+  document.projects.push_back(document.projects[0]);
+  document.projects[1].path = "second.xml";
+  const std::string text = rendered("markdown", document);
+  const std::string second = text.substr(text.find("\n#### second.xml\n"));
+  EXPECT_THAT(text, HasSubstr("\n#### office.xml\n"));
+  for (const std::string& one : {text, second}) {
+    EXPECT_THAT(one, HasSubstr("\n**Not met**\n\n- 1.04 Reception\n"));
+    EXPECT_THAT(one, HasSubstr(": the plane has only 0.029 m2\n"));
+  }
+}
+
 TEST(TerminalRooms, LastLinesNameTheRooms) {
   Document document = many_rooms_document(8);
   EXPECT_TRUE(on_terminal(document, 0)
