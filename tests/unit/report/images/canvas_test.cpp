@@ -31,7 +31,7 @@ TEST(Canvas, LinesHaveSmoothEdges) {
 TEST(Canvas, LeaningLinesAreWhole) {
   Canvas canvas(40, 40);
   canvas.line(std::vector<glm::dvec2>{{36, 4}, {4, 36}}, 4.0, {0, 0, 0});
-  for (int k = 4; k < 36; ++k) {
+  for (int k = 6; k < 34; ++k) {  // away from the ends, which are round
     EXPECT_EQ(at(canvas.raster(), k, 39 - k), kBlack) << k;
     EXPECT_EQ(at(canvas.raster(), k - 2, 39 - k), kBlack) << k;
     EXPECT_EQ(at(canvas.raster(), k - 4, 39 - k), kWhite) << k;
