@@ -233,7 +233,7 @@ void Totals::add(const ProjectPart& project) {
   warnings.all += counts.all;
   warnings.strict += counts.strict;
   for (const SpacePart& space : project.spaces) {
-    for (const rules::RowCoverage& row : space.coverage) rows_in_part += row.is_whole() ? 0 : 1;
+    for (const rules::RowCoverage& row : space.coverage) rows_in_part += row.asks_all() ? 0 : 1;
   }
   gravest = graver(gravest, outcome_of(project));
   outcome = is_selection_empty() ? rules::Outcome::not_judged : gravest;

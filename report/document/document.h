@@ -374,7 +374,7 @@ struct Totals {
   int projects_unchosen = 0;  // see is_nothing_chosen()
   VerdictCounts verdicts;
   WarningCounts warnings;
-  int rows_in_part = 0;  // of rule packs: of which something was never asked
+  int rows_in_part = 0;  // of rule packs: of which something was never asked or cannot be judged
   rules::Outcome gravest = rules::Outcome::nothing_asked;  // of the projects, each for itself
   rules::Outcome outcome = rules::Outcome::nothing_asked;  // of all together
   bool hangs_on_the_day = false;                           // see above

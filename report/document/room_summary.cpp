@@ -11,11 +11,15 @@
 namespace report {
 namespace {
 
-// The worse of two for the same column: by verdict, then by margin; the first of equal ones.
+// The worse of two for the same column: by verdict, then by margin; the first of equal ones. Of
+// what passes in both directions the least that is required says more than the most.
 const rules::Finding* worse(const rules::Finding* known, const rules::Finding& other) {
   if (known == nullptr) return &other;
   const rules::Outcome was = outcome_of(*known), is = outcome_of(other);
   if (was != is) return is < was ? &other : known;
+  const bool was_least = rules::is_lower_limit(known->requirement.comparison),
+             is_least = rules::is_lower_limit(other.requirement.comparison);
+  if (was_least != is_least) return is_least ? &other : known;
   return other.margin < known->margin ? &other : known;
 }
 
@@ -69,7 +73,9 @@ void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSumm
   }
   const bool is_plain =
       plane.kernel == calc::ReceiverKernel::planar && plane.derived == calc::DerivedQuantity::none;
-  if (!is_plain || !requirement.origin.is_of_own_role) return;
+  // A road is asked as such, not as the role of one of its planes.
+  const bool is_road = rules::is_of_road(requirement.metric);
+  if (!is_plain || !(is_road || requirement.origin.is_of_own_role)) return;
   if (is_average || requirement.metric == rules::Metric::road_luminance)
     room.average = worse(room.average, finding);
   if (requirement.metric == rules::Metric::minimum) room.minimum = worse(room.minimum, finding);

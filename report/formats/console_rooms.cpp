@@ -152,7 +152,6 @@ RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextO
 
 void RoomsToName::add_name(rules::Outcome outcome, const std::string& name) {
   constexpr std::size_t kMostNamed = 12;
-  ++rooms_;
   List& list = lists_[outcome];
   ++list.count;
   if (list.names.size() < kMostNamed) list.names.push_back(name);
@@ -160,13 +159,21 @@ void RoomsToName::add_name(rules::Outcome outcome, const std::string& name) {
 
 void RoomsToName::add(const ProjectPart& project, const std::string& path) {
   if (!project.is_judged) {
+    ++rooms_;
     add_name(rules::Outcome::not_judged, path.empty() ? printable_path(project.path) : path);
   }
   const std::vector<std::string> titles = room_titles(project);
   for (const RoomSummary& room : room_summaries(project)) {
-    const std::string name =
+    const std::string title =
         printable(titles[static_cast<std::size_t>(room.space - project.spaces.data())]);
-    add_name(room.outcome, path.empty() ? name : fmt::format("{}: {}", path, name));
+    const std::string name = path.empty() ? title : fmt::format("{}: {}", path, title);
+    ++rooms_;
+    add_name(room.outcome, name);
+    // What was not judged is graver, but what fails is to be mended as well.
+    const bool has_failed =
+        std::any_of(room.causes.begin(), room.causes.end(),
+                    [](const RoomCause& one) { return one.outcome == rules::Outcome::fail; });
+    if (has_failed && room.outcome != rules::Outcome::fail) add_name(rules::Outcome::fail, name);
   }
 }
 

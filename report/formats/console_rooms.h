@@ -34,7 +34,7 @@ class RoomsToName {
   void add(const ProjectPart& project, const std::string& path);
 
   // "1 room fails: Office · 2 rooms not judged: Hall, Store"; "" where a single room is all there
-  // is, or none is to be named.
+  // is, or none is to be named. A room that is not judged, and fails in what is, is named twice.
   std::string text(const Texts& t, int terminal_width) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 void add_rows(const SpacePart& space, std::vector<Notice>& notices) {
   for (const rules::RowCoverage& row : space.coverage) {
     notices.push_back(
-        {asks_all(row) ? NoticeKind::row : NoticeKind::in_part, &space, nullptr, nullptr, &row});
+        {row.asks_all() ? NoticeKind::row : NoticeKind::in_part, &space, nullptr, nullptr, &row});
     for (const rules::RoleCoverage& role : row.roles) {
       for (const rules::LeftOutZone& zone : role.left_out) {
         if (zone.has_ended) continue;  // told by its plane, which is not judged

@@ -38,6 +38,8 @@ std::optional<calc::Estimate> pass_factor(const rules::Finding& finding) {
   const calc::Estimate& measured = finding.measured;
   // Ratings and ratios do not grow with the light.
   if (calc::is_plain_number(requirement.derived)) return std::nullopt;
+  // Where it fails for a reason, such as light that is missing, a factor would not mend that.
+  if (!finding.reason.empty()) return std::nullopt;
   if (finding.verdict != rules::Verdict::fail || is_strict(requirement.comparison) ||
       !rules::metric_row(requirement.metric).is_linear || !requirement.policy.is_default() ||
       !(requirement.limit > 0.0) || !(measured.low > 0.0) || !std::isfinite(measured.high)) {

@@ -13,8 +13,9 @@ namespace report {
 // interval that follows from the measurement's. Illuminances are linear in it: averages, minima,
 // maxima, percentiles and values of points; empty for ratios, ratings and shares, where the limit
 // or the lower end of the measurement is not above 0, for every verdict but fail (of what is
-// undecided nobody knows whether it needs another light at all), for strict limits, which are not
-// met where they are reached, and for a decision policy of its own, whose true limit is another.
+// undecided nobody knows whether it needs another light at all), for what fails for a reason that
+// more light of all would not mend, for strict limits, which are not met where they are reached,
+// and for a decision policy of its own, whose true limit is another.
 std::optional<calc::Estimate> pass_factor(const rules::Finding& finding);
 
 // The factor on one group's light alone at which the plane's maintained average is proved to meet

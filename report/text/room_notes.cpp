@@ -248,7 +248,7 @@ void add_room(const Texts& t, const SpacePart& space, const std::string& room, N
                notice, notes);
   }
   for (const rules::RowCoverage& row : together(t, space.coverage)) {
-    notes.add(room, coverage_words(t, row), asks_all(row) && !row.has_exceptions(),
+    notes.add(room, coverage_words(t, row), row.asks_all() && !row.has_exceptions(),
               row_kind(t, row));
   }
 }

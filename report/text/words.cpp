@@ -314,13 +314,6 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
 
 }  // namespace
 
-bool asks_all(const rules::RowCoverage& row) {
-  return row.is_whole() &&
-         std::none_of(row.roles.begin(), row.roles.end(), [](const rules::RoleCoverage& role) {
-           return role.state == rules::RoleState::not_possible;
-         });
-}
-
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
   const std::string title =
@@ -332,13 +325,13 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   };
   const std::string asked =
       roles_in(t, row, {met, failed, undecided, not_judged, waived, asked_in_part});
-  std::string words = !row.is_whole() && asked.empty() ? t.say<Text::row_not_asked>(title)
-                      : !row.is_whole()                ? t.say<Text::row_in_part>(title, asked)
-                      : row.is_met() && !asks_all(row) ? t.say<Text::row_possible_is_met>(title)
-                      : row.is_met()                   ? t.say<Text::row_is_met>(title)
-                      : row.is_accepted()              ? t.say<Text::row_is_accepted>(title)
-                      : row.has_exceptions() || !asks_all(row) ? t.say<Text::row_is_not_met>(title)
-                                                               : t.say<Text::row_is_asked>(title);
+  std::string words = !row.is_whole() && asked.empty()  ? t.say<Text::row_not_asked>(title)
+                      : !row.is_whole()                 ? t.say<Text::row_in_part>(title, asked)
+                      : row.is_met() && !row.asks_all() ? t.say<Text::row_possible_is_met>(title)
+                      : row.is_met()                    ? t.say<Text::row_is_met>(title)
+                      : row.is_accepted()               ? t.say<Text::row_is_accepted>(title)
+                      : row.has_exceptions() || !row.asks_all() ? t.say<Text::row_is_not_met>(title)
+                                                                : t.say<Text::row_is_asked>(title);
   if (row.is_whole()) {
     std::string waived_roles, zones;
     const auto add = [&t](const std::string& role, std::string& list) {

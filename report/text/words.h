@@ -93,8 +93,6 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement);
 std::string other_light_words(const Texts& t, const PlanePart& plane);
 // "scene night, end-of-duration, direct light only"
 std::string asked_light_words(const Texts& t, const AskedLight& light);
-// The whole row is asked: nothing of it is impossible here.
-bool asks_all(const rules::RowCoverage& row);
 // "EN 12464-1:2021 34.2: not the whole row is asked, only task; never asked: surround, ...".
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);

@@ -443,6 +443,12 @@ bool RowCoverage::is_whole() const {
   });
 }
 
+bool RowCoverage::asks_all() const {
+  return is_whole() && std::none_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
+           return role.state == RoleState::not_possible;
+         });
+}
+
 bool RowCoverage::has_exceptions() const {
   return std::any_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
     return role.state == RoleState::waived ||

@@ -78,6 +78,8 @@ struct RowCoverage {
 
   // Nothing of it was never asked, or is no longer, or is asked of a part only.
   bool is_whole() const;
+  // So it is, and nothing of it cannot be judged: all of the row has a verdict.
+  bool asks_all() const;
   // Something of it is waived, or left out by the project.
   bool has_exceptions() const;
   // Whole, and all that is neither waived nor left out is met.

@@ -213,10 +213,11 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     if (measurement.is_cut_off && !holds_with_more_light(requirement, finding.verdict)) {
       make_doubtful(finding);
       finding.reason = calc::say<calc::Sentence::cut_off>();
-    } else if (measurement.has_missing_light && finding.verdict == Verdict::pass) {
+    } else if (measurement.has_missing_light && finding.verdict != Verdict::undecided) {
       const bool is_unsure = !requirement.unsure_light.empty();
       if (!is_unsure && holds_with_more_light(requirement, finding.verdict)) return finding;
-      make_doubtful(finding);
+      // What fails fails as the project is, but the light that is missing is the first to mend.
+      if (finding.verdict == Verdict::pass) make_doubtful(finding);
       finding.reason = is_unsure ? requirement.unsure_light : requirement.missing_light;
     }
     return finding;

@@ -108,7 +108,7 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
   for (const calc::Message& note : space.notes)
     html += "<p class=\"quiet note-of-room\">" + sentence_html(t, note) + "</p>\n";
   for (const rules::RowCoverage& row : space.coverage) {
-    html += fmt::format("<p class=\"note-of-room{}\">{}</p>\n", asks_all(row) ? " quiet" : "",
+    html += fmt::format("<p class=\"note-of-room{}\">{}</p>\n", row.asks_all() ? " quiet" : "",
                         escape_html(coverage_words(t, row)));
   }
   return html;

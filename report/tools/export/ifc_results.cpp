@@ -527,7 +527,7 @@ class ResultsWriter {
     all.words("Doubt", room.doubt);
     std::vector<std::string> in_part, left_out;
     for (const rules::RowCoverage& row : space.coverage) {
-      if (!report::asks_all(row)) in_part.push_back(report::coverage_words({}, row));
+      if (!row.asks_all()) in_part.push_back(report::coverage_words({}, row));
       for (const rules::RoleCoverage& role : row.roles) {
         for (const rules::LeftOutZone& zone : role.left_out) {
           if (zone.has_ended) continue;  // told by its plane, which is not judged

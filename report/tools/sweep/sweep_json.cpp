@@ -67,7 +67,7 @@ JsonKeys row_keys(const SweepRow& row, const Sweep& sweep) {
       {"warnings", row.warnings, at_least_type("integer", 0)},
       {"rows_in_part", row.rows_in_part,
        described_key(at_least_type("integer", 0),
-                     "Rows of a standard that are asked in part only.")},
+                     "Rows of a standard that are judged in part only.")},
       {"waived", row.waived,
        described_key(at_least_type("integer", 0),
                      "Requirements that do not count since they are waived.")},

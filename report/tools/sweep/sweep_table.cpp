@@ -293,7 +293,7 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
   }
   if (const auto variants = count(&SweepRow::rows_in_part); variants > 0) {
     notes.push_back(fmt::format(
-        "variants in which a row of a standard is asked in part only: {}; a pass is of what was "
+        "variants in which a row of a standard is judged in part only: {}; a pass is of what was "
         "asked",
         variants));
   }

@@ -1,5 +1,6 @@
 #include "report/document/room_summary.h"
 
+#include "calc/base/sentences.h"
 #include "report/html/page/html.h"
 #include "report/text/plain_text.h"
 #include "tests/support/rendered.h"
@@ -211,6 +212,49 @@ TEST(RoomSummary, StandsFirstOnTheTerminalAndNamesRoomsAtTheEnd) {
   Document passing = rooms();
   passing.projects[0].spaces = {room("r1", "Hall"), room("r2", "Office")};
   EXPECT_TRUE(rendered("text", passing).ends_with("4 requirements: 4 pass\n"));
+}
+
+TEST(RoomSummary, WhatFailsInARoomThatIsNotJudgedIsNamedAsWell) {
+  Document document = rooms();
+  set_average(finding(document.projects[0].spaces[2], 0), 412.0);
+  EXPECT_EQ(room_summaries(document.projects[0])[2].outcome, rules::Outcome::not_judged);
+  EXPECT_THAT(rendered("text", document),
+              HasSubstr("2 rooms fail: Office, Store · 1 room not judged: Store\n"));
+}
+
+// What is least required says more than what is most allowed, unless that is what fails.
+TEST(RoomSummary, OfTwoLimitsThatAreMetTheLeastIsShown) {
+  Document document = rooms();
+  SpacePart& hall = document.projects[0].spaces[0];
+  finding(hall, 1).requirement.comparison = rules::Comparison::at_most;
+  finding(hall, 1).requirement.limit = 601.0;
+  set_average(finding(hall, 1), 600.0);
+  EXPECT_EQ(room_summaries(document.projects[0])[0].average, &finding(hall, 0));
+  set_average(finding(hall, 1), 640.0);
+  EXPECT_EQ(room_summaries(document.projects[0])[0].average, &finding(hall, 1));
+}
+
+// Nobody mends it by more light of the others.
+TEST(RoomSummary, WhatFailsForMissingLightHasNoFactor) {
+  Document document = rooms();
+  EXPECT_THAT(rendered("text", document), HasSubstr("all light at"));
+  finding(document.projects[0].spaces[1], 0).reason =
+      calc::say<calc::Sentence::light_is_lost>("L7");
+  const std::string text = rendered("text", document);
+  EXPECT_THAT(text, HasSubstr("'L7' is outside the room"));
+  EXPECT_THAT(text, Not(HasSubstr("all light at")));
+}
+
+TEST(RoomSummary, ARoadHasItsLuminanceThoughItsRoleIsAnother) {
+  Document document = rooms();
+  SpacePart& street = document.projects[0].spaces[0];
+  rules::Finding& luminance = finding(street, 0);
+  luminance.requirement.metric = rules::Metric::road_luminance;
+  luminance.requirement.origin.is_of_own_role = false;
+  luminance.requirement.limit = 0.75;
+  set_average(luminance, 0.76, 0.001);
+  EXPECT_EQ(room_summaries(document.projects[0])[0].average, &luminance);
+  EXPECT_THAT(rendered("text", document), HasSubstr(" L 0.76 ≥ 0.75\n"));
 }
 
 // Names give way, then power and counts; values never.

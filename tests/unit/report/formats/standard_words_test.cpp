@@ -61,7 +61,7 @@ TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
     whole.projects[0].spaces[0].coverage[0].roles.pop_back();
     EXPECT_THAT(legible(format, whole), Not(HasSubstr("observer"))) << format.name;
   }
-  EXPECT_THAT(rendered("github", deviating()), HasSubstr("asked in part only"));
+  EXPECT_THAT(rendered("github", deviating()), HasSubstr("judged in part only"));
 }
 
 TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
@@ -237,7 +237,7 @@ TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
 TEST(StandardWords, TheSummaryCountsBoth) {
   const std::string text = rendered("text", deviating());
   EXPECT_THAT(text, HasSubstr("1 with a deviation from the standard"));
-  EXPECT_THAT(text, HasSubstr("1 row of a standard is asked in part only"));
+  EXPECT_THAT(text, HasSubstr("1 row of a standard is judged in part only"));
   EXPECT_THAT(rendered("text", small_document()), Not(HasSubstr("standard")));
 }
 

@@ -148,7 +148,8 @@ TEST(Judge, NothingPassesOnLightThatIsUnsure) {
     requirement.comparison = comparison;
     requirement.unsure_light = calc::Message::words("a room stands between");
     const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
-    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.unsure_light : calc::Message());
+    EXPECT_EQ(finding.is_doubtful, finding.verdict == Verdict::undecided);
+    EXPECT_EQ(finding.reason, requirement.unsure_light) << "what fails says what is to mend, too";
     return finding.verdict;
   };
   constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
@@ -158,14 +159,16 @@ TEST(Judge, NothingPassesOnLightThatIsUnsure) {
 }
 
 // A photometry that ends in the light: more of it would leave these passes, and turn all others.
-// What fails by the light that is known fails.
+// What fails by the light that is known fails; where more could turn it, it says so.
 TEST(Judge, NothingPassesThatMissingLightCouldFail) {
   const auto judge_missing = [](Requirement requirement, Comparison comparison) {
     requirement.comparison = comparison;
     requirement.missing_light = calc::Message::words("the file ends at 60 degrees");
     const Finding finding = judge(requirement, exact_field({625, 625, 625}));  // 500 lx
     EXPECT_EQ(finding.is_doubtful, finding.verdict == Verdict::undecided);
-    EXPECT_EQ(finding.reason, finding.is_doubtful ? requirement.missing_light : calc::Message());
+    const bool is_least = is_lower_limit(comparison) && metric_row(requirement.metric).is_linear;
+    const bool is_sure = finding.verdict == (is_least ? Verdict::pass : Verdict::fail);
+    EXPECT_EQ(finding.reason, is_sure ? calc::Message() : requirement.missing_light);
     return finding.verdict;
   };
   constexpr Comparison kLeast = Comparison::at_least, kMost = Comparison::at_most;
