@@ -1,6 +1,8 @@
 #include "report/document/luminaire_totals.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace report {
 namespace {
@@ -15,6 +17,19 @@ void add(const LuminaireRow& type, std::int64_t count, LuminaireTotals& totals) 
 std::int64_t count_in(const SpacePart& space, const LuminaireRow& type) {
   return std::count_if(space.luminaires.begin(), space.luminaires.end(),
                        [&](const LuminaireMark& mark) { return mark.type_id == type.type_id; });
+}
+
+std::set<std::string> emergency_scenes(const ProjectPart& project) {
+  std::set<std::string> scenes;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.requirement.state == rules::LightState::end_of_duration)
+          scenes.insert(finding.requirement.scene);
+      }
+    }
+  }
+  return scenes;
 }
 
 }  // namespace
@@ -37,6 +52,34 @@ LuminaireTotals totals_elsewhere(const ProjectPart& project) {
     std::int64_t rest = row.count;
     for (const SpacePart& space : project.spaces) rest -= count_in(space, row);
     add(row, std::max<std::int64_t>(rest, 0), totals);
+  }
+  return totals;
+}
+
+LuminaireTotals totals_of_emergency(const ProjectPart& project, const SpacePart& space) {
+  const std::set<std::string> emergency = emergency_scenes(project);
+  const auto is_of_emergency = [&](const LuminaireMark& mark) {
+    bool is_lit = false, is_off = false;
+    for (const SceneRow& scene : project.scenes) {
+      const bool is_on = level_of(scene, mark.group) > 0.0;
+      if (emergency.count(scene.id) > 0) {
+        is_lit |= is_on;
+      } else if (is_on) {
+        return false;
+      } else {
+        is_off = true;
+      }
+    }
+    return is_lit && is_off;
+  };
+  LuminaireTotals totals;
+  for (const LuminaireRow& row : project.luminaires) {
+    add(row,
+        std::count_if(space.luminaires.begin(), space.luminaires.end(),
+                      [&](const LuminaireMark& mark) {
+                        return mark.type_id == row.type_id && is_of_emergency(mark);
+                      }),
+        totals);
   }
   return totals;
 }

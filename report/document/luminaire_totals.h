@@ -27,6 +27,11 @@ LuminaireTotals totals_in(const ProjectPart& project, const SpacePart& space);
 // Of the project, without those of its spaces: a report of a run that was cut short lacks spaces.
 LuminaireTotals totals_elsewhere(const ProjectPart& project);
 
+// Of a space: luminaires that are lit in scenes by which emergency lighting is judged, and that all
+// other scenes switch off. Nothing where there is no other scene: then nobody says that they are
+// off. Power and energy of the space include them.
+LuminaireTotals totals_of_emergency(const ProjectPart& project, const SpacePart& space);
+
 // Whether SpacePart::power is that of one spacing of a road. Results of earlier versions say it by
 // their numbers alone.
 bool is_power_of_spacing(const SpacePart& space);

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,6 +80,8 @@ std::string energy_row(const Texts& t, const ProjectPart& project, const SpacePa
         space.energy->problem.empty() ? space.energy->words : space.energy->problem;
     if (!remark.empty()) notes.add(space, sentence_html(t, remark));
   }
+  if (const LuminaireTotals emergency = totals_of_emergency(project, space); emergency.count > 0)
+    notes.add(space, t.say<Text::energy_of_emergency>(emergency.count, power_words(t, emergency)));
   if (is_power_of_spacing(space)) {
     const std::string watts =
         power.without_power > 0 ? t[Text::not_stated] : format_watts(t, power.power_w) + " W";
@@ -100,32 +104,79 @@ std::string elsewhere_row(const Texts& t, const LuminaireTotals& elsewhere) {
          number_cell("") + number_cell("") + "</tr>\n";
 }
 
-// Sums of what is known of every room, and of the open space; a cell says where it is not. Count
-// and power are those of the schedule.
-std::string sums_row(const Texts& t, const ProjectPart& project) {
-  double area_m2 = 0.0, all_kwh = 0.0;
-  bool has_areas = true, has_energy = true;
-  for (const SpacePart& space : project.spaces) {
+// Of several rooms.
+struct EnergySums {
+  std::size_t rooms = 0;
+  double area_m2 = 0.0, kwh = 0.0;
+  LuminaireTotals luminaires;
+  bool is_energy_stated = false, is_energy_known = true;  // of any; of each
+
+  void add(const ProjectPart& project, const SpacePart& space) {
+    ++rooms;
     area_m2 += space.power.area_m2;
-    has_areas &= space.power.area_m2 > 0.0;
+    const LuminaireTotals own = totals_in(project, space);
+    luminaires.count += own.count;
+    luminaires.power_w += own.power_w;
+    luminaires.is_power_known &= own.is_power_known;
     const std::optional<double> energy = energy_kwh(space);
-    has_energy &= energy.has_value();
-    all_kwh += energy.value_or(0.0);
+    is_energy_stated |= space.energy.has_value();
+    is_energy_known &= energy.has_value();
+    kwh += energy.value_or(0.0);
   }
+};
+
+std::string sums_row(const Texts& t, const std::string& title, const EnergySums& sums) {
+  const LuminaireTotals& luminaires = sums.luminaires;
+  const bool has_density = luminaires.is_power_known && sums.area_m2 > 0.0;
+  const char* no_energy = sums.is_energy_stated ? t[Text::not_known] : t[Text::not_stated];
+  return "<tr class=\"total\"><th scope=\"row\">" + title + "</th>" +
+         number_cell(format_fixed(t, sums.area_m2, 2) + " m²") +
+         number_cell(fmt::format("{}", luminaires.count)) +
+         number_cell(luminaires.is_power_known ? format_watts(t, luminaires.power_w) + " W"
+                                               : t[Text::not_known]) +
+         number_cell(has_density ? format_fixed(t, luminaires.power_w / sums.area_m2, 2) + " W/m²"
+                                 : t[Text::not_known]) +
+         number_cell("") +
+         number_cell(sums.is_energy_known ? format_fixed(t, sums.kwh, 0) + " kWh" : no_energy) +
+         number_cell(sums.is_energy_known ? format_fixed(t, sums.kwh / sums.area_m2, 1) + " kWh/m²"
+                                          : "") +
+         "</tr>\n";
+}
+
+// A sum by floor area is that of rooms with both area and luminaires alone: a roof or a road would
+// make any number of it. Count and power of the project are those of the schedule.
+std::string sums_rows(const Texts& t, const ProjectPart& project) {
+  EnergySums lit;
+  std::size_t dark = 0;
+  double dark_m2 = 0.0;
+  std::int64_t of_roads = 0;
+  for (const SpacePart& space : project.spaces) {
+    const std::int64_t count = totals_in(project, space).count;
+    const double area_m2 = space.power.area_m2;
+    if (is_power_of_spacing(space)) of_roads += count;
+    if (area_m2 > 0.0 && count > 0) {
+      lit.add(project, space);
+    } else if (area_m2 > 0.0) {
+      ++dark;
+      dark_m2 += area_m2;
+    }
+  }
+  if (lit.rooms == project.spaces.size() && totals_elsewhere(project).count == 0)
+    return sums_row(t, t[Text::whole_project], lit);
+  std::string rows;
+  if (lit.rooms > 0) rows += sums_row(t, t.say<Text::energy_of_lit_rooms>(lit.rooms), lit);
   const LuminaireTotals all = totals_of(project.luminaires);
-  if (totals_elsewhere(project).count > 0) has_areas = has_energy = false;
-  return std::string("<tfoot><tr class=\"total\"><th scope=\"row\">") + t[Text::whole_project] +
-         "</th>" +
-         number_cell(has_areas ? format_fixed(t, area_m2, 2) + " m²" : t[Text::not_known]) +
+  std::string title = t[Text::whole_project];
+  const auto add_note = [&](const std::string& words) {
+    title += "<span class=\"note\">" + words + "</span>";
+  };
+  if (dark > 0) add_note(t.say<Text::energy_of_dark_rooms>(dark, format_fixed(t, dark_m2, 2)));
+  if (of_roads > 0) add_note(t.say<Text::energy_of_roads>(of_roads));
+  return rows + "<tr class=\"total\"><th scope=\"row\">" + title + "</th>" + number_cell("") +
          number_cell(fmt::format("{}", all.count)) +
          number_cell(all.is_power_known ? format_watts(t, all.power_w) + " W"
                                         : t[Text::not_known]) +
-         number_cell(has_areas && all.is_power_known
-                         ? format_fixed(t, all.power_w / area_m2, 2) + " W/m²"
-                         : t[Text::not_known]) +
-         number_cell("") +
-         number_cell(has_energy ? format_fixed(t, all_kwh, 0) + " kWh" : t[Text::not_known]) +
-         number_cell("") + "</tr></tfoot>";
+         number_cell("") + number_cell("") + number_cell("") + number_cell("") + "</tr>\n";
 }
 
 }  // namespace
@@ -145,16 +196,17 @@ std::string html_energy(const Texts& t, const ProjectPart& project, std::size_t 
   };
   const char* title = t[Text::energy];
   return fmt::format("<h3 id=\"energy{}\">{}</h3>\n", index + 1, title) +
-         scroll_box(
-             title,
-             std::string("<table class=\"energy\"><caption>") + t[Text::energy_caption] +
-                 "</caption><thead><tr><th scope=\"col\">" + t[Text::space] + "</th>" +
-                 head(t[Text::floor_area]) + head(t[Text::luminaires]) + head(t[Text::power]) +
-                 head(t[Text::power_by_area]) + head(t[Text::power_by_light]) +
-                 head(t[Text::energy_of_year]) + head("LENI") + "</tr></thead><tbody>\n" + rows +
-                 "</tbody>" +
-                 (project.spaces.size() > 1 || elsewhere.count > 0 ? sums_row(t, project) : "") +
-                 "</table>") +
+         scroll_box(title, std::string("<table class=\"energy\"><caption>") +
+                               t[Text::energy_caption] + "</caption><thead><tr><th scope=\"col\">" +
+                               t[Text::space] + "</th>" + head(t[Text::floor_area]) +
+                               head(t[Text::luminaires]) + head(t[Text::power]) +
+                               head(t[Text::power_by_area]) + head(t[Text::power_by_light]) +
+                               head(t[Text::energy_of_year]) + head("LENI") +
+                               "</tr></thead><tbody>\n" + rows + "</tbody>" +
+                               (project.spaces.size() > 1 || elsewhere.count > 0
+                                    ? "<tfoot>" + sums_rows(t, project) + "</tfoot>"
+                                    : "") +
+                               "</table>") +
          notes.html(t);
 }
 

@@ -116,6 +116,11 @@ std::string power_facts(const Texts& t, const ProjectPart& project, const SpaceP
                                ? format_watts(t, totals_in(project, space).power_w) + " W, " +
                                      t.say<Text::energy_of_spacing>(power.luminaires, watts)
                                : watts);
+  if (const LuminaireTotals emergency = totals_of_emergency(project, space); emergency.count > 0) {
+    html +=
+        fact(t[Text::emergency], t.say<Text::energy_of_emergency>(
+                                     emergency.count, format_watts(t, emergency.power_w) + " W"));
+  }
   const std::optional<double> density = power.density_w_m2();
   if (!density) return html;
   html += fact(t[Text::power_by_area], format_fixed(t, *density, 2) + " W/m²");

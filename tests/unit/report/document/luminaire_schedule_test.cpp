@@ -85,6 +85,25 @@ TEST(LuminaireTotals, SpacesAddUpToTheProject) {
   EXPECT_EQ(totals_elsewhere(part).power_w, 150);
 }
 
+// Which scene is of emergencies is known by what is judged in it, not by its name.
+TEST(LuminaireTotals, OfEmergencyAreThoseThatAllOtherScenesSwitchOff) {
+  ProjectPart part = project();
+  SpacePart& room = part.spaces[0];
+  const std::size_t all = room.luminaires.size();
+  for (LuminaireMark& mark : room.luminaires) mark.group = "em";
+  part.scenes = {{"day", {{"em", 0.0}}}, {"battery", {{"em", 0.8}}}};
+  EXPECT_EQ(totals_of_emergency(part, room).count, 0);  // nothing is judged in it
+  rules::Finding finding;
+  finding.requirement.scene = "battery";
+  finding.requirement.state = rules::LightState::end_of_duration;
+  room.planes.emplace_back().findings = {finding};
+  EXPECT_EQ(totals_of_emergency(part, room).count, static_cast<std::int64_t>(all));
+  part.scenes.push_back({"night", {}});  // lights them, too
+  EXPECT_EQ(totals_of_emergency(part, room).count, 0);
+  part.scenes = {{"battery", {{"em", 0.8}}}};  // nobody says that they are off
+  EXPECT_EQ(totals_of_emergency(part, room).count, 0);
+}
+
 TEST(LuminaireTotals, HoldMoreThanAType) {
   LuminaireRow row;
   row.count = std::numeric_limits<int>::max();

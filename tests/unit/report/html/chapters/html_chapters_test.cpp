@@ -181,6 +181,20 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   EXPECT_THAT(html, HasSubstr("2.00 W/m²"));  // of both
   EXPECT_THAT(html,
               Not(HasSubstr("<td class=\"num\">160 kWh</td><td class=\"num\"></td></tr></tfoot>")));
+  EXPECT_THAT(html, Not(HasSubstr("Rooms with floor area and luminaires")));  // these are all
+  project.spaces.push_back(project.spaces[1]);
+  project.spaces.back().luminaires.clear();  // a roof
+  project.spaces.back().power = {0.0, 135.0, 0, 0};
+  project.spaces[1].energy = calc::LightingEnergy{180.0, 8.0, {}, calc::Message::words("2500 h")};
+  html = html_energy({}, project, 0);
+  EXPECT_THAT(html, HasSubstr("Rooms with floor area and luminaires: 2</th>"
+                              "<td class=\"num\">50.00 m²</td><td class=\"num\">3</td>"
+                              "<td class=\"num\">100.0 W</td><td class=\"num\">2.00 W/m²</td>"
+                              "<td class=\"num\"></td><td class=\"num\">400 kWh</td>"
+                              "<td class=\"num\">8.0 kWh/m²</td>"));
+  EXPECT_THAT(html, HasSubstr("rooms without luminaires, in no sum: 1, 135.00 m²"));
+  project.spaces.pop_back();
+  project.spaces[1].energy.reset();
   project.spaces[1].power.without_power = 1;
   project.luminaires[1].power_w = 0.0;
   html = html_energy({}, project, 0);
@@ -211,6 +225,8 @@ TEST(HtmlEnergy, ARoadHasAllThatIsDrawnAndSaysWhatASpacingHas) {
   EXPECT_THAT(rows[0], HasSubstr("| 4 | 228.0 W |"));
   EXPECT_THAT(rows[1], HasSubstr("not in this report |  | 1 | 57.0 W |"));  // cut short
   EXPECT_THAT(html_energy({}, project, 0), HasSubstr("<td class=\"num\">285.0 W</td>"));
+  EXPECT_THAT(html_energy({}, project, 0),
+              HasSubstr("luminaires of roads: 4, as many as the calculation needs"));
 }
 
 TEST(HtmlLuminaires, OneRowForEachTypeThatIsUsedAndTheOthersByName) {
