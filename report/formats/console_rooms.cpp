@@ -84,6 +84,16 @@ std::vector<std::size_t> fit(RoomOverview& table, int terminal_width) {
   return widths.empty() ? column_widths(table) : widths;
 }
 
+std::vector<std::string> dropped_heads(const RoomOverview& whole, const RoomOverview& rest) {
+  std::vector<std::string> heads;
+  for (std::size_t c = 0; c < whole.columns.size(); ++c) {
+    const bool is_there =
+        std::find(rest.columns.begin(), rest.columns.end(), whole.columns[c]) != rest.columns.end();
+    if (!is_there) heads.push_back(whole.head[c]);
+  }
+  return heads;
+}
+
 }  // namespace
 
 std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options) {
@@ -96,6 +106,7 @@ std::string overview_text(const Texts& t, const ProjectPart& project, const Text
           fmt::format("{} {}", outcome_symbol(row.outcome), t[Text::fail_in_capitals]);
     }
   }
+  const RoomOverview whole = table;
   const std::vector<std::size_t> widths = fit(table, options.width);
   const auto line = [&](const std::vector<std::string>& cells, std::string_view colour) {
     std::string text = "  ";
@@ -112,6 +123,10 @@ std::string overview_text(const Texts& t, const ProjectPart& project, const Text
   std::string text = line(table.head, kDim);
   for (const RoomOverview::Row& row : table.rows)
     text += line(row.cells, outcome_colour(row.outcome));
+  if (const std::vector<std::string> heads = dropped_heads(whole, table); !heads.empty()) {
+    text += note_lines(t.say<Text::columns_left_out>(fmt::format("{}", fmt::join(heads, ", "))), 0,
+                       options.width, "  ");
+  }
   return text + "\n";
 }
 
