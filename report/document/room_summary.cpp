@@ -29,6 +29,13 @@ bool is_glare(const PlanePart& plane, const rules::Requirement& requirement) {
           requirement.metric == rules::Metric::maximum);
 }
 
+// Of the task, or of what the project describes by itself.
+bool is_of_own_role(const RoomCause& cause) {
+  return std::any_of(cause.parts.begin(), cause.parts.end(), [](const RoomCause::Part& part) {
+    return part.finding->requirement.origin.is_of_own_role;
+  });
+}
+
 // Whether one line can say both: neither is judged, for the same reason, or the same is required of
 // two planes and missed for the same reason. What has arguments of its own has its own line.
 bool is_one_cause(const RoomCause& cause, rules::Outcome outcome, const PlanePart& plane,
@@ -37,6 +44,8 @@ bool is_one_cause(const RoomCause& cause, rules::Outcome outcome, const PlanePar
   const rules::Finding& known = *cause.parts.front().finding;
   if (known.verdict != finding.verdict || !(known.reason == finding.reason)) return false;
   if (finding.verdict == rules::Verdict::not_judged) return true;
+  // That the task fails must not hide behind a wall that is worse.
+  if (is_of_own_role(cause) != finding.requirement.origin.is_of_own_role) return false;
   const rules::Requirement &a = known.requirement, &b = finding.requirement;
   const bool is_known_plane = std::any_of(cause.parts.begin(), cause.parts.end(),
                                           [&](const auto& part) { return part.plane == &plane; });
@@ -158,7 +167,10 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
     }
     if (room.outcome == rules::Outcome::nothing_asked) continue;
     std::stable_sort(room.causes.begin(), room.causes.end(),
-                     [](const RoomCause& a, const RoomCause& b) { return a.outcome < b.outcome; });
+                     [](const RoomCause& a, const RoomCause& b) {
+                       if (a.outcome != b.outcome) return a.outcome < b.outcome;
+                       return is_of_own_role(a) && !is_of_own_role(b);
+                     });
     rooms.push_back(std::move(room));
   }
   return rooms;

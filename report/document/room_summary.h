@@ -58,7 +58,7 @@ struct RoomSummary {
   WallCounts walls;
   std::vector<AskedRow> rows;  // each once, in the order in which they are first asked
   std::vector<const rules::AggregateFinding*> classes;  // of roads
-  std::vector<RoomCause> causes;                        // gravest first
+  std::vector<RoomCause> causes;                        // gravest first, of these the task's
 };
 
 // Of all rooms of which something is asked, in their order. Valid as long as the project.

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "report/text/text_numbers.h"
+#include "rules/verdict/outcome.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,36 @@ int decimals_of(const calc::Estimate& factor) {
   const double width = factor.high - factor.low;
   while (decimals < 5 && width > 0.0 && width < 2.0 * calc::pow(10.0, -decimals)) ++decimals;
   return decimals;
+}
+
+bool is_uniformity(rules::Metric metric) {
+  return metric == rules::Metric::uniformity_min_avg ||
+         metric == rules::Metric::uniformity_min_max || metric == rules::Metric::road_uniformity ||
+         metric == rules::Metric::road_lengthwise;
+}
+
+bool is_glare(const rules::Requirement& requirement) {
+  return requirement.metric == rules::Metric::ugr_table ||
+         (requirement.derived == calc::DerivedQuantity::ugr &&
+          !rules::is_lower_limit(requirement.comparison));
+}
+
+// What fails that more light does not mend.
+struct Failures {
+  bool of_uniformity = false, of_glare = false;
+};
+
+Failures failures_beside(const SpacePart& space, const std::string& scene) {
+  Failures failures;
+  for (const PlanePart& plane : space.planes) {
+    for (const rules::Finding& finding : plane.findings) {
+      const rules::Requirement& asked = finding.requirement;
+      if (rules::outcome_of(finding) != rules::Outcome::fail || asked.scene != scene) continue;
+      failures.of_uniformity |= is_uniformity(asked.metric);
+      failures.of_glare |= is_glare(asked);
+    }
+  }
+  return failures;
 }
 
 }  // namespace
@@ -76,6 +107,15 @@ std::string pass_factor_words(const Texts& t, const rules::Finding& finding) {
   if (rules::is_lower_limit(finding.requirement.comparison))
     return t.say<Text::reaches_limit>(format_fixed(t, up(factor->high, digits), digits));
   return t.say<Text::comes_down_to_limit>(format_fixed(t, down(factor->low, digits), digits));
+}
+
+std::string remedy_words(const Texts& t, const SpacePart& space, const rules::Finding& finding) {
+  std::string factor = pass_factor_words(t, finding);
+  if (factor.empty() || !rules::is_lower_limit(finding.requirement.comparison)) return factor;
+  const Failures failures = failures_beside(space, finding.requirement.scene);
+  if (failures.of_uniformity && failures.of_glare) return t[Text::light_mends_no_uniformity_glare];
+  if (failures.of_uniformity) return t[Text::light_mends_no_uniformity];
+  return failures.of_glare ? t[Text::light_mends_no_glare] : factor;
 }
 
 }  // namespace report

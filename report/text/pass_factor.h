@@ -30,6 +30,10 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
 // factor the whole interval of the measurement is on the good side. Rounded to that side.
 std::string pass_factor_words(const Texts& t, const rules::Finding& finding);
 
+// The same where it is a remedy. Where uniformity or glare of the space fails in that scene, too,
+// more light alone does not make the room pass, and these words say so instead.
+std::string remedy_words(const Texts& t, const SpacePart& space, const rules::Finding& finding);
+
 // "×1.09", rounded up.
 std::string factor_text(const Texts& t, double factor);
 

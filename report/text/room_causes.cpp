@@ -97,8 +97,8 @@ CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause&
                            plane_in_room(t, *room.space, *cause.worst().plane), required);
   }
   if (!finding.reason.empty()) words.more.push_back(sentence(t, finding.reason));
-  if (std::string factor = pass_factor_words(t, finding); !factor.empty()) {
-    words.more.push_back(std::move(factor));
+  if (std::string remedy = remedy_words(t, *room.space, finding); !remedy.empty()) {
+    words.more.push_back(std::move(remedy));
   }
   return words;
 }

@@ -94,14 +94,14 @@ std::string as_sentence(std::string html) {
 }
 
 // Reason and closeness as sentences; finished HTML, "" if there is nothing to say.
-std::string remarks(const Texts& t, const rules::Finding& finding) {
+std::string remarks(const Texts& t, const SpacePart& space, const rules::Finding& finding) {
   std::string text = as_sentence(sentence_html(t, finding.reason));
   if (finding.is_close) {
     std::string words = close_words(t, finding);
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
     text += (text.empty() ? "" : " ") + escape_html(words) + ".";
   }
-  if (const std::string words = pass_factor_words(t, finding); !words.empty())
+  if (const std::string words = remedy_words(t, space, finding); !words.empty())
     text += (text.empty() ? "" : " ") + escape_html(words);
   return text;
 }
@@ -252,7 +252,7 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
     if (std::isfinite(finding.margin)) told += " " + t.say<Text::margin_of>(cells.margin);
     told += " " + cells.notes;
   }
-  const std::string remark = remarks(t, finding);
+  const std::string remark = remarks(t, space, finding);
   return fmt::format(
       "<li><div>{}</div><div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
       html_verdict(t, plane, finding), plane_link(t, index, space, plane, folder),
@@ -505,7 +505,7 @@ std::string html_plane_findings(const Texts& t, const SpacePart& space, const Pl
   for (const rules::Finding& finding : plane.findings) {
     rows += fmt::format("<tr class=\"{}\">{}</tr>\n", row_class(finding),
                         finding_cells(t, plane, finding, footnotes));
-    const std::string remark = remarks(t, finding);
+    const std::string remark = remarks(t, space, finding);
     if (remark.empty()) continue;
     rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);
   }

@@ -131,6 +131,37 @@ TEST(RoomSummary, CausesAreWhatIsMissingAndNotEachPlane) {
   EXPECT_EQ(causes[2].worst().plane->id, "wall");
 }
 
+// The worst value may be a wall's.
+TEST(RoomSummary, TheTaskHasItsOwnCauseBeforeAllOthers) {
+  Document document = rooms();
+  SpacePart& office = document.projects[0].spaces[1];
+  office.planes.push_back(office.planes[0]);
+  office.planes[1].id = "wall";
+  set_average(office.planes[1].findings[0], 53.0);
+  office.planes[1].findings[0].requirement.origin.is_of_own_role = false;
+  std::swap(office.planes[0], office.planes[1]);
+  const auto list = room_summaries(document.projects[0]);
+  ASSERT_EQ(list[1].causes.size(), 2U);
+  EXPECT_EQ(list[1].causes[0].worst().finding->measured.value, 412.0);
+  EXPECT_EQ(list[1].causes[1].worst().plane->id, "wall");
+}
+
+// A dimmer does not mend a ratio.
+TEST(RoomSummary, NoFactorWhereUniformityFailsToo) {
+  Document document = rooms();
+  SpacePart& office = document.projects[0].spaces[1];
+  rules::Finding& uniformity = finding(office, 1);
+  uniformity.requirement.metric = rules::Metric::uniformity_min_avg;
+  uniformity.requirement.limit = 0.6;
+  set_average(uniformity, 0.7, 0.01);
+  EXPECT_THAT(rendered("text", document), HasSubstr("with all light at ×"));
+  set_average(uniformity, 0.3, 0.01);
+  EXPECT_THAT(rendered("text", document), Not(HasSubstr("with all light at ×")));
+  EXPECT_THAT(rendered("text", document), HasSubstr("uniformity fails, too."));
+  uniformity.requirement.scene = "night";  // another light
+  EXPECT_THAT(rendered("text", document), HasSubstr("with all light at ×"));
+}
+
 // Each with its value: two percentiles are not one failure, and neither are two of one plane.
 TEST(RoomSummary, CausesHideNoValue) {
   Document document = rooms();
