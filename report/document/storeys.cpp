@@ -108,6 +108,10 @@ void drop_overlapping(Storeys& storeys) {
 
 }  // namespace
 
+bool overlap_in_plan(const SpacePart& a, const SpacePart& b) {
+  return is_usable(a) && is_usable(b) && overlap(a.footprint_m, b.footprint_m);
+}
+
 Storeys storeys_of(const ProjectPart& project) {
   Storeys storeys;
   std::vector<std::size_t> rooms;

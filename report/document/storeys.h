@@ -27,6 +27,10 @@ struct Storeys {
   std::vector<std::size_t> outdoors;         // open spaces and roads, which have no outline
 };
 
+// Whether the outlines of two rooms share more of the smaller one than walls and doors make.
+// Outlines that are not usable share nothing.
+bool overlap_in_plan(const SpacePart& a, const SpacePart& b);
+
 // A storey may lie beside another of the same height where their rooms overlap, as in projects that
 // are alternatives of each other; a room that is alone there is `overlapping`, because most such
 // rooms are described around an origin of their own.

@@ -1,5 +1,6 @@
 #include "report/formats/dxf.h"
 
+#include "report/document/storeys.h"
 #include "report/formats/console.h"
 #include "report/formats/dxf_entities.h"
 #include "report/formats/dxf_layout.h"
@@ -240,18 +241,11 @@ FlatBox box_of(const ProjectPart& project) {
 }
 
 bool has_storeys(const ProjectPart& project) {
-  constexpr double kOverlap_m = 0.01;
-  std::vector<FlatBox> boxes;
-  for (const SpacePart& space : project.spaces) {
-    FlatBox box;
-    for (const glm::dvec2& corner : space.footprint_m) box.add(corner);
-    if (box.is_empty()) continue;
-    box.low += kOverlap_m;
-    box.high -= kOverlap_m;
-    if (std::any_of(boxes.begin(), boxes.end(),
-                    [&](const FlatBox& other) { return other.meets(box); }))
-      return true;
-    boxes.push_back(box);
+  const std::vector<SpacePart>& spaces = project.spaces;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (overlap_in_plan(spaces[i], spaces[k])) return true;
+    }
   }
   return false;
 }

@@ -53,6 +53,16 @@ TEST(Storeys, HalfALevelIsAStorey) {
   EXPECT_THAT(rooms_of(storeys), ElementsAre(ElementsAre(0, 2), ElementsAre(1, 3)));
 }
 
+// A room in the corner of an L-shaped one lies in its box and not over it.
+TEST(Storeys, RoomsOverlapByTheirOutlines) {
+  SpacePart corner = room(0, 0, 0, 10, 10);
+  corner.footprint_m = {{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}};
+  EXPECT_FALSE(overlap_in_plan(corner, room(4, 4, 0)));
+  EXPECT_TRUE(overlap_in_plan(corner, room(0, 0, 3)));
+  EXPECT_TRUE(overlap_in_plan(room(0, 0, 3), corner));
+  EXPECT_FALSE(overlap_in_plan(corner, SpacePart()));
+}
+
 TEST(Storeys, WallsMayOverlapALittle) {
   const Storeys storeys = storeys_of(project({room(0, 0, 0), room(3.7, 0, 0)}));
   EXPECT_THAT(rooms_of(storeys), ElementsAre(ElementsAre(0, 1)));
