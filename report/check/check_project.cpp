@@ -17,6 +17,7 @@
 #include "report/check/in_order.h"
 #include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
+#include "rules/binding/colour_rendering.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
 #include "rules/verdict/coverage.h"
@@ -396,7 +397,11 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
   // Of a part nobody can tell what is asked of a whole row, and met.
   if (context.settings.selection.is_all()) {
-    part.coverage = rules::row_coverage(space, judged, context.packs, day);
+    part.coverage = rules::row_coverage(
+        space, judged, context.packs, day,
+        [&](const std::string& scene_id, rules::Comparison comparison, double limit) {
+          return rules::rendering_problem(loaded.project, space, scene_id, comparison, limit);
+        });
     rules::warn_about_waivers(space, judged, day, diagnostics);
   }
   if (context.observer.draws_rooms()) checked.scene = std::move(scene);

@@ -88,4 +88,16 @@ void set_colour_rendering(const calc::Project& project, const calc::Space& space
   add_note(requirement.stated_words, requirement);
 }
 
+calc::Message rendering_problem(const calc::Project& project, const calc::Space& space,
+                                const std::string& scene, Comparison comparison, double limit) {
+  const auto named = std::find_if(project.scenes.begin(), project.scenes.end(),
+                                  [&](const auto& one) { return one.id == scene; });
+  Requirement requirement;
+  requirement.comparison = comparison;
+  requirement.limit = limit;
+  set_colour_rendering(project, space, named == project.scenes.end() ? nullptr : &*named,
+                       requirement);
+  return requirement.problem;
+}
+
 }  // namespace rules

@@ -1,8 +1,12 @@
 #pragma once
 // Colour rendering of a space's luminaires: no calculation has it, their makers state it.
 
+#include "calc/base/message.h"
 #include "calc/scene/project.h"
+#include "rules/catalogue/compare.h"
 #include "rules/catalogue/requirement.h"
+
+#include <string>
 
 namespace rules {
 
@@ -11,5 +15,9 @@ namespace rules {
 // limit in it. scene: null, and all are on.
 void set_colour_rendering(const calc::Project& project, const calc::Space& space,
                           const calc::LightScene* scene, Requirement& requirement);
+
+// Why it does not decide such a limit in a light scene by name, see RenderingProblem; "" = it does.
+calc::Message rendering_problem(const calc::Project& project, const calc::Space& space,
+                                const std::string& scene, Comparison comparison, double limit);
 
 }  // namespace rules

@@ -291,9 +291,19 @@ calc::Message special_words(const calc::Workplace& workplace, const RulePlane* p
              : calc::Message();
 }
 
+// Why the colour rendering of a row is not asked along with its own role.
+calc::Message rendering_words(const RuleCheck& check, const Asked& asked, const LimitScope& scope,
+                              const RenderingProblem& problem) {
+  const Limit limit = evaluate_limit(check, scope);
+  if (limit.status != LimitStatus::known) return limit.reason;
+  return calc::say<calc::Sentence::rendering_not_stated>(
+      check.quantity->name, problem(asked.scene, check.comparison, limit.value.value));
+}
+
 // Empty: the row requires nothing of it, or advice only.
 std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
-                                  const std::string& role, std::string_view today) {
+                                  const std::string& role, std::string_view today,
+                                  const RenderingProblem& rendering_problem) {
   const LimitScope scope{*asked.pack, asked.row, asked.level, asked.facts};
   const RuleCheck* needed = required_check(
       role, scope, [](const RuleCheck& check) { return check.severity != Severity::advice; });
@@ -370,7 +380,7 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   if (!is_asked && ((is_of_makers && is_own_asked) || !is_measured)) {
     coverage.state = RoleState::not_possible;
     coverage.words = is_of_makers
-                         ? calc::say<calc::Sentence::rendering_not_stated>(needed->quantity->name)
+                         ? rendering_words(*needed, asked, scope, rendering_problem)
                          : calc::say<calc::Sentence::not_on_planes>(needed->quantity->name);
   }
   return coverage;
@@ -480,7 +490,8 @@ calc::Message ended_words(const calc::Waiver& by) {
 
 std::vector<RowCoverage> row_coverage(const calc::Space& space,
                                       const std::vector<JudgedPlane>& planes,
-                                      const std::vector<RulePack>& packs, std::string_view today) {
+                                      const std::vector<RulePack>& packs, std::string_view today,
+                                      const RenderingProblem& rendering_problem) {
   std::vector<RowCoverage> rows;
   for (const Asked& asked : asked_in(space, planes, packs)) {
     RowCoverage row;
@@ -497,7 +508,8 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
     }
     row.is_user_supplied = !asked.pack->is_built_in;
     for (const std::string& role : asked.pack->roles()) {
-      if (std::optional<RoleCoverage> covered = cover(space, asked, role, today)) {
+      if (std::optional<RoleCoverage> covered =
+              cover(space, asked, role, today, rendering_problem)) {
         row.roles.push_back(std::move(*covered));
       }
     }

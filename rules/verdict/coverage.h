@@ -4,10 +4,12 @@
 #include "calc/base/message.h"
 #include "calc/base/names.h"
 #include "calc/scene/project.h"
+#include "rules/catalogue/compare.h"
 #include "rules/pack/rule_pack.h"
 #include "rules/verdict/judge_aggregates.h"
 #include "rules/verdict/outcome.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,12 +90,19 @@ struct RowCoverage {
   bool is_met() const { return is_accepted() && !has_exceptions(); }
 };
 
+// Why the colour rendering of the space's luminaires is not asked of a row, in a light scene by
+// name
+// ("" = all at full output), with the row's comparison and limit; "" = nothing speaks against it.
+using RenderingProblem =
+    std::function<calc::Message(const std::string& scene, Comparison comparison, double limit)>;
+
 // Of all rows that something in the space refers to: workplaces in file order, then rows of
 // <require> elements in the order of their planes. planes: of the space, see planes_asked(). Packs
 // without rows have none. What is advice only does not count. today: YYYY-MM-DD.
 std::vector<RowCoverage> row_coverage(const calc::Space& space,
                                       const std::vector<JudgedPlane>& planes,
-                                      const std::vector<RulePack>& packs, std::string_view today);
+                                      const std::vector<RulePack>& packs, std::string_view today,
+                                      const RenderingProblem& rendering_problem);
 
 // All planes of the space, and after them those that a workplace has left out up to a day that is
 // over: they are asked for again, and cannot be judged.

@@ -113,7 +113,7 @@ TEST(ColourRendering, WhoAsksByNameIsToldWhyNot) {
   const std::string own = plane("<require quantity='Ra' at-least='80'/>");
   EXPECT_EQ(bound_of("80", "85", own).rendering.at(0).of_space.value, 80.0);
   EXPECT_EQ(bound_of("80", "", own).rendering.at(0).problem.english(),
-            "the photometry file of type 'B' states no colour rendering");
+            "the photometry file of type 'B' states no Ra");
   EXPECT_EQ(bound_of("80", "70-90", own).rendering.at(0).problem.english(),
             "the photometry file of type 'B' states a colour rendering of '70-90', which does not "
             "decide it");

@@ -88,7 +88,8 @@ Made make(const std::string& inside, const std::string& luminaires = kEven) {
     }
     planes.push_back({&space, &space.planes[i], &findings[i]});
   }
-  const auto rows = row_coverage(space, planes, packs, "2027-01-01");
+  const auto rows = row_coverage(space, planes, packs, "2027-01-01",
+                                 [](const auto&...) { return calc::Message(); });
   if (rows.empty()) return made;
   for (const RoleCoverage& role : rows[0].roles) {
     made.roles[role.role] = std::string(calc::name_of(role.state));

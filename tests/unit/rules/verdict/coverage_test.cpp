@@ -1,5 +1,6 @@
 #include "rules/verdict/coverage.h"
 #include "rules/binding/bind.h"
+#include "rules/binding/colour_rendering.h"
 #include "rules/binding/judged_project.h"
 #include "tests/support/memory_file_reader.h"
 
@@ -70,7 +71,11 @@ Covered cover_in(const std::string& room, const std::string& inside, Verdict ver
     planes.push_back({&space, asked[k], &findings[k]});
     covered.planes.push_back(asked[k]->id + " " + std::to_string(findings[k].size()));
   }
-  covered.rows = row_coverage(space, planes, packs, today);
+  covered.rows =
+      row_coverage(space, planes, packs, today,
+                   [&](const std::string& scene, Comparison comparison, double limit) {
+                     return rendering_problem(judged->project, space, scene, comparison, limit);
+                   });
   return covered;
 }
 
@@ -176,8 +181,10 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
                                            "observer met", "room not-made", "lamp not-possible"));
   EXPECT_TRUE(covered.rows[0].is_whole());
   EXPECT_FALSE(covered.rows[0].asks_all()) << "nobody knows the colour rendering";
-  EXPECT_EQ(covered.rows[0].roles.back().words,
-            "Ra is not calculated, and no stated value decides it for every luminaire");
+  EXPECT_EQ(
+      covered.rows[0].roles.back().words,
+      "Ra is not calculated, and what the makers state does not decide it: the photometry file "
+      "of type 'spot' states no Ra");
 }
 
 // Nobody has looked then whether the makers state it.
