@@ -29,6 +29,7 @@ luxgate_test(scene_tests
     unit/calc/base/element_table_test.cpp
     unit/calc/base/file_hash_test.cpp
     unit/calc/base/names_test.cpp
+    unit/calc/base/file_reader_test.cpp
     unit/calc/base/real_path_test.cpp
     unit/calc/base/text_test.cpp
     unit/calc/project/about_xml_test.cpp

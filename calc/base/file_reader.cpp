@@ -1,6 +1,7 @@
 #include "calc/base/file_reader.h"
 
 #include "calc/base/real_path.h"
+#include "calc/base/text.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,8 +14,10 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -58,22 +61,40 @@ bool lies_in(const fs::path& place, const std::string& folder) {
   return std::mismatch(real.begin(), real.end(), place.begin(), place.end()).first == real.end();
 }
 
+// "; did you mean 'lamp.ldt'?" of what is not there, "" where nothing in its folder is named alike.
+std::string suggested_name(const fs::path& path) {
+  constexpr std::size_t kMostNames = 10000;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end;
+       !error && at != end && names.size() < kMostNames; at.increment(error)) {
+    if (at->path().filename() != path.filename())  // a link to nowhere is there itself
+      names.push_back(at->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());  // folders have no order of their own
+  return suggestion(path.filename().string(), {names.begin(), names.end()});
+}
+
 }  // namespace
 
 FileContent DiskFileReader::read_within(const std::string& folder, const std::string& path) const {
   const OpenFile file(path);
   const int reason = errno;
   const bool is_open = file.number() >= 0;
+  fs::path place = path;
   if (!folder.empty()) {
     // Also of what is not there: a link must not tell what there is elsewhere.
-    const fs::path place = is_open ? real_place(file.number(), path) : real_path(path);
+    place = is_open ? real_place(file.number(), path) : real_path(path);
     const auto is_in = [&place](const std::string& one) { return lies_in(place, one); };
     if (place.empty() ||
         (!is_in(folder) && std::none_of(allowed_.begin(), allowed_.end(), is_in))) {
       return {{}, "a symbolic link leads out of the folder '" + folder + "'", true};
     }
   }
-  if (!is_open) return failure(std::strerror(reason));
+  if (!is_open) {
+    return failure(std::strerror(reason) + (reason == ENOENT ? suggested_name(place) : ""));
+  }
   struct stat status {};
   if (fstat(file.number(), &status) != 0) return failure(std::strerror(errno));
   if (S_ISDIR(status.st_mode)) return failure("it is a folder");

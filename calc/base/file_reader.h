@@ -26,7 +26,7 @@ class FileReader {
 };
 
 // Reads regular files from disk; folders, devices, pipes and files over 512 MiB are refused with a
-// reason.
+// reason. That of a file which is not there names one of its folder that is spelt alike.
 class DiskFileReader : public FileReader {
  public:
   // allowed: folders that links may lead into besides.

@@ -236,6 +236,8 @@ TEST(Console, WhatWasNotJudgedSaysWhy) {
   for (const std::string& one : {listed, text}) {
     EXPECT_THAT(one, HasSubstr("└ the plane was not computed\n"));
     EXPECT_THAT(one, HasSubstr("yard.xml\n  – not judged: it could not be read"));
+    EXPECT_THAT(
+        one, HasSubstr("see the errors\n    cannot read 'yard.ies': No such file or directory\n"));
   }
 }
 
