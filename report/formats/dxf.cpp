@@ -641,7 +641,7 @@ std::size_t DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& p
       }
     }
     if (longest.empty()) continue;
-    const std::string words = dxf_text(format_shortest(t_, level.value));
+    const std::string words = dxf_text(format_level(t_, level.value));
     glm::dvec3 at = longest[longest.size() / 2];
     bool is_free = true;
     if (is_visible) {

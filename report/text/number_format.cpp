@@ -259,12 +259,16 @@ std::string format_cell(double value, const Thresholds& thresholds) {
   return format_fixed(value, decimals);
 }
 
-std::string format_limit(double limit, std::string_view unit) {
-  if (!std::isfinite(limit)) return kNoNumber;
+std::string format_level(double level) {
   // A limit in foot-candles has no end in lx.
   constexpr std::size_t kMostCharacters = 10;
-  std::string text = format_shortest(limit);
-  if (text.size() > kMostCharacters) text = fmt::format("{:.9g}", limit);
+  std::string text = format_shortest(level);
+  return text.size() > kMostCharacters ? fmt::format("{:.9g}", level) : text;
+}
+
+std::string format_limit(double limit, std::string_view unit) {
+  if (!std::isfinite(limit)) return kNoNumber;
+  std::string text = format_level(limit);
   const bool is_plain = text.find('e') == std::string::npos;
   constexpr double kLeastRating = 10.0;  // ratios are smaller, and their zeros usual
   if (unit.empty() && is_plain && std::abs(limit) < kLeastRating) {

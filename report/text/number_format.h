@@ -81,6 +81,10 @@ bool reads_alike(double value, int decimals, const Threshold& threshold);
 // "5.12".
 std::string format_cell(double value, const Thresholds& thresholds = {});
 
+// "500", "0.3", of a number that people are told as it is: its digits, but nine where that are more
+// than ten characters, as of 3 * 0.1.
+std::string format_level(double level);
+
 // "≥ 500 lx", "≤ 0.60", "≤ 19": as many digits as the limit has, but nine where that are more than
 // ten characters; at least two decimals for a number without unit below 10, which is a ratio.
 std::string format_required(const Threshold& threshold, std::string_view unit);

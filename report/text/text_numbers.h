@@ -34,6 +34,9 @@ inline std::string format_interval(const Texts& t, const calc::Estimate& estimat
 inline std::string format_cell(const Texts& t, double value, const Thresholds& thresholds = {}) {
   return t.number(format_cell(value, thresholds));
 }
+inline std::string format_level(const Texts& t, double level) {
+  return t.number(format_level(level));
+}
 inline std::string format_limit(const Texts& t, double limit, std::string_view unit) {
   return t.number(format_limit(limit, unit));
 }

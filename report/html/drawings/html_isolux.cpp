@@ -76,7 +76,7 @@ IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
     std::stable_sort(lines.begin(), lines.end(), [](const IsoluxLine& a, const IsoluxLine& b) {
       return length_m(a) > length_m(b);
     });
-    const std::string text = format_shortest(t, level.value);
+    const std::string text = format_level(t, level.value);
     const glm::dvec2 size(kDigitWidth * font * static_cast<double>(text.size()) + 4, font + 2);
     for (const IsoluxLine& line : lines) {
       const std::optional<glm::dvec2> place = label_place(layout, line, size, taken);

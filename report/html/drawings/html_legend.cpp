@@ -42,7 +42,7 @@ int step_decimals(double step) {
 std::string border_words(const Texts& t, const ColourScale& scale, int border) {
   const double value = scale.border(border);
   if (!scale.has_classes()) return format_fixed(t, value, step_decimals(scale.step));
-  return format_shortest(t, value);
+  return format_level(t, value);
 }
 
 std::string band_boxes(const BarForm& form, const ColourScale& scale, double top) {
@@ -133,9 +133,8 @@ double bar_height_px(const BarForm& form, std::size_t lines, bool has_counts) {
 
 std::string scale_words(const Texts& t, const ColourScale& scale, std::string_view unit) {
   if (!scale.has_classes()) {
-    return t.say<Text::colour_scale>(format_shortest(t, scale.low),
-                                     format_shortest(t, scale.high()), unit,
-                                     format_shortest(t, scale.step), unit);
+    return t.say<Text::colour_scale>(format_level(t, scale.low), format_level(t, scale.high()),
+                                     unit, format_level(t, scale.step), unit);
   }
   std::string borders;
   for (int i = 0; i <= scale.bands; ++i)

@@ -142,6 +142,12 @@ TEST(NumberFormat, LimitsKeepTheirDigits) {
   EXPECT_EQ(format_required(at_least(1), ""), "≥ 1.00");
 }
 
+TEST(NumberFormat, LevelsAreWithoutBinaryDust) {
+  EXPECT_EQ(format_level(3 * 0.1), "0.3");
+  EXPECT_EQ(format_level(69 * 0.005), "0.345");
+  EXPECT_EQ(format_level(300), "300");
+}
+
 TEST(NumberFormat, LimitsInFootCandlesAndUnknownOnes) {
   EXPECT_EQ(format_limit(10.763910416709722, "lx"), "10.7639104 lx");
   EXPECT_EQ(format_limit(6.5659853541929305, "W/m2"), "6.56598535 W/m²");  // 0.61 W/ft2
