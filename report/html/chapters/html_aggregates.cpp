@@ -50,9 +50,16 @@ std::string member_text(const Texts& t, const ProjectPart& project,
   return text;
 }
 
-std::string rows_of(const Texts& t, const ProjectPart& project,
-                    const rules::AggregateFinding& finding) {
+std::string members_html(const Texts& t, const ProjectPart& project,
+                         const rules::AggregateFinding& finding, AggregatesFor reader) {
   constexpr std::size_t kMostMembers = 100;  // of a building with very many rooms
+  if (reader == AggregatesFor::client && !finding.sum &&
+      finding.over == rules::AggregateOver::checks) {
+    const auto met =
+        std::count_if(finding.members.begin(), finding.members.end(),
+                      [](const auto& member) { return member.verdict == rules::Verdict::pass; });
+    return t.say<Text::met_of>(met, finding.members.size());
+  }
   std::string members;
   for (std::size_t i = 0; i < std::min(finding.members.size(), kMostMembers); ++i) {
     members +=
@@ -61,6 +68,11 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
   if (finding.members.size() > kMostMembers) {
     members += "<br/>" + t.say<Text::more_left_out>(finding.members.size() - kMostMembers);
   }
+  return members;
+}
+
+std::string rows_of(const Texts& t, const ProjectPart& project,
+                    const rules::AggregateFinding& finding, AggregatesFor reader) {
   std::string html = fmt::format(
       "<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>"
       "<td class=\"strong\">{}</td><td>{}</td></tr>\n",
@@ -68,20 +80,30 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
       badge(t, finding.verdict, rules::counts(rules::outcome_of(finding))),
       escape_html(aggregate_title(t, finding)), notes_html(t, finding),
       escape_html(aggregate_place(project, finding)), escape_html(aggregate_required(t, finding)),
-      escape_html(aggregate_measured(t, finding)), members);
+      escape_html(aggregate_measured(t, finding)), members_html(t, project, finding, reader));
   if (finding.reason.empty()) return html;
   return html + fmt::format("<tr class=\"remark\"><td></td><td colspan=\"5\">{}</td></tr>\n",
                             sentence_html(t, finding.reason));
 }
 
+// The classes of streets, whose requirements count one by one, stand in the chapter of the roads.
+bool is_class_of_road(const ProjectPart& project, const rules::AggregateFinding& finding) {
+  return finding.kind == rules::AggregateKind::row_class &&
+         std::any_of(project.spaces.begin(), project.spaces.end(), [&](const SpacePart& space) {
+           return space.road && space.id == finding.space_id;
+         });
+}
+
 }  // namespace
 
-std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index) {
-  if (project.aggregates.empty()) return {};
+std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index,
+                            AggregatesFor reader) {
   std::string rows;
   for (const rules::AggregateFinding& finding : project.aggregates) {
-    rows += rows_of(t, project, finding);
+    if (reader == AggregatesFor::client && is_class_of_road(project, finding)) continue;
+    rows += rows_of(t, project, finding, reader);
   }
+  if (rows.empty()) return {};
   const char* title = t[Text::aggregates_and_classes];
   const std::string table = fmt::format(
       "<table class=\"findings aggregates\"><caption class=\"unseen\">{}</caption><thead><tr><th "

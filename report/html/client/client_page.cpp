@@ -149,7 +149,7 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
   add(html_emergency(t_, project, project_, "", footnotes_), "emergency", Text::emergency);
   add(html_luminaires(t_, project, project_), "luminaires", Text::luminaires);
   add(html_energy(t_, project, project_), "energy", Text::energy);
-  add(html_aggregates(t_, project, project_), "", {});
+  add(html_aggregates(t_, project, project_, AggregatesFor::client), "", {});
   add(html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan);
   add(html_deviations(t_, project, project_, ""), "deviations", Text::deviations);
   if (style_.sheets) {
