@@ -81,7 +81,7 @@ void visit_luminaire(const ProjectPart& project, const SpacePart& space, std::si
     set("position",
         position_letter(static_cast<std::size_t>(std::distance(project.luminaires.begin(), type))));
     set("product", type->name);
-    set("colour_temperature", colour_temperature_words(*type));
+    set("colour_temperature", colour_temperature_words({}, *type));
     set("colour_rendering", colour_rendering_words({}, *type));
     set("maintenance_factor", TableNumber{type->maintenance_factor});
   }

@@ -364,7 +364,7 @@ std::vector<TableCell> type_row(const Texts& t, const ScheduleRow& of) {
           TableNumber{row.flux_lm},
           stated(row.power_w, has_power),
           stated(row.flux_lm / row.power_w, has_power),
-          colour_temperature_words(row),
+          colour_temperature_words(t, row),
           colour_rendering_words(t, row),
           mounting_words(t, of),
           count_cell(row.count),

@@ -21,8 +21,20 @@ bool has_digit(const std::string& words) {
   return std::any_of(words.begin(), words.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// What a file says of another light than the type's must not read as if it were the type's.
+std::string words_of_file(const Texts& t, const LuminaireRow& type, const std::string& words) {
+  return words.empty() || !type.is_of_other_light() ? words : t.say<Text::colour_of_file>(words);
+}
+
 std::string own_words(const std::string& words) {
   return has_digit(words) ? printable(words) : std::string();
+}
+
+std::string rendering_words(const Texts& t, const calc::StatedRa& ra) {
+  const std::string low = format_shortest(t, ra.low);
+  constexpr double kBest = 100.0;
+  if (ra.low == ra.high) return low;
+  return ra.high == kBest ? "≥ " + low : low + "–" + format_shortest(t, ra.high);
 }
 
 // "2.80 m, 3.20 m", of many "2.60 m to 3.20 m".
@@ -40,18 +52,15 @@ std::string heights_words(const Texts& t, const std::vector<double>& heights_m) 
 
 }  // namespace
 
-std::string colour_temperature_words(const LuminaireRow& type) {
+std::string colour_temperature_words(const Texts& t, const LuminaireRow& type) {
   const std::optional<double> kelvin = calc::stated_colour_temperature_k(type.colour_temperature);
-  return kelvin ? format_fixed(*kelvin, 0) : own_words(type.colour_temperature);
+  return words_of_file(t, type,
+                       kelvin ? format_fixed(*kelvin, 0) : own_words(type.colour_temperature));
 }
 
 std::string colour_rendering_words(const Texts& t, const LuminaireRow& type) {
   const std::optional<calc::StatedRa> ra = calc::stated_ra(type.colour_rendering);
-  if (!ra) return own_words(type.colour_rendering);
-  const std::string low = format_shortest(t, ra->low);
-  constexpr double kBest = 100.0;
-  if (ra->low == ra->high) return low;
-  return ra->high == kBest ? "≥ " + low : low + "–" + format_shortest(t, ra->high);
+  return words_of_file(t, type, ra ? rendering_words(t, *ra) : own_words(type.colour_rendering));
 }
 
 std::string mounting_words(const Texts& t, const ScheduleRow& row) {

@@ -9,8 +9,9 @@
 
 namespace report {
 
-// "4000", or the file's own words; "" = nothing that anybody could read as a colour.
-std::string colour_temperature_words(const LuminaireRow& type);
+// "4000", or the file's own words; "" = nothing that anybody could read as a colour. Of a type with
+// another flux, or lamp package, than the file's: that it is the file's.
+std::string colour_temperature_words(const Texts& t, const LuminaireRow& type);
 // "80", "80–89", "≥ 80", or the file's own words; "": likewise.
 std::string colour_rendering_words(const Texts& t, const LuminaireRow& type);
 // "2.80 m, 3.20 m", of many "2.60 m to 3.20 m"; "" = nowhere.

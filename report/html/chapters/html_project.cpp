@@ -120,7 +120,7 @@ std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
          schedule_cell(format_lumens(t, type.flux_lm)) +
          schedule_cell(has_power ? format_watts(t, type.power_w) : "") +
          schedule_cell(has_power ? format_fixed(type.flux_lm / type.power_w, 0) : "") +
-         schedule_cell(escape_html(colour_temperature_words(type))) +
+         schedule_cell(escape_html(colour_temperature_words(t, type))) +
          schedule_cell(escape_html(colour_rendering_words(t, type))) + "<td>" +
          mounting_words(t, row) + "</td>" + schedule_cell(fmt::format("{}", type.count)) +
          schedule_cell(maintenance_html(t, type)) + "<td>" + escape_html(rooms_words(t, row)) +

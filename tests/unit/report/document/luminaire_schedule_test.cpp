@@ -112,17 +112,35 @@ TEST(LuminaireTotals, HoldMoreThanAType) {
 
 TEST(ScheduleWords, ColoursAreThoseThatFilesState) {
   LuminaireRow row;
-  EXPECT_THAT(colour_temperature_words(row), IsEmpty());
+  EXPECT_THAT(colour_temperature_words({}, row), IsEmpty());
   row.colour_temperature = "Unknown";
-  EXPECT_THAT(colour_temperature_words(row), IsEmpty());
+  EXPECT_THAT(colour_temperature_words({}, row), IsEmpty());
   row.colour_temperature = "5700";
-  EXPECT_EQ(colour_temperature_words(row), "5700");
+  EXPECT_EQ(colour_temperature_words({}, row), "5700");
   row.colour_temperature = "2700-6500";
-  EXPECT_EQ(colour_temperature_words(row), "2700-6500");
+  EXPECT_EQ(colour_temperature_words({}, row), "2700-6500");
   row.colour_rendering = ">90";
   EXPECT_EQ(colour_rendering_words({}, row), "≥ 90");
   row.colour_rendering = "1B";
   EXPECT_EQ(colour_rendering_words({}, row), "80–89");
+}
+
+// The project's flux may be that of another lamp.
+TEST(ScheduleWords, ColoursOfAnotherLightAreThoseOfTheFile) {
+  LuminaireRow row;
+  row.colour_rendering = "80";
+  row.colour_temperature = "3000";
+  row.file_flux_lm = 1800;
+  row.flux_lm = 1801;
+  EXPECT_EQ(colour_rendering_words({}, row), "80");
+  row.flux_lm = 1500;
+  EXPECT_EQ(colour_rendering_words({}, row), "80 (of the file, for its own lamp and flux)");
+  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file, for its own lamp and flux)");
+  row.colour_rendering = "";
+  EXPECT_EQ(colour_rendering_words({}, row), "");
+  row.flux_lm = row.file_flux_lm;
+  row.package = "L-930";
+  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file, for its own lamp and flux)");
 }
 
 }  // namespace
