@@ -58,7 +58,17 @@ std::string cells(const Texts& t, const CiFinding& entry) {
                      is_judged ? margin_words(t, *finding) : "");
 }
 
+// Advice that is not kept to is no failure, and must not look like one.
+bool is_unkept_advice(const CiFinding& entry) {
+  return entry.finding != nullptr && is_outside_advice(*entry.finding);
+}
+
+bool is_advice(const CiFinding& entry) {
+  return entry.finding != nullptr && entry.finding->requirement.severity == rules::Severity::advice;
+}
+
 std::string entry_words(const Texts& t, const CiFinding& entry) {
+  if (is_unkept_advice(entry)) return t[Text::advice_outside];
   const char* words = verdict_words(t, entry.verdict);
   if (entry.counts) return words;
   if (entry.is_known) return t.say<Text::verdict_known>(words);
@@ -77,7 +87,9 @@ class Table {
   void add(const CiFinding& entry) {
     if (++count_ > kMostRows) return;
     if (has_projects_) rows_ += fmt::format("| {} ", escape_markdown(entry.project->path));
-    rows_ += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
+    rows_ += fmt::format("| {} {} | {} | {} |\n",
+                         is_unkept_advice(entry) ? outcome_symbol(rules::Outcome::nothing_asked)
+                                                 : verdict_symbol(entry.verdict),
                          entry_words(t_, entry), escape_markdown(entry.place), cells(t_, entry));
   }
 
@@ -238,6 +250,7 @@ class MarkdownWriter : public FormatWriter {
         findings_(frame, t),
         passed_(t, has_projects()),
         others_(t, has_projects()),
+        unkept_(t, has_projects()),
         causes_(place),
         advice_(place),
         warnings_(place),
@@ -245,7 +258,8 @@ class MarkdownWriter : public FormatWriter {
 
   void add(const ProjectPart& project) override {
     for (const CiFinding& entry : findings_.of(project)) {
-      (entry.verdict == rules::Verdict::pass ? passed_ : others_).add(entry);
+      Table& open = is_advice(entry) ? unkept_ : others_;
+      (entry.verdict == rules::Verdict::pass ? passed_ : open).add(entry);
     }
     if (!has_projects()) {
       about_ = about_line(t_, project.about);
@@ -289,7 +303,7 @@ class MarkdownWriter : public FormatWriter {
   const DocumentFrame& frame_;
   Texts t_;
   CiFindings findings_;
-  Table passed_, others_;
+  Table passed_, others_, unkept_;  // unkept: advice that does not pass
   Lines project_lines_, folded_lines_;
   std::string title_, about_, overview_;      // of the only one
   Spill causes_, advice_, warnings_, notes_;  // of all projects
@@ -320,6 +334,8 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
                 ? "\n" + others_.text()
                 : details(t_.say<Text::unmet_one_by_one>(others_.count()), others_.text());
   }
+  if (unkept_.count() > 0)
+    text += details(t_.say<Text::advice_one_by_one>(unkept_.count()), unkept_.text());
   sink.write(text);
   advice_.copy_to(sink);
   warnings_.copy_to(sink);
