@@ -126,13 +126,23 @@ std::vector<NoteItem> source_items(const Texts& t, const calc::Message& message)
 }
 
 void Footnotes::use(const NoteItem& item, const std::string& place, Uses& uses,
-                    std::vector<std::string>& order) const {
+                    std::vector<std::string>& order, const std::string& quantity) const {
   Use& known = uses[item.html];
   if (known.times++ == 0) {
     known.note.item = item;
     order.push_back(item.html);
   }
   add_new(known.note.places, place);
+  if (!quantity.empty()) add_new(known.note.quantities[place], quantity);
+}
+
+std::string Footnotes::place_words(const Note& note, const std::string& place) const {
+  const auto own = note.quantities.find(place);
+  if (own == note.quantities.end()) return place;
+  const bool has_others = std::any_of(notes_.begin(), notes_.end(), [&](const Note& other) {
+    return other.item.html != note.item.html && other.quantities.contains(place);
+  });
+  return has_others ? fmt::format("{} ({})", place, fmt::join(own->second, ", ")) : place;
 }
 
 void Footnotes::add(const std::vector<RoomPlane>& planes) {
@@ -143,8 +153,14 @@ void Footnotes::add(const std::vector<RoomPlane>& planes) {
     for (const rules::Finding& finding : of.plane->findings) {
       const std::string clause =
           escape_html(sentence(t_, without_source(finding.requirement.clause)));
-      for (const NoteItem& item : note_items(t_, finding))
-        use(item, item.source ? clause : room, uses, order);
+      const std::string quantity =
+          escape_html(quantity_words(t_, finding.requirement, of.plane->kernel));
+      for (const NoteItem& item : note_items(t_, finding)) {
+        if (item.source)
+          use(item, clause, uses, order, quantity);
+        else
+          use(item, room, uses, order);
+      }
     }
     for (const calc::Message& remark : of.plane->remarks) {
       for (const NoteItem& item : note_items(t_, remark)) use(item, room, uses, order);
@@ -162,7 +178,11 @@ void Footnotes::add(const std::vector<RoomPlane>& planes) {
       numbers_[html] = notes_.size();
       notes_.push_back(std::move(one.note));
     } else {
-      for (const std::string& place : one.note.places) add_new(notes_[known->second].places, place);
+      Note& note = notes_[known->second];
+      for (const std::string& place : one.note.places) add_new(note.places, place);
+      for (const auto& [place, quantities] : one.note.quantities) {
+        for (const std::string& quantity : quantities) add_new(note.quantities[place], quantity);
+      }
     }
   }
 }
@@ -196,7 +216,9 @@ std::string Footnotes::list() const {
     const Note& note = notes_[i];
     std::string words = note.item.html;
     if (note.item.source) {
-      const std::string places = fmt::format("{}", fmt::join(note.places, ", "));
+      std::string places;
+      for (const std::string& place : note.places)
+        places += (places.empty() ? "" : ", ") + place_words(note, place);
       words = *note.item.source == calc::Sentence::one_source ? t_.say<Text::one_source_is>(places)
                                                               : t_.say<Text::unverified_is>(places);
     } else if (note.places.size() <= kMostRooms) {

@@ -59,6 +59,8 @@ class Footnotes {
   struct Note {
     NoteItem item;
     std::vector<std::string> places;  // rooms; of a source the rows of the standard; escaped
+    // Of a source: the quantities of such a row whose numbers come from it; escaped.
+    std::map<std::string, std::vector<std::string>> quantities;
   };
   struct Use {
     std::size_t times = 0;
@@ -67,7 +69,9 @@ class Footnotes {
   using Uses = std::map<std::string, Use>;
 
   void use(const NoteItem& item, const std::string& place, Uses& uses,
-           std::vector<std::string>& order) const;
+           std::vector<std::string>& order, const std::string& quantity = {}) const;
+  // The place; with its quantities where other numbers of the row are of another source.
+  std::string place_words(const Note& note, const std::string& place) const;
 
   Texts t_;
   std::map<std::string, std::size_t> numbers_;  // index in notes_, by HTML

@@ -1,6 +1,7 @@
 #include "report/html/page/html_footnotes.h"
 
 #include "calc/base/sentences.h"
+#include "report/text/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +53,24 @@ TEST(Footnotes, TellOnceWhatSeveralFindingsHaveToBeReadWith) {
                                       HasSubstr("by table <span class=\"quiet\">(Office "
                                                 "&lt;1&gt;)</span>"),
                                       Not(HasSubstr("lane 2"))));
+}
+
+// A row may have one number of a public source and another of none.
+TEST(Footnotes, TellWhichNumberOfARowIsOfWhichSource) {
+  const SpacePart hall = room("Hall");
+  const Message one = calc::say<Sentence::one_source>(), none = calc::say<Sentence::unverified>();
+  PlanePart plane = plane_with({one, one, none, none});
+  for (std::size_t i = 2; i < 4; ++i)
+    plane.findings[i].requirement.metric = rules::Metric::uniformity_min_avg;
+  Footnotes footnotes{Texts()};
+  footnotes.add({{&hall, &plane}});
+  const auto words = [&](std::size_t i) {
+    const rules::Finding& finding = plane.findings[i];
+    return "It concerns: EN 12464-1:2021 34.2 (" +
+           quantity_words({}, finding.requirement, plane.kernel) + ").";
+  };
+  EXPECT_THAT(footnotes.list(), AllOf(HasSubstr(words(0)), HasSubstr(words(2))));
+  EXPECT_NE(words(0), words(2));
 }
 
 TEST(Footnotes, LeaveWhatIsThereOnceWhereItIs) {
