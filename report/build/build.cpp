@@ -110,6 +110,19 @@ std::string sha256_of(const calc::Project& project, const std::string& file) {
   return found == project.inputs.end() ? "" : found->sha256;
 }
 
+// Of all emitters; 0 where the file does not state it of each.
+double stated_flux_lm(const calc::Project& project, const calc::LuminaireType& type) {
+  if (type.emitters.empty()) return project.webs[type.web].source().stated_flux_lm;
+  double sum_lm = 0.0;
+  for (const calc::TypeEmitter& emitter : type.emitters) {
+    const calc::LuminaireType& own = project.luminaire_types[emitter.type];
+    const double stated_lm = project.webs[own.web].source().stated_flux_lm;
+    if (!(stated_lm > 0.0)) return 0.0;
+    sum_lm += stated_lm;
+  }
+  return sum_lm;
+}
+
 LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_index) {
   const calc::LuminaireType& type = project.luminaire_types[type_index];
   const calc::PhotometricWeb& web = project.webs[type.web];
@@ -130,6 +143,7 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.power_w = type.power_w;
   if (!type.photometry_file.empty()) row.file_flux_lm = row.flux_lm / type.flux_scale;
   row.file_power_w = type.file_power_w;
+  row.stated_flux_lm = stated_flux_lm(project, type);
   row.max_intensity_cd = calc::luminaire_peak_cd(project, type);
   row.maintenance_factor = type.maintenance.product;
   row.maintenance = type.maintenance;

@@ -69,6 +69,15 @@ struct Provenance {
   std::string method = {};
 };
 
+// The flux that people read of a light: as its file states it where its intensities, which give the
+// flux that is calculated with, agree to one percent. stated_lm: 0 = not stated.
+inline double told_flux_lm(double calculated_lm, double stated_lm) {
+  constexpr double kSame = 0.01;
+  const double apart_lm =
+      stated_lm > calculated_lm ? stated_lm - calculated_lm : calculated_lm - stated_lm;
+  return stated_lm > 0.0 && apart_lm <= kSame * stated_lm ? stated_lm : calculated_lm;
+}
+
 struct LuminaireRow {
   std::string type_id, photometry_file, name, format;
   // As the photometry file has them, in its own words; "" = not stated.
@@ -81,6 +90,7 @@ struct LuminaireRow {
   double power_w = 0;  // 0 = not stated
   // As the photometry file has them, without what the project overrides: 0 = not stated, not known.
   double file_flux_lm = 0, file_power_w = 0;
+  double stated_flux_lm = 0;  // in words of the file, see told_flux_lm(); 0 = not stated
   double max_intensity_cd = 0;
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
@@ -92,6 +102,12 @@ struct LuminaireRow {
   // 180; empty: not known.
   std::vector<double> c0_cd = {}, c90_cd = {};
 
+  // Of one luminaire and of its file, as people read them.
+  double told_lm() const {
+    const bool is_of_file = package.empty() && flux_lm == file_flux_lm;
+    return is_of_file ? told_file_lm() : flux_lm;
+  }
+  double told_file_lm() const { return told_flux_lm(file_flux_lm, stated_flux_lm); }
   // Of another lamp or flux than the photometry file's: what that says of colour is of another
   // light. As far apart as LuminaireType::is_of_other_flux() has it.
   bool is_of_other_light() const {

@@ -9,7 +9,7 @@ namespace {
 
 void add(const LuminaireRow& type, std::int64_t count, LuminaireTotals& totals) {
   totals.count += count;
-  totals.flux_lm += static_cast<double>(count) * type.flux_lm;
+  totals.flux_lm += static_cast<double>(count) * type.told_lm();
   totals.power_w += static_cast<double>(count) * type.power_w;
   if (count > 0 && !(type.power_w > 0.0)) totals.is_power_known = false;
 }

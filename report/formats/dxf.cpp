@@ -503,7 +503,7 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
         dxf_text(row.maker),
         dxf_text(row.article()),
         dxf_text(row.photometry_file),
-        row.flux_lm > 0.0 ? format_shortest(row.flux_lm) : "",
+        row.told_lm() > 0.0 ? format_shortest(row.told_lm()) : "",
         row.power_w > 0.0 ? format_shortest(row.power_w) : ""};
     std::vector<DxfAttribute> attributes;
     for (std::size_t k = 0; k < kTags.size(); ++k) attributes.push_back({kTags[k], values[k]});

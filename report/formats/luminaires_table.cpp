@@ -73,10 +73,10 @@ void visit_luminaire(const ProjectPart& project, const SpacePart& space, std::si
   if (is_known) {
     set("maker", type->maker);
     set("article", type->article());
-    set("flux_lm", TableNumber{type->flux_lm});
+    set("flux_lm", TableNumber{type->told_lm()});
     if (type->power_w > 0.0) {
       set("power_w", TableNumber{type->power_w});
-      set("efficacy_lm_w", TableNumber{type->flux_lm / type->power_w});
+      set("efficacy_lm_w", TableNumber{type->told_lm() / type->power_w});
     }
     set("position",
         position_letter(static_cast<std::size_t>(std::distance(project.luminaires.begin(), type))));

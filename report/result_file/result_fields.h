@@ -181,6 +181,10 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
            .presence = kSinceLater});
   v.field("file_power_w", or_null(row.file_power_w, 0.0),
           {.words = "Likewise. null: not stated.", .presence = kSinceLater});
+  v.field("stated_flux_lm", or_null(row.stated_flux_lm, 0.0),
+          {.words = "As the photometry file states it; file_flux_lm is what its intensities "
+                    "give. null: not stated.",
+           .presence = kSinceLater});
   v.field("max_intensity_cd", or_null(row.max_intensity_cd));
   v.field("maintenance_factor", or_null(row.maintenance_factor));
   v.field("maintenance_parts", row.maintenance);

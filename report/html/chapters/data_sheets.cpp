@@ -40,7 +40,7 @@ std::string uses(const Texts& t, const std::vector<const LuminaireRow*>& rows) {
   for (const LuminaireRow* row : rows) {
     html +=
         fmt::format("{}{}: {} × {} lm, {}", html.empty() ? "" : "<br/>", escape_html(row->type_id),
-                    row->count, format_lumens(t, row->flux_lm),
+                    row->count, format_lumens(t, row->told_lm()),
                     row->power_w > 0.0 ? format_watts(t, row->power_w) + " W"
                                        : t[Text::power] + std::string(" ") + t[Text::not_stated]);
   }

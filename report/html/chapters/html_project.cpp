@@ -48,14 +48,22 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 
-// What the file has where the project states another flux or power; "" = nothing does.
+// What the file has where the project states another flux or power, and what it states where its
+// intensities give another flux; "" = nothing does.
 std::string file_words(const Texts& t, const LuminaireRow& type) {
   const auto differs = [](double file, double own) { return file > 0.0 && file != own; };
   std::string words;
-  if (differs(type.file_flux_lm, type.flux_lm)) words = format_lumens(t, type.file_flux_lm) + " lm";
+  if (differs(type.file_flux_lm, type.flux_lm))
+    words = format_lumens(t, type.told_file_lm()) + " lm";
   if (differs(type.file_power_w, type.power_w))
     words += (words.empty() ? "" : ", ") + format_watts(t, type.file_power_w) + " W";
-  return words.empty() ? words : t.say<Text::schedule_overridden>(words);
+  if (!words.empty()) words = t.say<Text::schedule_overridden>(words);
+  if (type.stated_flux_lm > 0.0 && type.told_file_lm() != type.stated_flux_lm) {
+    words += (words.empty() ? "" : "; ") +
+             t.say<Text::schedule_stated>(format_lumens(t, type.stated_flux_lm),
+                                          format_lumens(t, type.file_flux_lm));
+  }
+  return words;
 }
 
 // Maker, name, article and lamp as the photometry file has them, the opening and the housing; the
@@ -117,9 +125,9 @@ std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
   const bool has_power = type.power_w > 0.0;
   return "<tr><th scope=\"row\">" + row.position + "</th><td>" + product_html(t, row) +
          html_polar(t, type) + outline_svg(t, row) + "</td>" +
-         schedule_cell(format_lumens(t, type.flux_lm)) +
+         schedule_cell(format_lumens(t, type.told_lm())) +
          schedule_cell(has_power ? format_watts(t, type.power_w) : "") +
-         schedule_cell(has_power ? format_fixed(type.flux_lm / type.power_w, 0) : "") +
+         schedule_cell(has_power ? format_fixed(type.told_lm() / type.power_w, 0) : "") +
          schedule_cell(escape_html(colour_temperature_words(t, type))) +
          schedule_cell(escape_html(colour_rendering_words(t, type))) + "<td>" +
          mounting_words(t, row) + "</td>" + schedule_cell(fmt::format("{}", type.count)) +

@@ -5,6 +5,7 @@
 #include "calc/glare/mean_luminance.h"
 #include "calc/glare/ugr_table.h"
 #include "calc/photometry/web_measures.h"
+#include "report/document/document.h"
 #include "report/html/page/html_markup.h"
 #include "report/images/polar_diagram.h"
 #include "report/text/base64.h"
@@ -134,15 +135,17 @@ std::string figures(const Texts& t, const SheetLight& light, const std::string& 
                                         escape_html(source.format) + "<span class=\"hash\">" +
                                         escape_html(light.sha256) + "</span>") +
           more_facts;
-  std::string right = fact(t[Text::flux], format_lumens(t, light.flux_lm) + " lm");
+  const double told_lm =
+      is_one ? told_flux_lm(light.flux_lm, source.stated_flux_lm) : light.flux_lm;
+  std::string right = fact(t[Text::flux], format_lumens(t, told_lm) + " lm");
   if (source.rated_lamp_flux_lm > 0.0) {
-    right += fact(t[Text::sheet_output_ratio],
-                  format_share(t, light.flux_lm / source.rated_lamp_flux_lm));
+    right +=
+        fact(t[Text::sheet_output_ratio], format_share(t, told_lm / source.rated_lamp_flux_lm));
   }
   const calc::Peak peak = calc::peak_of(web);
   right += fact(t[Text::power],
                 power > 0.0 ? format_watts(t, power) + " W" : std::string(t[Text::not_stated])) +
-           fact(t[Text::efficacy], power > 0.0 ? format_fixed(t, light.flux_lm / power, 0) + " lm/W"
+           fact(t[Text::efficacy], power > 0.0 ? format_fixed(t, told_lm / power, 0) + " lm/W"
                                                : std::string(t[Text::not_stated])) +
            fact(t[Text::sheet_downward], format_share(t, calc::downward_share(web))) +
            fact(t[Text::sheet_flux_code], flux_code(web)) +

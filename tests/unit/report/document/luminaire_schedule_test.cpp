@@ -67,6 +67,22 @@ TEST(LuminaireSchedule, HasWhatIsUsedAndNamesTheRest) {
                   "How many the road takes follows from its length: 1 for each spacing."));
 }
 
+// Readers compare the schedule with the makers' lists, and add up what they read.
+TEST(LuminaireSchedule, TellsTheFluxThatTheFileStates) {
+  LuminaireRow row = type("a", 33, 2632.16, 19.5);
+  row.file_flux_lm = row.flux_lm;
+  EXPECT_EQ(row.told_lm(), 2632.16);
+  row.stated_flux_lm = 2630;
+  EXPECT_EQ(row.told_lm(), 2630);
+  EXPECT_EQ(totals_of(std::vector<LuminaireRow>{row}).flux_lm, 33 * 2630);
+  row.flux_lm = 1500;  // by the project
+  EXPECT_EQ(row.told_lm(), 1500);
+  EXPECT_EQ(row.told_file_lm(), 2630);
+  row.flux_lm = row.file_flux_lm;
+  row.stated_flux_lm = 2900;  // no light that was calculated with
+  EXPECT_EQ(row.told_lm(), 2632.16);
+}
+
 TEST(LuminaireTotals, SpacesAddUpToTheProject) {
   ProjectPart part = project();
   LuminaireTotals sum;

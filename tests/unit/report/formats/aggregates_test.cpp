@@ -6,6 +6,7 @@
 #include "report/text/words.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sample_document.h"
+#include "tests/support/sample_road.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -108,6 +109,22 @@ TEST(Aggregates, HaveWords) {
   EXPECT_EQ(aggregate_place(small_document().projects[0], class_p()).find("Work plane") ==
                 std::string::npos,
             false);
+}
+
+// Ids of checks tell clients nothing, and a class of a street stands in its chapter.
+TEST(Aggregates, ClientsReadWhatIsNotSaidElsewhereWithoutIds) {
+  Document document = document_with(any_of_two(rules::Verdict::pass));
+  FormatStyle style;
+  style.page.detail = Detail::client;
+  const std::string html = rendered("html", document, style);
+  EXPECT_THAT(html, HasSubstr(">class P<"));
+  EXPECT_THAT(html, HasSubstr("<td>0 of 1 met</td>"));
+  EXPECT_THAT(html, Not(HasSubstr("P.average")));
+  document.projects[0].spaces.push_back(sample_road());
+  rules::AggregateFinding of_street = class_p();
+  of_street.space_id = of_street.plane_id = "street";
+  document.projects[0].aggregates = {of_street};
+  EXPECT_THAT(rendered("html", document, style), Not(HasSubstr(">class P<")));
 }
 
 // With one requirement that is undecided and waived, as the only member of both.

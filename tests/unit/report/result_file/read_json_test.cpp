@@ -114,6 +114,7 @@ Document rich_document() {
   mark.axis = {0.36, 0.48, -0.8};
   project.luminaires.at(0).file_flux_lm = 1234.5;
   project.luminaires.at(0).file_power_w = 23.5;
+  project.luminaires.at(0).stated_flux_lm = 1236.0;
   document.provenance.method = "--method instant-radiosity";
   project.spaces[0].finishes = {{"floor", "wood, tiles"}};
   project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}, "wood"}};
