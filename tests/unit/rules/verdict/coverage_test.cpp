@@ -179,7 +179,6 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_THAT(covered.roles(), ElementsAre("task met", "surround not-made", "background not-made",
                                            "wall met", "ceiling met", "cylinder met",
                                            "observer met", "room not-made", "lamp not-possible"));
-  EXPECT_TRUE(covered.rows[0].is_whole());
   EXPECT_FALSE(covered.rows[0].asks_all()) << "nobody knows the colour rendering";
   EXPECT_EQ(
       covered.rows[0].roles.back().words,
