@@ -200,7 +200,8 @@ std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
   return html;
 }
 
-// So that links from other chapters arrive.
+// So that links from other chapters arrive. Within the heading: a line of their own between it and
+// what follows would be a place to break a page.
 std::string anchors(const SpacePart& space, PlaneIndex room) {
   std::string html;
   for (std::size_t k = 0; k < space.planes.size(); ++k)
@@ -303,11 +304,10 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
   const std::string clause = main_clause(t, lines);
   const std::string facts = html_room_facts(t, project, space);
   std::string html =
-      fmt::format("<section class=\"client-room\"><header><h2 id=\"{}\">{}</h2>{}{}</header>\n",
-                  space_anchor(room.project, room.space), escape_html(title),
+      fmt::format("<section class=\"client-room\"><header><h2 id=\"{}\">{}{}</h2>{}{}</header>\n",
+                  space_anchor(room.project, room.space), escape_html(title), anchors(space, room),
                   summary == nullptr ? "" : outcome_badge(t, summary->outcome),
                   clause.empty() ? "" : "<p class=\"quiet\">" + escape_html(clause) + "</p>");
-  html += anchors(space, room);
   if (!facts.empty())
     html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +
             std::string(t[Text::room_data]) + "</caption><tbody>\n" + facts + "</tbody></table>\n";
