@@ -20,7 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -84,8 +84,40 @@ std::string clause_of(const Texts& t, const rules::Requirement& requirement) {
   return clause_words(t, without_source(requirement.clause), rules::source_of(requirement));
 }
 
+// The rows that the room's requirements are of, each once, in the order of the lines.
+struct Clauses {
+  std::vector<std::string> all;
+  std::size_t shared = 0;  // bytes of the standard's title, where all are of one pack
+  // Where there are several, each line has its own.
+  std::string beside(const std::string& clause) const {
+    return all.size() > 1 ? clause.substr(shared) : std::string();
+  }
+};
+
+Clauses clauses_of(const Texts& t, const std::vector<RoomLine>& lines) {
+  Clauses clauses;
+  std::set<std::string> packs;
+  for (const RoomLine& line : lines) {
+    const rules::Requirement& requirement = line.parts.front().finding->requirement;
+    if (requirement.clause.empty()) continue;
+    packs.insert(requirement.origin.pack);
+    std::string clause = clause_of(t, requirement);
+    if (std::find(clauses.all.begin(), clauses.all.end(), clause) == clauses.all.end())
+      clauses.all.push_back(std::move(clause));
+  }
+  if (packs.size() != 1 || packs.begin()->empty()) return clauses;
+  std::string_view shared = clauses.all.front();
+  for (const std::string& clause : clauses.all) {
+    const auto [end, other] =
+        std::mismatch(shared.begin(), shared.end(), clause.begin(), clause.end());
+    shared = shared.substr(0, static_cast<std::size_t>(end - shared.begin()));
+  }
+  clauses.shared = shared.rfind(' ') + 1;  // 0 where there is none
+  return clauses;
+}
+
 std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& line,
-                      const std::string& main_clause, const Footnotes& footnotes) {
+                      const Clauses& clauses, const Footnotes& footnotes) {
   const RoomCause::Part& worst = line.worst();
   const rules::Finding& finding = *worst.finding;
   const rules::Requirement& requirement = finding.requirement;
@@ -103,10 +135,10 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
     items.insert(items.end(), own.begin(), own.end());
   }
   const std::string marks = footnotes.marks(items);
-  const std::string clause = clause_of(t, requirement);
-  const std::string note = requirement.clause.empty() || clause == main_clause
-                               ? ""
-                               : "<span class=\"note\">" + escape_html(clause) + "</span>";
+  const std::string clause =
+      requirement.clause.empty() ? "" : clauses.beside(clause_of(t, requirement));
+  const std::string note =
+      clause.empty() ? "" : "<span class=\"note\">" + escape_html(clause) + "</span>";
   return fmt::format(
       "<tr class=\"{}\"><th scope=\"row\">{}</th><td>{}{}{}</td><td class=\"num\">{}</td><td "
       "class=\"num strong\">{}</td><td>{}</td></tr>\n",
@@ -117,24 +149,12 @@ std::string line_html(const Texts& t, const SpacePart& space, const RoomLine& li
       html_verdict(t, *worst.plane, finding));
 }
 
-// The row that most of the room's requirements are of; "" = none is of any.
-std::string main_clause(const Texts& t, const std::vector<RoomLine>& lines) {
-  std::map<std::string, std::size_t> count;
-  for (const RoomLine& line : lines) {
-    const rules::Requirement& requirement = line.parts.front().finding->requirement;
-    if (!requirement.clause.empty()) count[clause_of(t, requirement)] += line.parts.size();
-  }
-  const auto most = std::max_element(
-      count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == count.end() ? std::string() : most->first;
-}
-
 std::string requirements_table(const Texts& t, const SpacePart& space,
-                               const std::vector<RoomLine>& lines, const std::string& clause,
+                               const std::vector<RoomLine>& lines, const Clauses& clauses,
                                const Footnotes& footnotes) {
   if (lines.empty()) return {};
   std::string rows;
-  for (const RoomLine& line : lines) rows += line_html(t, space, line, clause, footnotes);
+  for (const RoomLine& line : lines) rows += line_html(t, space, line, clauses, footnotes);
   const std::string label =
       t.say<Text::requirements_of>(escape_html(title_of(space.name, space.id)));
   return scroll_box(
@@ -164,15 +184,15 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kHigh_mm = 66, kLow_mm = 58, kLong = 4;
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kStacked_mm = 140, kHigh_mm = 64, kLow_mm = 50,
+                   kLong = 4;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
   const glm::dvec2 size = glm::dvec2(plane.grid.columns, plane.grid.rows) *
                           glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m);
   const bool is_long = size.x > kLong * size.y || size.y > kLong * size.x;
-  const bool is_alone = charts == 1 || is_long;
-  return {{is_alone ? kWhole_mm : kHalf_mm, (charts == 1 ? kHigh_mm : kLow_mm) - less_mm},
-          is_long ? kMostPieces : 1};
+  const double most_mm = charts == 1 ? kWhole_mm : is_long ? kStacked_mm : kHalf_mm;
+  return {{most_mm, (charts == 1 ? kHigh_mm : kLow_mm) - less_mm}, is_long ? kMostPieces : 1};
 }
 
 std::string charts_html(const Texts& t, const SpacePart& space, PlaneIndex room,
@@ -301,20 +321,21 @@ std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex r
                         const ColourScales& scales, Paper paper, const Footnotes& footnotes) {
   const SpacePart& space = project.spaces[room.space];
   const std::vector<RoomLine> lines = room_lines(space);
-  const std::string clause = main_clause(t, lines);
+  const Clauses clauses = clauses_of(t, lines);
+  const std::string asked_by = fmt::format("{}", fmt::join(clauses.all, ", "));
   const std::string facts = html_room_facts(t, project, space);
   std::string html =
       fmt::format("<section class=\"client-room\"><header><h2 id=\"{}\">{}{}</h2>{}{}</header>\n",
                   space_anchor(room.project, room.space), escape_html(title), anchors(space, room),
                   summary == nullptr ? "" : outcome_badge(t, summary->outcome),
-                  clause.empty() ? "" : "<p class=\"quiet\">" + escape_html(clause) + "</p>");
+                  asked_by.empty() ? "" : "<p class=\"quiet\">" + escape_html(asked_by) + "</p>");
   if (!facts.empty())
     html += "<table class=\"facts room-data\"><caption class=\"unseen\">" +
             std::string(t[Text::room_data]) + "</caption><tbody>\n" + facts + "</tbody></table>\n";
   html += "<div class=\"charts\">\n" + charts_html(t, space, room, scales, paper) +
           html_room(t, space, true) + "</div>\n";
   if (summary != nullptr) html += client_causes(t, *summary);
-  html += requirements_table(t, space, lines, clause, footnotes) +
+  html += requirements_table(t, space, lines, clauses, footnotes) +
           notes_of(t, space, footnotes).html(t);
   return html + "</section>\n";
 }
