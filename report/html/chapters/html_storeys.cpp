@@ -248,6 +248,14 @@ std::string type_items(const PlanProject& all, const PlanContents& contents) {
 std::string notes_of(const Texts& t, const PlanContents& contents, const PlanFit& fit,
                      const PlanDrawing& drawing) {
   std::string notes;
+  const std::size_t drawn = contents.luminaires.size() - drawing.outside;
+  if (!drawing.is_as_points && drawing.without_letter < drawn)
+    notes += std::string(" ") + t[Text::plan_letters];
+  if (!contents.dashed_m.empty()) notes += std::string(" ") + t[Text::plan_dashed_tasks];
+  if (std::any_of(contents.areas.begin(), contents.areas.end(),
+                  [](const PlanArea& area) { return !area.is_room && area.outcome; })) {
+    notes += std::string(" ") + t[Text::plan_dashed_planes];
+  }
   if (fit.is_turned) notes += std::string(" ") + t[Text::plan_turned];
   if (drawing.is_as_points) notes += std::string(" ") + t[Text::plan_as_points];
   if (drawing.outside > 0) notes += " " + t.say<Text::plan_outside>(drawing.outside);

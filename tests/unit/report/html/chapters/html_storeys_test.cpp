@@ -133,6 +133,17 @@ TEST(HtmlStoreys, NameRoomsAndLuminaires) {
   EXPECT_THAT(shown(house()), HasSubstr("2 × Panel &lt;600&gt;"));
 }
 
+TEST(HtmlStoreys, CaptionsExplainWhatIsDrawnAlone) {
+  ProjectPart project = house();
+  EXPECT_THAT(shown(project), HasSubstr("Letters name types of luminaires"));
+  for (SpacePart& space : project.spaces) {
+    space.luminaires.clear();
+    for (PlanePart& plane : space.planes) plane.outline_m.clear();
+  }
+  EXPECT_THAT(shown(project), Not(HasSubstr("Letters name types of luminaires")));
+  EXPECT_THAT(shown(project), Not(HasSubstr("Dashed: ")));
+}
+
 TEST(HtmlStoreys, ResultsHaveSignsAndValues) {
   const std::string html = shown(house());
   // 512.5 of 500 lx passes, a minimum fails.
