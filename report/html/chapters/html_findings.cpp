@@ -355,8 +355,8 @@ std::string html_verdict(const Texts& t, const PlanePart& plane, const rules::Fi
   return html;
 }
 
-std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame,
-                                const DocumentEnd& end) {
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const DocumentEnd& end,
+                                const std::string& link) {
   const Totals& totals = end.totals;
   const VerdictCounts& counts = totals.verdicts;
   const bool is_part = !end.provenance.selection.empty();
@@ -390,8 +390,8 @@ std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame,
                     "<p>{}</p>{}</div><ul class=\"counts\">{}</ul></div>\n",
                     banner_attributes(outcome), outcome_symbol(outcome),
                     is_part && is_good ? part : banner_sentence(t, outcome, counts),
-                    summary_words(t, totals) + (is_part && !is_good ? " · " + part : ""), errors,
-                    chips);
+                    summary_words(t, totals) + link + (is_part && !is_good ? " · " + part : ""),
+                    errors, chips);
 }
 
 HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) {

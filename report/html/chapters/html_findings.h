@@ -17,7 +17,8 @@
 namespace report {
 
 // Of a part that was chosen it says so first, and is green for nothing.
-std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const DocumentEnd& end);
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const DocumentEnd& end,
+                                const std::string& link = {});
 
 // What must be read with a finding's quantity: clause, state, scene, remarks; "" if there is
 // nothing.

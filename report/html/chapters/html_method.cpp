@@ -35,13 +35,19 @@ std::string list(const Texts& t, Text title, const Table& table) {
 
 }  // namespace
 
-std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes) {
+std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes,
+                        const ClientMethod* client) {
   std::string html = fmt::format(
       "<section aria-labelledby=\"method\" class=\"method\"><h2 "
       "id=\"method\">{}</h2>\n",
       t[Text::method_title]);
-  for (const Text words : {Text::method_light, Text::method_points, Text::method_without})
+  const Text points = client == nullptr ? Text::method_points : Text::method_points_client;
+  for (const Text words : {Text::method_light, points, Text::method_without})
     html += fmt::format("<p>{}</p>\n", t[words]);
+  if (client != nullptr && client->has_pictures)
+    html += fmt::format("<p>{}</p>\n", t[Text::method_pictures]);
+  if (client != nullptr && client->has_rendered)
+    html += fmt::format("<p>{}</p>\n", t[Text::rendered_caption]);
   html += fmt::format("<p>{}</p>\n", t.say<Text::method_interval>(format_percent(t, confidence)));
   return html + list(t, Text::method_verdicts, kVerdicts) + list(t, Text::method_terms, kTerms) +
          footnotes.list() + "</section>\n";

@@ -9,7 +9,14 @@
 
 namespace report {
 
-// A section. confidence: of intervals, (0, 1).
-std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes);
+// What its rooms leave to be said once.
+struct ClientMethod {
+  bool has_pictures = false;
+  bool has_rendered = false;  // rendered views among them
+};
+
+// A section. confidence: of intervals, (0, 1). client: of the document for clients, else null.
+std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes,
+                        const ClientMethod* client = nullptr);
 
 }  // namespace report

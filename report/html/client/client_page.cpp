@@ -1,6 +1,7 @@
 #include "report/html/client/client_page.h"
 
 #include "report/document/room_summary.h"
+#include "report/document/storeys.h"
 #include "report/html/chapters/data_sheets.h"
 #include "report/html/chapters/html_about.h"
 #include "report/html/chapters/html_aggregates.h"
@@ -25,6 +26,7 @@
 #include "report/html/room/html_uses.h"
 #include "report/text/markup.h"
 #include "report/text/notices.h"
+#include "report/text/plain_text.h"
 #include "report/text/room_titles.h"
 #include "report/text/words.h"
 
@@ -32,6 +34,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +66,34 @@ std::string paragraph(const std::string& words) {
   return words.empty() ? words : "<p>" + escape_html(words) + "</p>\n";
 }
 
+bool is_task(const PlanePart& plane) {
+  return is_plain_illuminance(plane) &&
+         std::any_of(plane.findings.begin(), plane.findings.end(),
+                     [](const auto& finding) { return finding.requirement.origin.is_of_own_role; });
+}
+
+bool has_several_tasks(const std::vector<RoomSummary>& rooms) {
+  return std::any_of(rooms.begin(), rooms.end(), [](const RoomSummary& room) {
+    return std::count_if(room.space->planes.begin(), room.space->planes.end(), is_task) > 1;
+  });
+}
+
+// Spaces by storeys, lowest first, and there as people sort names; what is on no storey comes last.
+std::vector<std::size_t> in_order(const ProjectPart& project,
+                                  const std::vector<std::string>& titles) {
+  const Storeys storeys = storeys_of(project);
+  std::vector<std::size_t> order(project.spaces.size()),
+      storey(project.spaces.size(), storeys.list.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = 0; i < storeys.list.size(); ++i) {
+    for (const std::size_t room : storeys.list[i].rooms) storey[room] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return storey[a] != storey[b] ? storey[a] < storey[b] : comes_before(titles[a], titles[b]);
+  });
+  return order;
+}
+
 class ClientWriter : public FormatWriter {
  public:
   ClientWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
@@ -88,6 +119,7 @@ class ClientWriter : public FormatWriter {
   Footnotes footnotes_;
   std::size_t project_ = 0;  // the next one
   std::size_t sheets_ = 0;   // data sheets so far
+  ClientMethod method_;
   std::string only_title_, about_, on_cover_, head_, foot_, notes_, messages_;
   std::vector<ContentsEntry> contents_;
   Spill body_;
@@ -105,7 +137,11 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
     body += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n" + html_messages(t_, project);
   }
-  body += html_rooms(t_, project, project_, "") + causes_html(t_, project, rooms);
+  if (const std::string table = html_rooms(t_, project, project_, ""); !table.empty()) {
+    body += table;
+    if (has_several_tasks(rooms)) body += paragraph(t_[Text::overview_nearest]);
+  }
+  body += causes_html(t_, project, rooms);
   if (!body.empty())
     chapter.html =
         fmt::format("<h2 id=\"{}\" class=\"overview\">{}</h2>\n", chapter.address, chapter.title) +
@@ -117,7 +153,7 @@ void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomS
                              std::vector<ClientChapter>& chapters) const {
   const ColourScales scales(project, style_.scale, style_.palette);
   const std::vector<std::string> titles = room_titles(project);
-  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+  for (const std::size_t s : in_order(project, titles)) {
     const SpacePart& space = project.spaces[s];
     const auto summary = std::find_if(rooms.begin(), rooms.end(),
                                       [&](const auto& room) { return room.space == &space; });
@@ -162,6 +198,12 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
 
 void ClientWriter::add(const ProjectPart& project) {
   footnotes_.add(planes_of(project));
+  for (const SpacePart& space : project.spaces) {
+    for (const RoomPicture& picture : space.pictures.list) {
+      method_.has_pictures = true;
+      method_.has_rendered = method_.has_rendered || picture.is_rendered;
+    }
+  }
   if (is_only()) {
     only_title_ = escape_html(title_of(project.name, project.path));
     about_ = html_about(t_, project.about);
@@ -195,16 +237,23 @@ void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
     entries.insert(entries.begin(), {"#revision", html_revision_title(t_, *frame_.revised)});
   }
   entries.push_back({"#method", t_[Text::method_title]});
+  std::string to_messages;
+  if (!messages_.empty()) {
+    entries.push_back({"#messages", t_[Text::messages]});
+    to_messages = fmt::format(" (<a href=\"#messages\">{}</a>)", t_[Text::see_messages]);
+  }
   sink.write(tool_page_start(
       t_, {title, t_[Text::compliance_report], page_style, is_only() ? foot_ : title, style_.paper,
            is_only() ? head_ : head_words(t_, {}), has_cover()}));
-  sink.write(on_cover_ + about_ + html_verdict_banner(t_, frame_, end) +
+  sink.write(on_cover_ + about_ + html_verdict_banner(t_, frame_, end, to_messages) +
              (has_cover() ? "</div>\n" : "") + html_contents(t_, entries, numbers_) +
              "</header>\n<main id=\"main\">\n" + revision);
   body_.copy_to(sink);
-  sink.write(html_method(t_, end.provenance.confidence, footnotes_) + "<section>\n" +
-             paragraph(provenance_remarks(end.provenance, t_)) + notes_ + messages_ +
-             paragraph(t_[Text::client_more]) + "</section>\n");
+  sink.write(html_method(t_, end.provenance.confidence, footnotes_, &method_) + "<section>\n" +
+             paragraph(provenance_remarks(end.provenance, t_)) + paragraph(t_[Text::client_more]) +
+             notes_ +
+             (messages_.empty() ? "" : "<div id=\"messages\">\n" + messages_ + "</div>\n") +
+             "</section>\n");
   sink.write(
       tool_page_end(t_.say<Text::made_by_program>(escape_html(end.provenance.program_version))));
 }

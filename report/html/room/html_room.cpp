@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace report {
 namespace {
@@ -28,6 +29,12 @@ std::string picture_html(const Texts& t, const SpacePart& space, const RoomPictu
       "<img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"/>\n", kind,
       base64(picture.png), picture.width, picture.height,
       escape_html(picture_words(t, space, picture)));
+}
+
+// Rounded up, so that an error is not told smaller than it is.
+double in_two_digits(double share) {
+  const double steps = share > 0.1 ? 1e2 : share > 0.01 ? 1e3 : 1e4;
+  return std::ceil(share * steps - 1e-9) / steps;
 }
 
 }  // namespace
@@ -59,9 +66,14 @@ std::string html_room(const Texts& t, const SpacePart& space, bool is_brief) {
   const bool has_rendered =
       std::any_of(pictures.list.begin(), pictures.list.end(),
                   [](const RoomPicture& picture) { return picture.is_rendered; });
+  if (is_brief) {
+    return html + "<figcaption>" +
+           t.say<Text::picture_brief>(format_percent(t, in_two_digits(pictures.error_share)),
+                                      beyond) +
+           "</figcaption></figure>\n";
+  }
   const std::string device =
-      is_brief ? ""
-               : " " + t.say<Text::picture_device>(t.english_html(escape_html(pictures.device)));
+      " " + t.say<Text::picture_device>(t.english_html(escape_html(pictures.device)));
   return html + "<figcaption>" +
          t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share)) + device +
          (has_rendered ? fmt::format(" {}", t[Text::rendered_caption]) : "") +

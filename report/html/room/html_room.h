@@ -9,7 +9,8 @@
 namespace report {
 
 // A <figure> with the pictures and their legend, a sentence where there could be none, or "" where
-// none were asked for. is_brief: without the device that drew them, and why there are none.
+// none were asked for. is_brief: what they show and how exactly in a line, not why there are none;
+// html_method() has the rest.
 std::string html_room(const Texts& t, const SpacePart& space, bool is_brief = false);
 
 // "Office seen from above, illuminance in false colours"; no markup.

@@ -180,12 +180,17 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   EXPECT_THAT(both, HasSubstr("r&lt;1&gt; seen from above, rendered view\""));
   EXPECT_THAT(both, HasSubstr("Rendered view: the same light as luminance of matt grey surfaces"));
   EXPECT_THAT(both, HasSubstr("fill=\"#1428b4\""));
-  // Pages for clients have every doubt.
+  // Pages for clients have what is common to all rooms once.
   const std::string brief = report::html_room({}, space, true);
-  EXPECT_THAT(brief, HasSubstr("Surfaces between the eye and the room are left out."));
-  EXPECT_THAT(brief, HasSubstr("a relative standard error of 1.2 %"));
-  EXPECT_THAT(brief, HasSubstr("Rendered view: the same light as luminance of matt grey surfaces"));
+  EXPECT_THAT(brief,
+              HasSubstr("on surfaces, sampling error 1.2 %. The brightest places reach 1234"));
+  EXPECT_THAT(brief, Not(HasSubstr("shadows")));
   EXPECT_THAT(brief, Not(HasSubstr("Drawn by")));
+  // Two digits, and never less than it is.
+  space.pictures.error_share = 0.12477;
+  EXPECT_THAT(report::html_room({}, space, true), HasSubstr("sampling error 13 %."));
+  space.pictures.error_share = 0.01234;
+  EXPECT_THAT(report::html_room({}, space, true), HasSubstr("sampling error 1.3 %."));
 }
 
 }  // namespace

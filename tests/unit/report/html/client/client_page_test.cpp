@@ -1,6 +1,7 @@
 #include "report/html/client/client_page.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "calc/base/message.h"
 #include "report/document/room_lines.h"
 #include "report/text/words.h"
 #include "tests/support/rendered.h"
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace report {
 namespace {
@@ -113,6 +115,45 @@ TEST(ClientPage, HasWarningsBehindAllElse) {
   const std::string html = client_html(document);
   EXPECT_THAT(html, HasSubstr("rooms-overlap"));
   EXPECT_GT(html.find("they share space"), html.find("How to read this report</h2>"));
+  EXPECT_THAT(html, HasSubstr("(<a href=\"#messages\">see Messages</a>)"));
+  EXPECT_THAT(html, HasSubstr("<div id=\"messages\">"));
+}
+
+TEST(ClientPage, NamesEveryRowThatARoomIsAskedBy) {
+  Document document = walls();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  for (PlanePart& plane : planes) {
+    plane.findings[0].requirement.clause = calc::Message::words("EN 1 44.1");
+    plane.findings[0].requirement.origin.pack = "en1";
+  }
+  EXPECT_THAT(client_html(document), HasSubstr("<p class=\"quiet\">EN 1 44.1</p></header>"));
+  EXPECT_THAT(client_html(document), Not(HasSubstr("<span class=\"note\">EN 1 44.1</span>")));
+  planes[2].findings[0].requirement.clause = calc::Message::words("EN 1 44.4.1");
+  const std::string html = client_html(document);
+  EXPECT_THAT(html, HasSubstr("<p class=\"quiet\">EN 1 44.1, EN 1 44.4.1</p></header>"));
+  for (const char* clause : {"44.1", "44.4.1"})
+    EXPECT_THAT(html, HasSubstr("<span class=\"note\">" + std::string(clause) + "</span>"));
+}
+
+TEST(ClientPage, RoomsFollowStoreysAndThenNames) {
+  Document document = walls();
+  std::vector<SpacePart>& spaces = document.projects[0].spaces;
+  spaces.resize(1);
+  const char* names[] = {"Room 201", "Room 10", "Room 9"};
+  const double floors_m[] = {3.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i > 0) spaces.push_back(spaces[0]);
+    const double x = 10.0 * static_cast<double>(i);
+    spaces[i].id = spaces[i].name = names[i];
+    spaces[i].floor_z_m = floors_m[i];
+    spaces[i].footprint_m = {{x, 0}, {x + 4, 0}, {x + 4, 4}, {x, 4}};
+  }
+  const std::string html = client_html(document);
+  const auto chapter = [&](const char* name) {
+    return html.find(name, html.find("class=\"client-room\""));
+  };
+  EXPECT_LT(chapter("Room 9"), chapter("Room 10"));
+  EXPECT_LT(chapter("Room 10"), chapter("Room 201"));
 }
 
 TEST(ClientPage, IsInTheReadersLanguage) {
