@@ -47,7 +47,7 @@ luxgate_test(cli_tests
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json"
   LUXGATE_ADVICE_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/advise/advice.schema.json"
-  LUXGATE_MANUAL="${PROJECT_SOURCE_DIR}/report/cli/MANUAL.md")
+  LUXGATE_MANUAL="${PROJECT_SOURCE_DIR}/report/cli/manual/import.md")
 
 add_executable(compare_csv tools/compare_csv.cpp)
 target_link_libraries(compare_csv PRIVATE calc_model)
@@ -129,6 +129,15 @@ foreach(script completions tutorial selection config datasheets streams revision
   endif()
   set_tests_properties(cli.${script} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 endforeach()
+
+# Runs the commands of the manual's pages and checks their links and the length of their sentences.
+if(LUXGATE_PYTHON)
+  add_test(NAME cli.manual COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/tutorial.py
+    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/manual ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/report/cli/manual)
+else()
+  add_test(NAME cli.manual COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+endif()
+set_tests_properties(cli.manual PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 
 # Of results that other tests have left, too, if they ran.
 if(LUXGATE_PYTHON)
