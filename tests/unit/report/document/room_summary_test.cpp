@@ -285,7 +285,7 @@ TEST(RoomSummary, ARoadHasItsLuminanceThoughItsRoleIsAnother) {
   luminance.requirement.limit = 0.75;
   set_average(luminance, 0.76, 0.001);
   EXPECT_EQ(room_summaries(document.projects[0])[0].average, &luminance);
-  EXPECT_THAT(rendered("text", document), HasSubstr(" L 0.76 ≥ 0.75\n"));
+  EXPECT_THAT(rendered("text", document), HasSubstr(" L 0.760 ≥ 0.75\n"));
 }
 
 // Names give way, then power and counts; values never.

@@ -288,7 +288,10 @@ TEST(GermanReport, MarkdownIsGerman) {
   EXPECT_THAT(text,
               HasSubstr("| Bewertung | Ort | Größe | gefordert | berechnet | Reserve |\n| --- "));
   EXPECT_THAT(text, HasSubstr("nichts wird bewertet: "));
-  EXPECT_THAT(text, HasSubstr("nicht erfüllt, ausgenommen"));
+  EXPECT_THAT(text, HasSubstr("| ○ außerhalb der Empfehlung | "));
+  Document waived = small_document();
+  waived.projects[0].spaces[0].planes[0].findings.at(1).is_waived = true;
+  EXPECT_THAT(rendered("markdown", waived, {{}, kGerman}), HasSubstr("nicht erfüllt, ausgenommen"));
 }
 
 TEST(GermanReport, TheTerminalsTableIsGerman) {
