@@ -50,7 +50,8 @@ std::vector<RowUse> row_uses(const ProjectPart& project) {
       RowUse& use = uses[found->second];
       if (use.rooms.empty() || use.rooms.back() != space.id) use.rooms.push_back(space.id);
       ++use.times;
-      use.whole += row.asks_all() ? 1 : 0;
+      use.whole += row.is_whole() ? 1 : 0;
+      use.open += row.is_whole() && !row.asks_all() ? 1 : 0;
       use.excepted += row.has_exceptions() ? 1 : 0;
       for (const rules::RoleCoverage& role : row.roles) {
         // What is asked for again, since leaving it out has ended, has no result.

@@ -17,6 +17,7 @@ struct RowUse {
   std::vector<std::string> rooms;  // ids, each once
   int times = 0;                   // it is asked, by workplaces or by planes of a room together
   int whole = 0;                   // of these: nothing of the row was never asked
+  int open = 0;                    // of the whole: something of the row cannot be judged there
   int excepted = 0;                // of these: something of the row is waived or left out
   int requirements = 0, met = 0;   // that count, each once
   // The gravest of them, and of the pack's aggregates that they are members of.
@@ -25,7 +26,9 @@ struct RowUse {
   std::optional<double> margin = {};
   std::string room = {}, plane = {}, requirement = {};
 
-  // Asked as a whole wherever it is asked, and everything met.
+  // Wherever it is asked all of the row has a verdict.
+  bool is_wholly_judged() const { return whole - open == times; }
+  // Asked as a whole wherever it is asked, and everything met that can be judged.
   bool is_met() const { return outcome == rules::Outcome::pass && whole == times && excepted == 0; }
 };
 

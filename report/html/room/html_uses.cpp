@@ -48,8 +48,9 @@ Nearest nearest_of(const Texts& t, const ProjectPart& project, const RowUse& use
 
 std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
   // No tick where the row is nowhere known to be met.
-  const bool is_less = use.outcome == rules::Outcome::pass && !use.is_met();
-  const Text less = use.whole < use.times ? Text::asked_in_part : Text::met_with_exceptions;
+  const bool is_less =
+      use.outcome == rules::Outcome::pass && !(use.is_met() && use.is_wholly_judged());
+  const Text less = use.is_wholly_judged() ? Text::met_with_exceptions : Text::judged_in_part;
   const std::string verdict = is_less ? std::string("– ") + t[less]
                                       : fmt::format("{} {}", outcome_symbol(use.outcome),
                                                     escape_html(outcome_words(t, use.outcome)));
@@ -59,8 +60,8 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
                                               rules::source_of_pack(use.is_user_supplied)))) +
          number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +
          number_cell(t.say<Text::so_many_of>(use.met, use.requirements)) +
-         number_cell(t.say<Text::so_many_of>(use.whole, use.times)) + number_cell(nearest.margin) +
-         "<td>" + nearest.place + "</td></tr>\n";
+         number_cell(t.say<Text::so_many_of>(use.whole - use.open, use.times)) +
+         number_cell(nearest.margin) + "<td>" + nearest.place + "</td></tr>\n";
 }
 
 // A limit stays with its sign where a narrow cell takes two lines.
@@ -118,7 +119,7 @@ std::string html_uses(const Texts& t, const ProjectPart& project, std::size_t in
                                "</caption><thead><tr>" + head(t[Text::row_of_pack], false) +
                                head(t[Text::rooms], true) + head(t[Text::verdict], false) +
                                head(t[Text::requirements_met], true) +
-                               head(t[Text::asked_as_a_whole], true) +
+                               head(t[Text::judged_as_a_whole], true) +
                                head(t[Text::smallest_margin], true) + head(t[Text::where], false) +
                                "</tr></thead><tbody>\n" + rows + "</tbody></table>");
 }

@@ -78,6 +78,18 @@ TEST(RowUses, AreOverAllRoomsWithTheSmallestMargin) {
   EXPECT_EQ(uses[1].met, 0);
 }
 
+// As colour rendering that no maker states.
+TEST(RowUses, WhatCannotBeJudgedIsNotJudgedWholly) {
+  std::vector<SpacePart> spaces = {room("a", kDesk, {{"a.1", "Em"}}),
+                                   room("b", kDesk, {{"b.1", "Em"}})};
+  spaces[1].coverage[0].roles.push_back({"lamp", rules::RoleState::not_possible, {}});
+  const std::vector<RowUse> uses = row_uses(project_of(std::move(spaces)));
+  EXPECT_EQ(uses.at(0).whole, 2);
+  EXPECT_EQ(uses[0].open, 1);
+  EXPECT_TRUE(uses[0].is_met()) << "it does not count";
+  EXPECT_FALSE(uses[0].is_wholly_judged());
+}
+
 // What cannot be judged is graver than what fails, and has no margin; advice does not count; a
 // limit of 0 has no share.
 TEST(RowUses, TakeWhatCounts) {
