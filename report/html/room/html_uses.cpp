@@ -50,7 +50,7 @@ std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use
   // No tick where the row is nowhere known to be met.
   const bool is_less =
       use.outcome == rules::Outcome::pass && !(use.is_met() && use.is_wholly_judged());
-  const Text less = use.is_wholly_judged() ? Text::met_with_exceptions : Text::judged_in_part;
+  const Text less = use.is_wholly_judged() ? Text::met_with_exceptions : Text::use_in_part;
   const std::string verdict = is_less ? std::string("– ") + t[less]
                                       : fmt::format("{} {}", outcome_symbol(use.outcome),
                                                     escape_html(outcome_words(t, use.outcome)));
