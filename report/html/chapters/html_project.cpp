@@ -120,6 +120,12 @@ std::string schedule_cell(const std::string& text) {
   return "<td class=\"num\">" + (text.empty() ? "–" : text) + "</td>";
 }
 
+// Words beside a number wrap: what is wider than paper makes a browser shrink the whole document.
+std::string colour_cell(const LuminaireRow& type, const std::string& words) {
+  return type.is_of_other_light() ? "<td>" + escape_html(words) + "</td>"
+                                  : schedule_cell(escape_html(words));
+}
+
 std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
   const LuminaireRow& type = *row.type;
   const bool has_power = type.power_w > 0.0;
@@ -128,9 +134,9 @@ std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
          schedule_cell(format_lumens(t, type.told_lm())) +
          schedule_cell(has_power ? format_watts(t, type.power_w) : "") +
          schedule_cell(has_power ? format_fixed(type.told_lm() / type.power_w, 0) : "") +
-         schedule_cell(escape_html(colour_temperature_words(t, type))) +
-         schedule_cell(escape_html(colour_rendering_words(t, type))) + "<td>" +
-         mounting_words(t, row) + "</td>" + schedule_cell(fmt::format("{}", type.count)) +
+         colour_cell(type, colour_temperature_words(t, type)) +
+         colour_cell(type, colour_rendering_words(t, type)) + "<td>" + mounting_words(t, row) +
+         "</td>" + schedule_cell(fmt::format("{}", type.count)) +
          schedule_cell(maintenance_html(t, type)) + "<td>" + escape_html(rooms_words(t, row)) +
          "</td></tr>\n";
 }
