@@ -184,7 +184,7 @@ struct Chart {
 
 // Two beside each other where there are several, but a long one alone.
 PlanPlace place_of(const PlanePart& plane, std::size_t charts, Paper paper) {
-  constexpr double kWhole_mm = 180, kHalf_mm = 87, kStacked_mm = 140, kHigh_mm = 64, kLow_mm = 50,
+  constexpr double kWhole_mm = 180, kHalf_mm = 87, kStacked_mm = 140, kHigh_mm = 64, kLow_mm = 45,
                    kLong = 4;
   constexpr int kMostPieces = 5;
   const double less_mm = paper == Paper::letter ? 12 : 0;
