@@ -150,13 +150,13 @@ TEST(ScheduleWords, ColoursOfAnotherLightAreThoseOfTheFile) {
   row.flux_lm = 1801;
   EXPECT_EQ(colour_rendering_words({}, row), "80");
   row.flux_lm = 1500;
-  EXPECT_EQ(colour_rendering_words({}, row), "80 (of the file, for its own lamp and flux)");
-  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file, for its own lamp and flux)");
+  EXPECT_EQ(colour_rendering_words({}, row), "80 (of the file)");
+  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file)");
   row.colour_rendering = "";
   EXPECT_EQ(colour_rendering_words({}, row), "");
   row.flux_lm = row.file_flux_lm;
   row.package = "L-930";
-  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file, for its own lamp and flux)");
+  EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file)");
 }
 
 }  // namespace
