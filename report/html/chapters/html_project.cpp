@@ -122,8 +122,8 @@ std::string schedule_cell(const std::string& text) {
 
 // Words beside a number wrap: what is wider than paper makes a browser shrink the whole document.
 std::string colour_cell(const LuminaireRow& type, const std::string& words) {
-  return type.is_of_other_light() ? "<td>" + escape_html(words) + "</td>"
-                                  : schedule_cell(escape_html(words));
+  if (words.empty() || !type.is_of_other_light()) return schedule_cell(escape_html(words));
+  return "<td class=\"num wraps\">" + escape_html(words) + "</td>";
 }
 
 std::string luminaire_row(const Texts& t, const ScheduleRow& row) {
