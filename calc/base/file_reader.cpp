@@ -63,7 +63,7 @@ bool lies_in(const fs::path& place, const std::string& folder) {
 
 // "; did you mean 'lamp.ldt'?" of what is not there, "" where nothing in its folder is named alike.
 std::string suggested_name(const fs::path& path) {
-  constexpr std::size_t kMostNames = 10000;
+  constexpr std::size_t kMostNames = 10000;  // of more the first few would be any
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::vector<std::string> names;
   std::error_code error;
@@ -72,6 +72,7 @@ std::string suggested_name(const fs::path& path) {
     if (at->path().filename() != path.filename())  // a link to nowhere is there itself
       names.push_back(at->path().filename().string());
   }
+  if (names.size() == kMostNames) return {};
   std::sort(names.begin(), names.end());  // folders have no order of their own
   return suggestion(path.filename().string(), {names.begin(), names.end()});
 }

@@ -523,12 +523,15 @@ void TextWriter::add(const ProjectPart& project) {
   if (!project.is_judged) {
     text += painted(wrapped_lines("  – ", t_[Text::not_judged_see_errors], 4, options_.width),
                     verdict_colour(rules::Verdict::not_judged), options_.colour);
-    // Its messages may be many screens above.
+    // Its messages may be many screens above. Of another file than the project's it says which.
     const auto error =
         std::find_if(project.diagnostics.begin(), project.diagnostics.end(),
                      [](const auto& one) { return one.severity() == calc::Severity::error; });
-    if (error != project.diagnostics.end())
-      text += wrapped_lines("    ", printable(error->message), 4, options_.width);
+    if (error != project.diagnostics.end()) {
+      const std::string& file = error->where.file;
+      const std::string at = file.empty() || file == project.path ? "" : file + ": ";
+      text += wrapped_lines("    ", printable(at + error->message), 4, options_.width);
+    }
   }
   if (const std::string about = about_line(t_, project.about); !about.empty()) {
     text += wrapped_lines("  ", about, 4, options_.width);

@@ -90,9 +90,9 @@ struct RowCoverage {
   bool is_met() const { return is_accepted() && !has_exceptions(); }
 };
 
-// Why the colour rendering of the space's luminaires is not asked of a row, in a light scene by
-// name
-// ("" = all at full output), with the row's comparison and limit; "" = nothing speaks against it.
+// Why the colour rendering of the space's luminaires is not asked of a row, in a light scene by its
+// name ("" = all at full output), with the row's comparison and limit; "" = nothing speaks against
+// it.
 using RenderingProblem =
     std::function<calc::Message(const std::string& scene, Comparison comparison, double limit)>;
 
