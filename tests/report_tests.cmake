@@ -14,6 +14,7 @@ luxgate_test(report_tests
     unit/report/document/luminaire_schedule_test.cpp
     unit/report/document/road_facts_test.cpp
     unit/report/document/looked_at_wall_test.cpp
+    unit/report/document/room_areas_test.cpp
     unit/report/document/room_summary_test.cpp
     unit/report/document/row_uses_test.cpp
     unit/report/document/storeys_test.cpp

@@ -11,24 +11,6 @@
 namespace report {
 namespace {
 
-// The worse of two for the same column: by verdict, then by margin; the first of equal ones. Of
-// what passes in both directions the least that is required says more than the most.
-const rules::Finding* worse(const rules::Finding* known, const rules::Finding& other) {
-  if (known == nullptr) return &other;
-  const rules::Outcome was = outcome_of(*known), is = outcome_of(other);
-  if (was != is) return is < was ? &other : known;
-  const bool was_least = rules::is_lower_limit(known->requirement.comparison),
-             is_least = rules::is_lower_limit(other.requirement.comparison);
-  if (was_least != is_least) return is_least ? &other : known;
-  return other.margin < known->margin ? &other : known;
-}
-
-bool is_glare(const PlanePart& plane, const rules::Requirement& requirement) {
-  return requirement.metric == rules::Metric::ugr_table ||
-         (plane.derived == calc::DerivedQuantity::ugr &&
-          requirement.metric == rules::Metric::maximum);
-}
-
 // Of the task, or of what the project describes by itself.
 bool is_of_own_role(const RoomCause& cause) {
   return std::any_of(cause.parts.begin(), cause.parts.end(), [](const RoomCause::Part& part) {
@@ -68,36 +50,8 @@ void add_cause(const PlanePart& plane, const rules::Finding& finding, rules::Out
 
 void add_finding(const PlanePart& plane, const rules::Finding& finding, RoomSummary& room) {
   const rules::Outcome outcome = outcome_of(finding);
-  if (outcome == rules::Outcome::nothing_asked) return;
-  add_cause(plane, finding, outcome, room);
-  room.outcome = graver(room.outcome, outcome);
-  if (!rules::counts(outcome)) return;
-  ++room.required;
-  room.met += finding.verdict == rules::Verdict::pass ? 1 : 0;
-  const rules::Requirement& requirement = finding.requirement;
-  if (is_glare(plane, requirement)) room.glare = worse(room.glare, finding);
-  const bool is_average = requirement.metric == rules::Metric::average;
-  if (is_average && plane.kernel == calc::ReceiverKernel::cylindrical) {
-    room.cylindrical = worse(room.cylindrical, finding);
-  }
-  const bool is_plain =
-      plane.kernel == calc::ReceiverKernel::planar && plane.derived == calc::DerivedQuantity::none;
-  // A road is asked as such, not as the role of one of its planes.
-  const bool is_road = rules::is_of_road(requirement.metric);
-  if (!is_plain || !(is_road || requirement.origin.is_of_own_role)) return;
-  if (is_average || requirement.metric == rules::Metric::road_luminance)
-    room.average = worse(room.average, finding);
-  if (requirement.metric == rules::Metric::minimum) room.minimum = worse(room.minimum, finding);
-  if (requirement.metric == rules::Metric::uniformity_min_avg ||
-      requirement.metric == rules::Metric::road_uniformity) {
-    room.uniformity = worse(room.uniformity, finding);
-  }
-}
-
-void add_row(const rules::RuleOrigin& origin, std::vector<AskedRow>& rows) {
-  if (origin.pack.empty() || origin.row.empty()) return;
-  AskedRow row{origin.pack, origin.row, origin.is_user_supplied};
-  if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(std::move(row));
+  if (outcome != rules::Outcome::nothing_asked) add_cause(plane, finding, outcome, room);
+  add_to_values(plane, finding, finding.requirement.origin.is_of_own_role, room);
 }
 
 // Several workplaces may share a wall.
@@ -153,8 +107,10 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
       }
     }
     room.walls = walls_of(space);
+    std::vector<const rules::AggregateFinding*> aggregates;
     for (const rules::AggregateFinding& finding : project.aggregates) {
       if (finding.space_id != space.id) continue;
+      aggregates.push_back(&finding);
       if (finding.kind == rules::AggregateKind::row_class) room.classes.push_back(&finding);
       const rules::Outcome outcome = outcome_of(finding);
       room.outcome = graver(room.outcome, outcome);
@@ -171,6 +127,7 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
                        if (a.outcome != b.outcome) return a.outcome < b.outcome;
                        return is_of_own_role(a) && !is_of_own_role(b);
                      });
+    room.areas = room_areas(space, aggregates);
     rooms.push_back(std::move(room));
   }
   return rooms;

@@ -20,6 +20,8 @@
 namespace report {
 namespace {
 
+constexpr const char* kTaskIndent = "  ";  // of a task below its room
+
 using OverviewColumn = RoomOverview::Column;
 
 std::vector<std::size_t> column_widths(const RoomOverview& table) {
@@ -105,6 +107,7 @@ std::string overview_text(const Texts& t, const ProjectPart& project, const Text
       row.cells.front() =
           fmt::format("{} {}", outcome_symbol(row.outcome), t[Text::fail_in_capitals]);
     }
+    if (row.is_area) row.cells[1].insert(0, kTaskIndent);
   }
   const RoomOverview whole = table;
   const std::vector<std::size_t> widths = fit(table, options.width);

@@ -578,7 +578,7 @@ void DxfWriter::draw_room_block(const SpacePart& space, const std::vector<std::s
 }
 
 void DxfWriter::draw_room_data(const ProjectPart& project) {
-  const RoomOverview table = room_overview(t_, project, 1);
+  const RoomOverview table = room_overview(t_, project, 1, AreaLines::folded);
   for (std::size_t place = 0; place < project.spaces.size(); ++place) {
     const SpacePart& space = project.spaces[place];
     std::vector<std::string> values(1 + kRoomLines.size(), kUnknown);
@@ -885,7 +885,7 @@ void DxfWriter::add_summary(const ProjectPart& project) {
   summary_.add(title_of(project.name, project.path));
   if (const std::string about = about_line(t_, project.about); !about.empty()) summary_.add(about);
   if (!project.is_judged) summary_.add(t_[Text::not_judged_see_errors]);
-  RoomOverview table = room_overview(t_, project, 1);
+  RoomOverview table = room_overview(t_, project, 1, AreaLines::folded);
   // Beside the plan there is no room for more; all of it is in the notes.
   for (const RoomOverview::Column column :
        {RoomOverview::Column::use, RoomOverview::Column::walls, RoomOverview::Column::cylindrical,

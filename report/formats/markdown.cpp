@@ -190,25 +190,43 @@ std::string advice_markdown(const Texts& t, const ProjectPart& project) {
   return text;
 }
 
+// Viewers cut blanks at the start of a cell.
+constexpr const char* kAreaIndent = "&emsp;";
+
+// The first rows of it, at most so many; no room without the lines of its tasks.
+std::size_t rows_within(const RoomOverview& table, std::size_t most) {
+  if (table.rows.size() <= most) return table.rows.size();
+  std::size_t count = most;
+  while (count > 0 && table.rows[count].is_area) --count;
+  return count;
+}
+
 // "" = of a single room.
 std::string overview_markdown(const Texts& t, const ProjectPart& project) {
   const RoomOverview table = room_overview(t, project);
   if (table.rows.empty()) return {};
-  const auto line = [](const std::vector<std::string>& cells) {
+  const auto line = [](const std::vector<std::string>& cells) {  // escaped
     std::string text = "|";
-    for (const std::string& cell : cells) text += " " + escape_markdown(cell) + " |";
+    for (const std::string& cell : cells) text += " " + cell + " |";
     return text + "\n";
   };
-  std::string text = "\n" + line(table.head) + "|";
+  std::vector<std::string> head = table.head;
+  for (std::string& cell : head) cell = escape_markdown(cell);
+  std::string text = "\n" + line(head) + "|";
   for (std::size_t c = 0; c < table.head.size(); ++c)
     text += table.is_number(c) ? " ---: |" : " --- |";
   text += "\n";
-  for (std::size_t k = 0; k < std::min(table.rows.size(), kMostRows); ++k) {
-    text += line(table.rows[k].cells);
+  const std::size_t shown = rows_within(table, kMostRows);
+  for (std::size_t k = 0; k < shown; ++k) {
+    std::vector<std::string> cells = table.rows[k].cells;
+    for (std::string& cell : cells) cell = escape_markdown(cell);
+    if (table.rows[k].is_area) cells[1] = kAreaIndent + cells[1];
+    text += line(cells);
   }
-  if (table.rows.size() > kMostRows) {
-    text += "\n" + t.say<Text::more_left_out>(table.rows.size() - kMostRows) + "\n";
-  }
+  const auto left_out =
+      std::count_if(table.rows.begin() + static_cast<std::ptrdiff_t>(shown), table.rows.end(),
+                    [](const RoomOverview::Row& row) { return !row.is_area; });
+  if (left_out > 0) text += "\n" + t.say<Text::more_left_out>(left_out) + "\n";
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include "report/text/number_format.h"
 #include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
+#include "report/text/room_overview.h"
 #include "report/text/room_titles.h"
 #include "report/text/schedule_words.h"
 #include "report/text/sentences.h"
@@ -291,13 +292,44 @@ std::string uses_of(const Texts& t, const SpacePart& space) {
   return uses;
 }
 
+// The same of a task: of its workplace, or of what is asked of its plane.
+std::string uses_of(const Texts& t, const SpacePart& space, const RoomArea& area) {
+  std::set<std::pair<std::string_view, std::string_view>> names;  // plane, requirement
+  for (const RoomArea::Part& part : area.parts)
+    names.emplace(part.plane->id, part.finding->requirement.id);
+  const auto is_of_area = [&](const rules::RowCoverage& row) {
+    return row.workplace == area.workplace &&
+           std::any_of(row.roles.begin(), row.roles.end(), [&](const auto& role) {
+             return std::any_of(role.of.begin(), role.of.end(), [&](const auto& name) {
+               return names.contains({name.plane_id, name.id});
+             });
+           });
+  };
+  std::string uses;
+  std::set<std::string> known;
+  for (const rules::RowCoverage& row : space.coverage) {
+    if (!is_of_area(row)) continue;
+    const std::string use = sentence(t, row.clause);
+    if (known.insert(use).second) uses += (uses.empty() ? "" : "; ") + use;
+  }
+  return uses;
+}
+
+std::vector<TableCell> values_row(const Texts& t, const KeyValues& values, const std::string& title,
+                                  const std::string& uses) {
+  std::vector<TableCell> row{std::string(outcome_words(t, values.outcome)), title, uses,
+                             count_cell(values.met), count_cell(values.required)};
+  for (const rules::Finding* value : {values.average, values.uniformity, values.glare})
+    add_value(t, value, row);
+  return row;
+}
+
 // Without the project. Causes: " | " between them, since each may have several parts.
 std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const std::string& title) {
-  std::vector<TableCell> row{std::string(outcome_words(t, room.outcome)), title,
-                             uses_of(t, *room.space), count_cell(room.met),
-                             count_cell(room.required)};
-  for (const rules::Finding* value : {room.average, room.uniformity, room.glare})
-    add_value(t, value, row);
+  const std::string owners = owners_of_values(t, room);
+  std::vector<TableCell> row =
+      values_row(t, room, owners.empty() ? title : t.say<Text::overview_values_of>(title, owners),
+                 uses_of(t, *room.space));
   const std::optional<double> power_w_m2 = room.space->power.density_w_m2();
   row.push_back(power_w_m2 ? TableCell(TableNumber{*power_w_m2}) : TableCell());
   std::string why;
@@ -309,6 +341,28 @@ std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const s
   row.emplace_back(why);
   row.emplace_back(room.space->id);
   return row;
+}
+
+// Of its tasks, below it: as many cells as room_row().
+std::vector<std::vector<TableCell>> area_rows(const Texts& t, const RoomSummary& room) {
+  constexpr const char* kIndent = "    ";
+  constexpr std::size_t kCells = 14;
+  std::vector<std::vector<TableCell>> rows;
+  if (room.areas.empty()) return rows;
+  const std::vector<std::string> titles = area_titles(t, room);
+  for (std::size_t k = 0; k < std::min(room.areas.size(), kMostAreaLines); ++k) {
+    const RoomArea& area = room.areas[k];
+    rows.push_back(values_row(t, area, kIndent + titles[k], uses_of(t, *room.space, area)));
+  }
+  if (const FurtherAreas further = further_areas(room); further.count > 0) {
+    rows.push_back({std::string(outcome_words(t, further.outcome)),
+                    kIndent + t.say<Text::overview_more_areas>(further.count)});
+  }
+  for (std::vector<TableCell>& row : rows) {
+    row.resize(kCells);
+    row.back() = room.space->id;
+  }
+  return rows;
 }
 
 // --- Types ---------------------------------------------------------------------------------------
@@ -609,9 +663,12 @@ void XlsxWriter::add(const ProjectPart& project) {
     set_titles(t_.say<Text::project_count>(frame_.paths.size()));
   }
   const PlaceNames names(t_, project);
-  for (const RoomSummary& room : room_summaries(project))
+  for (const RoomSummary& room : room_summaries(project)) {
     rooms_.push_back(with_project<TableCell>(room_row(t_, room, names.rooms.at(room.space->id)),
                                              project.path, has_projects()));
+    for (const std::vector<TableCell>& row : area_rows(t_, room))
+      rooms_.push_back(with_project<TableCell>(row, project.path, has_projects()));
+  }
   projects_.add(project_row(t_, project));
   results_in(t_, project, [&](std::span<const TableCell> row) {
     requirements_.add(results_order_.row(names, row));

@@ -124,4 +124,11 @@ std::string plane_name(const Texts& t, const SpacePart& space, const PlanePart& 
   return named == words && known_role(role) ? with_capital(words) : named;
 }
 
+std::string area_name(const Texts& t, const PlanePart& task) {
+  const std::string role = made_role(task), place = place_of(task);
+  if (role.empty()) return std::string(title_of(task.name, task.id));
+  if (!place.empty()) return place;
+  return known_role(role) ? with_capital(role_name(t, role)) : role_name(t, role);
+}
+
 }  // namespace report

@@ -24,4 +24,8 @@ std::string plane_name(const Texts& t, const SpacePart& space, const PlanePart& 
 // The same within a sentence, and short: "wall 2", "observer 1".
 std::string plane_in_room(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
+// A task among others of its room, by one of its planes: the workplace as the project names it, or
+// else the plane: "Board", "Task", "Carriageway".
+std::string area_name(const Texts& t, const PlanePart& task);
+
 }  // namespace report

@@ -3,6 +3,7 @@
 #include "report/document/storeys.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
+#include "report/text/plane_names.h"
 #include "report/text/room_titles.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -13,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace report {
@@ -77,14 +80,15 @@ std::string row_words(const Texts& t, const AskedRow& row) {
   return words.empty() ? row.row : row.row + " " + words;
 }
 
-std::string use_cell(const Texts& t, const RoomSummary& room) {
+std::string use_cell(const Texts& t, const std::vector<AskedRow>& rows,
+                     const std::vector<const rules::AggregateFinding*>& classes) {
   std::string text;
-  for (const AskedRow& row : room.rows) {
+  for (const AskedRow& row : rows) {
     const auto of_row =
-        std::find_if(room.classes.begin(), room.classes.end(),
+        std::find_if(classes.begin(), classes.end(),
                      [&](const rules::AggregateFinding* one) { return one->asked == row.row; });
     text += (text.empty() ? "" : ", ") +
-            (of_row == room.classes.end()
+            (of_row == classes.end()
                  ? row_words(t, row)
                  : fmt::format("{} ({})", row.row, aggregate_measured(t, **of_row)));
   }
@@ -113,19 +117,71 @@ std::string average_cell(const Texts& t, const rules::Finding* average) {
   return std::string(average_symbol(*average)) + " " + cell;
 }
 
-std::vector<std::string> cells_of(const Texts& t, const RoomSummary& room, std::string title) {
-  return {std::string(outcome_symbol(room.outcome)) + " " + outcome_words(t, room.outcome),
+std::string verdict_cell(const Texts& t, rules::Outcome outcome) {
+  return std::string(outcome_symbol(outcome)) + " " + outcome_words(t, outcome);
+}
+
+// Walls, power and energy are of rooms alone.
+std::vector<std::string> cells_of(const Texts& t, const KeyValues& values, std::string title,
+                                  std::string use) {
+  return {verdict_cell(t, values.outcome),
           std::move(title),
-          use_cell(t, room),
-          t.say<Text::overview_of>(room.met, room.required),
-          average_cell(t, room.average),
-          overview_cell(t, room.minimum),
-          overview_cell(t, room.uniformity),
-          overview_cell(t, room.glare),
-          walls_cell(t, room.walls),
-          overview_cell(t, room.cylindrical),
-          power_cell(t, *room.space),
-          leni_cell(t, *room.space)};
+          std::move(use),
+          t.say<Text::overview_of>(values.met, values.required),
+          average_cell(t, values.average),
+          overview_cell(t, values.minimum),
+          overview_cell(t, values.uniformity),
+          overview_cell(t, values.glare),
+          "",
+          overview_cell(t, values.cylindrical),
+          "",
+          ""};
+}
+
+// Without what is of a task that has a line of its own.
+KeyValues values_of_line(const RoomSummary& room) {
+  KeyValues values = room;
+  for (const rules::Finding** value :
+       {&values.average, &values.minimum, &values.uniformity, &values.glare, &values.cylindrical}) {
+    const bool is_of_area = std::any_of(room.areas.begin(), room.areas.end(),
+                                        [&](const RoomArea& area) { return area.has(*value); });
+    if (is_of_area) *value = nullptr;
+  }
+  return values;
+}
+
+std::vector<std::string> cells_of_room(const Texts& t, const RoomSummary& room, std::string title,
+                                       AreaLines areas) {
+  std::vector<std::string> cells =
+      cells_of(t, areas == AreaLines::shown ? values_of_line(room) : KeyValues(room),
+               std::move(title), use_cell(t, room.rows, room.classes));
+  const auto set = [&](RoomOverview::Column column, std::string cell) {
+    cells[static_cast<std::size_t>(column)] = std::move(cell);
+  };
+  set(RoomOverview::Column::walls, walls_cell(t, room.walls));
+  set(RoomOverview::Column::power, power_cell(t, *room.space));
+  set(RoomOverview::Column::leni, leni_cell(t, *room.space));
+  return cells;
+}
+
+void add_area_rows(const Texts& t, const RoomSummary& room, std::size_t space,
+                   std::vector<RoomOverview::Row>& rows) {
+  const std::vector<std::string> titles = area_titles(t, room);
+  const std::size_t shown = std::min(room.areas.size(), kMostAreaLines);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const RoomArea& area = room.areas[k];
+    rows.push_back({area.outcome, space,
+                    cells_of(t, area, titles[k], use_cell(t, area.rows, area.classes)), true});
+  }
+  const FurtherAreas further = further_areas(room);
+  if (further.count == 0) return;
+  RoomOverview::Row& row = rows.emplace_back();
+  row.outcome = further.outcome;
+  row.space = space;
+  row.cells.resize(rows.front().cells.size());
+  row.cells[0] = verdict_cell(t, further.outcome);
+  row.cells[1] = t.say<Text::overview_more_areas>(further.count);
+  row.is_area = true;
 }
 
 // By room: the place of its storey, from below; what has none is behind all others.
@@ -192,7 +248,8 @@ void RoomOverview::drop(Column column) {
 
 bool has_overview(const ProjectPart& project) { return room_summaries(project).size() >= 2; }
 
-RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least) {
+RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least,
+                           AreaLines areas) {
   RoomOverview table;
   const std::vector<RoomSummary> rooms = room_summaries(project);
   if (rooms.empty() || rooms.size() < least) return table;
@@ -212,13 +269,88 @@ RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size
                 "W/m²",
                 "LENI"};
   const std::vector<std::string> titles = room_titles(project);
+  std::vector<RoomOverview::Row> of_rooms;
+  std::map<std::size_t, const RoomSummary*> by_space;
   for (const RoomSummary& one : rooms) {
     const auto place = static_cast<std::size_t>(one.space - project.spaces.data());
-    table.rows.push_back({one.outcome, place, cells_of(t, one, titles[place])});
+    of_rooms.push_back({one.outcome, place, cells_of_room(t, one, titles[place], areas)});
+    by_space[place] = &one;
   }
-  sort_rows(project, table.rows);
+  sort_rows(project, of_rooms);
+  for (RoomOverview::Row& row : of_rooms) {
+    const RoomSummary& room = *by_space.at(row.space);
+    table.rows.push_back(std::move(row));
+    if (areas == AreaLines::shown && !room.areas.empty())
+      add_area_rows(t, room, table.rows.back().space, table.rows);
+  }
   drop_empty_columns(table);
   return table;
+}
+
+FurtherAreas further_areas(const RoomSummary& room) {
+  FurtherAreas further;
+  for (std::size_t k = kMostAreaLines; k < room.areas.size(); ++k) {
+    ++further.count;
+    further.outcome = graver(further.outcome, room.areas[k].outcome);
+  }
+  return further;
+}
+
+std::vector<std::string> area_titles(const Texts& t, const RoomSummary& room) {
+  // Names of projects, each with the places that have it.
+  std::map<std::string, std::set<std::string_view>> places;
+  std::map<std::string, int> count;
+  const auto id_of = [](const RoomArea& area) -> const std::string& {
+    return area.workplace.empty() ? area.task->id : area.workplace;
+  };
+  for (const RoomArea& area : room.areas) places[area_name(t, *area.task)].insert(id_of(area));
+  const auto row_of_use = [](const RoomArea& area) {
+    return area.is_one_of_uses && !area.rows.empty() ? area.rows.front().row : std::string();
+  };
+  const auto titled = [&](const RoomArea& area, const std::string& row) {
+    const std::string name = area_name(t, *area.task),
+                      id = places[name].size() > 1 && name != id_of(area) ? id_of(area) : "";
+    if (id.empty() && row.empty()) return name;
+    return fmt::format("{} ({}{}{})", name, id, id.empty() || row.empty() ? "" : ", ", row);
+  };
+  std::vector<std::string> titles;
+  for (const RoomArea& area : room.areas) {
+    titles.push_back(titled(area, row_of_use(area)));
+    ++count[titles.back()];
+  }
+  // Rows of several packs may have one name.
+  for (std::size_t k = 0; k < titles.size(); ++k) {
+    const RoomArea& area = room.areas[k];
+    if (count[titles[k]] > 1 && !row_of_use(area).empty())
+      titles[k] = titled(area, area.rows.front().pack + " " + area.rows.front().row);
+  }
+  return titles;
+}
+
+std::string owners_of_values(const Texts& t, const RoomSummary& room) {
+  if (room.areas.empty()) return {};
+  const std::vector<std::string> titles = area_titles(t, room);
+  std::string names, only;
+  bool is_of_one = true;
+  for (const auto& [value, what] :
+       {std::pair(room.average, t[Text::overview_average]), std::pair(room.uniformity, "Uo"),
+        std::pair(room.glare, "UGR")}) {
+    if (value == nullptr) continue;
+    std::vector<std::size_t> owners;
+    for (std::size_t k = 0; k < room.areas.size(); ++k) {
+      if (room.areas[k].has(value)) owners.push_back(k);
+    }
+    // What tasks share, or what is of none, is the room's.
+    if (owners.size() != 1) {
+      is_of_one = false;
+      continue;
+    }
+    const std::string& title = titles[owners.front()];
+    is_of_one = is_of_one && (only.empty() || only == title);
+    only = title;
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", what, title);
+  }
+  return is_of_one ? only : names;
 }
 
 }  // namespace report

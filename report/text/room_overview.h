@@ -31,8 +31,10 @@ struct RoomOverview {
     rules::Outcome outcome = rules::Outcome::nothing_asked;
     std::size_t space = 0;           // of the project
     std::vector<std::string> cells;  // as many as head; verdict and room first
+    // Of a task of the room above, or of all further ones together.
+    bool is_area = false;
   };
-  std::vector<Row> rows;  // gravest first
+  std::vector<Row> rows;  // gravest room first
 
   // Nothing where it has none.
   void drop(Column column);
@@ -43,9 +45,30 @@ struct RoomOverview {
 // Whether a project has two rooms or more of which something is asked.
 bool has_overview(const ProjectPart& project);
 
+// Whether a room of several tasks has a line for each below its own, which then has no value that
+// is of a task; or one line, with the worst values of all.
+enum class AreaLines { shown, folded };
+
 // Nothing where a project has fewer than `least` rooms of which something is asked. Columns that no
 // room has anything in are left out.
-RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least = 2);
+RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least = 2,
+                           AreaLines areas = AreaLines::shown);
+
+// The areas of a room that have lines of their own, which are its worst, and what all others are.
+inline constexpr std::size_t kMostAreaLines = 6;
+struct FurtherAreas {
+  std::size_t count = 0;                                   // 0: there are no more
+  rules::Outcome outcome = rules::Outcome::nothing_asked;  // the gravest
+};
+FurtherAreas further_areas(const RoomSummary& room);
+
+// Of all areas of a room, in their order: their names, with what tells them from others of the same
+// name: the row that is asked, or an id. Not printable().
+std::vector<std::string> area_titles(const Texts& t, const RoomSummary& room);
+
+// Whose the values of the room's line are: "Board", or "average Board, Uo Tables". "" where all are
+// of the room, or it has one task.
+std::string owners_of_values(const Texts& t, const RoomSummary& room);
 
 // What a room came to: "412", or "503.0 ±9.0" near the limit; "–" where it is not judged.
 // with_interval: false where there is no room for it.

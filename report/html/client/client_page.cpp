@@ -66,18 +66,6 @@ std::string paragraph(const std::string& words) {
   return words.empty() ? words : "<p>" + escape_html(words) + "</p>\n";
 }
 
-bool is_task(const PlanePart& plane) {
-  return is_plain_illuminance(plane) &&
-         std::any_of(plane.findings.begin(), plane.findings.end(),
-                     [](const auto& finding) { return finding.requirement.origin.is_of_own_role; });
-}
-
-bool has_several_tasks(const std::vector<RoomSummary>& rooms) {
-  return std::any_of(rooms.begin(), rooms.end(), [](const RoomSummary& room) {
-    return std::count_if(room.space->planes.begin(), room.space->planes.end(), is_task) > 1;
-  });
-}
-
 // Spaces by storeys, lowest first, and there as people sort names; what is on no storey comes last.
 std::vector<std::size_t> in_order(const ProjectPart& project,
                                   const std::vector<std::string>& titles) {
@@ -137,11 +125,7 @@ ClientChapter ClientWriter::overview(const ProjectPart& project,
     body += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n" + html_messages(t_, project);
   }
-  if (const std::string table = html_rooms(t_, project, project_, ""); !table.empty()) {
-    body += table;
-    if (has_several_tasks(rooms)) body += paragraph(t_[Text::overview_nearest]);
-  }
-  body += causes_html(t_, project, rooms);
+  body += html_rooms(t_, project, project_, "") + causes_html(t_, project, rooms);
   if (!body.empty())
     chapter.html =
         fmt::format("<h2 id=\"{}\" class=\"overview\">{}</h2>\n", chapter.address, chapter.title) +

@@ -73,6 +73,18 @@ std::string unbroken(std::string cell) {
   return cell;
 }
 
+// Only documents with such rooms have it.
+constexpr const char* kAreaStyle = "padding-left: 1.2em; font-weight: 400";
+
+// Its verdict, and its name with a link.
+std::string room_cells(const Texts& t, const PlaneIndex& room, const RoomOverview::Row& row,
+                       const std::string& folder) {
+  const std::string address = folder.empty() ? "#" + space_anchor(room.project, room.space)
+                                             : fmt::format("{}/{}", folder, page_name(room));
+  return fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
+                     outcome_badge(t, row.outcome), address, escape_html(row.cells[1]));
+}
+
 }  // namespace
 
 std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t index,
@@ -87,11 +99,12 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
     head += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(c), escape_html(table.head[c]));
   }
   for (const RoomOverview::Row& row : table.rows) {
-    const PlaneIndex room{index, row.space, 0};
-    const std::string address = folder.empty() ? "#" + space_anchor(index, row.space)
-                                               : fmt::format("{}/{}", folder, page_name(room));
-    rows += fmt::format("<tr><td>{}</td><th scope=\"row\"><a href=\"{}\">{}</a></th>",
-                        outcome_badge(t, row.outcome), address, escape_html(row.cells[1]));
+    if (row.is_area) {
+      rows += fmt::format("<tr><td>{}</td><th scope=\"row\" style=\"{}\">{}</th>",
+                          outcome_badge(t, row.outcome), kAreaStyle, escape_html(row.cells[1]));
+    } else {
+      rows += room_cells(t, {index, row.space, 0}, row, folder);
+    }
     for (std::size_t c = 2; c < row.cells.size(); ++c)
       rows += fmt::format("<td{}>{}</td>", class_of(c), unbroken(escape_html(row.cells[c])));
     rows += "</tr>\n";

@@ -135,6 +135,38 @@ TEST(Xlsx, ARoomHasARowThatSaysWhy) {
               testing::AllOf(HasSubstr("Work plane: "), HasSubstr("required ")));
 }
 
+// Below the room's row, which says whose its values are.
+TEST(Xlsx, EachTaskOfARoomHasARow) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes.push_back(space.planes[0]);
+  space.planes[1].id = "board";
+  space.planes[1].name = "=Board";
+  rules::Finding& average = space.planes[1].findings[0];
+  average.requirement.limit = 600.0;
+  judge_again(average);
+  space.planes[1].findings.resize(1);
+  const Book book(rendered("xlsx", document));
+  const std::size_t row = std::stoul(row_with(book, "Overview", "Office (values: =Board)"));
+  const auto words = [&](char column, std::size_t below) {
+    return book.words("Overview", column + std::to_string(row + below));
+  };
+  EXPECT_EQ(words('A', 0), "fail");
+  EXPECT_EQ(words('B', 1), "    =Board");
+  EXPECT_EQ(words('A', 1), "fail");
+  EXPECT_EQ(words('G', 1), "≥ 600");
+  EXPECT_EQ(words('B', 2), "    Work plane");
+  EXPECT_EQ(words('G', 2), "≥ 500");
+  EXPECT_EQ(words('N', 2), space.id);
+  for (int k = 0; k < 7; ++k) {
+    space.planes.push_back(space.planes[0]);
+    space.planes.back().id = "more" + std::to_string(k);
+  }
+  const Book more(rendered("xlsx", document));
+  const std::string of_room = row_with(more, "Overview", "Office (values: =Board)");
+  EXPECT_EQ(row_with(more, "Overview", "    and 3 more"), std::to_string(std::stoul(of_room) + 7));
+}
+
 // A cell has one line: what is joined must be told apart there.
 TEST(Xlsx, UsesAndCausesAreJoinedBySigns) {
   Document document = small_document();
