@@ -83,6 +83,14 @@ struct LampPackage {
   std::optional<double> price = {};     // of one luminaire, as LuminaireType has it
 };
 
+// Whether a flux is another than that of the photometry file, > 0, and not only rounded otherwise:
+// what the file says of power and colour is of another light then.
+inline bool is_other_flux(double flux_lm, double file_flux_lm) {
+  constexpr double kSame = 1e-3;
+  const double apart_lm = flux_lm > file_flux_lm ? flux_lm - file_flux_lm : file_flux_lm - flux_lm;
+  return apart_lm > kSame * file_flux_lm;
+}
+
 // A luminaire with several emitters is a type for each of them: the first one has its id and power,
 // the others come behind it. So everything that asks for light finds each emitter where it is; what
 // counts luminaires or watts asks counts_as_luminaire().
@@ -106,12 +114,8 @@ struct LuminaireType {
   std::optional<std::size_t> package = {};
 
   bool counts_as_luminaire() const { return !is_further_emitter; }
-  // The project states a flux that is not the file's: what the file says of power and colour is of
-  // another light then.
-  bool is_of_other_flux() const {
-    constexpr double kSame = 1e-3;
-    return flux_scale > 1.0 + kSame || flux_scale < 1.0 - kSame;
-  }
+  // The project states a flux that is not the file's.
+  bool is_of_other_flux() const { return is_other_flux(flux_scale, 1.0); }
 };
 
 struct Luminaire {

@@ -109,12 +109,9 @@ struct LuminaireRow {
   }
   double told_file_lm() const { return told_flux_lm(file_flux_lm, stated_flux_lm); }
   // Of another lamp or flux than the photometry file's: what that says of colour is of another
-  // light. As far apart as LuminaireType::is_of_other_flux() has it.
+  // light.
   bool is_of_other_light() const {
-    constexpr double kSame = 1e-3;
-    const double apart_lm =
-        flux_lm > file_flux_lm ? flux_lm - file_flux_lm : file_flux_lm - flux_lm;
-    return !package.empty() || (file_flux_lm > 0.0 && apart_lm > kSame * file_flux_lm);
+    return !package.empty() || (file_flux_lm > 0.0 && calc::is_other_flux(flux_lm, file_flux_lm));
   }
   // What to order: the package, or the article that the photometry file is of. "" = not stated.
   const std::string& article() const { return package.empty() ? article_number : package; }

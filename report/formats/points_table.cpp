@@ -1,5 +1,5 @@
 #include "report/formats/table.h"
-#include "report/html/drawings/plan_layout.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/shown_decimals.h"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "report/html/page/html_markup.h"
 #include "report/text/markup.h"
 #include "report/text/room_overview.h"
+#include "report/text/storey_title.h"
 #include "report/text/svg.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -64,14 +65,6 @@ bool are_drawn(const Storeys& storeys) {
 
 std::string scale_of(const Texts& t, const PlanFit& fit) {
   return "1:" + format_shortest(t, fit.scale);
-}
-
-// "+3.10": to 5 cm, because floors of a storey differ by their coverings.
-std::string height_of(const Texts& t, const Storey& storey) {
-  constexpr double kSteps = 20.0;  // of a metre
-  const double height = std::round(storey.floor_z_m * kSteps) / kSteps;
-  if (height == 0.0) return "±" + format_fixed(t, 0.0, 2);
-  return (height > 0.0 ? "+" : "") + with_minus(format_fixed(t, height, 2));
 }
 
 // A room's name as people wrote it, and its number in it: "1.03", "Office B". number: "" if none.
@@ -300,7 +293,7 @@ class StoreyFigures {
     numbers_ = short_names(names_);
   }
 
-  std::string title() const { return all_.t.say<Text::storey_at>(height_of(all_.t, storey_)); }
+  std::string title() const { return storey_title(all_.t, storey_.floor_z_m); }
   std::optional<PlanFit> fit() const {
     return fit_plan(extent_m_.size(), all_.paper, kStoreyScale);
   }

@@ -11,6 +11,7 @@
 #include "report/text/base64.h"
 #include "report/text/markup.h"
 #include "report/text/plane_names.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where things lie in the drawing of a plane: (u, v) of the plane to picture coordinates, and which
-// limits matter.
+// Where things lie in the drawing of a plane: (u, v) of the plane to picture coordinates, and the
+// limits that can be read off it.
 
 #include "report/document/document.h"
 #include "report/images/heatmap.h"
@@ -58,19 +58,6 @@ struct PlanLimit {
   double limit = 0.0;
 };
 std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane);
-
-// The strictest limit that single points must meet: of minima at least or more than something, of
-// maxima at most or less than something. Only limits of what plan_limits() is about.
-enum class PointSide { from_below, from_above };
-std::optional<Threshold> point_threshold(const PlanePart& plane, PointSide side);
-
-// Whether the value misses the threshold, if there is one.
-bool misses(const std::optional<Threshold>& threshold, double value);
-
-// All limits of that statistic of the plane as the report shows it: what its digits must respect.
-Thresholds statistic_thresholds(const PlanePart& plane, rules::Metric metric);
-// Those of single points, both sides.
-Thresholds point_thresholds(const PlanePart& plane);
 
 // Length of a scale bar: 1, 2 or 5 times a power of ten, at most a third of width_m > 0.
 double scale_bar_m(double width_m);

@@ -4,10 +4,10 @@
 #include "report/document/shown_plane.h"
 #include "report/html/drawings/html_plan.h"
 #include "report/html/drawings/plan_cells.h"
-#include "report/html/drawings/plan_layout.h"
 #include "report/html/page/html_markup.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

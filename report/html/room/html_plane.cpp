@@ -3,7 +3,6 @@
 #include "report/document/shown_plane.h"
 #include "report/html/chapters/html_findings.h"
 #include "report/html/drawings/html_plan.h"
-#include "report/html/drawings/plan_layout.h"
 #include "report/html/room/html_contributions.h"
 #include "report/html/room/html_convergence.h"
 #include "report/html/room/html_levels.h"
@@ -13,6 +12,7 @@
 #include "report/text/markup.h"
 #include "report/text/pass_factor.h"
 #include "report/text/plane_names.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
 

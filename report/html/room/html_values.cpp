@@ -1,11 +1,11 @@
 #include "report/html/room/html_values.h"
 
 #include "report/document/shown_plane.h"
-#include "report/html/drawings/plan_layout.h"
 #include "report/html/page/html_markup.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
 #include "report/text/plane_names.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

@@ -149,7 +149,10 @@ TEST(ScheduleWords, ColoursOfAnotherLightAreThoseOfTheFile) {
   row.file_flux_lm = 1800;
   row.flux_lm = 1801;
   EXPECT_EQ(colour_rendering_words({}, row), "80");
+  EXPECT_FALSE(calc::is_other_flux(row.flux_lm, row.file_flux_lm));
   row.flux_lm = 1500;
+  EXPECT_TRUE(calc::is_other_flux(row.flux_lm, row.file_flux_lm));
+  EXPECT_TRUE(calc::is_other_flux(2100, row.file_flux_lm));
   EXPECT_EQ(colour_rendering_words({}, row), "80 (of the file)");
   EXPECT_EQ(colour_temperature_words({}, row), "3000 (of the file)");
   row.colour_rendering = "";

@@ -4,7 +4,7 @@
 #include "report/formats/dxf_text.h"
 #include "report/formats/format.h"
 #include "report/html/drawings/html_plan.h"
-#include "report/html/drawings/plan_layout.h"
+#include "report/text/point_thresholds.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "tests/support/hostile_document.h"

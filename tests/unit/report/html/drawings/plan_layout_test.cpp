@@ -1,5 +1,6 @@
 #include "report/html/drawings/plan_layout.h"
 
+#include "report/text/point_thresholds.h"
 #include "tests/support/sample_document.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,13 @@
+#pragma once
+// What a storey is called in plans and drawings.
+
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// "Storey at +3.10 m": to 5 cm, because floors of a storey differ by their coverings.
+std::string storey_title(const Texts& t, double floor_z_m);
+
+}  // namespace report
