@@ -1,11 +1,11 @@
 #include "report/formats/dxf.h"
 
-#include "report/document/storeys.h"
 #include "report/formats/console.h"
 #include "report/formats/dxf_entities.h"
 #include "report/formats/dxf_layout.h"
 #include "report/formats/dxf_legend.h"
 #include "report/formats/dxf_planes.h"
+#include "report/formats/dxf_storeys.h"
 #include "report/formats/dxf_text.h"
 #include "report/html/drawings/flat_box.h"
 #include "report/html/drawings/html_isolux.h"
@@ -19,6 +19,7 @@
 #include "report/text/room_causes.h"
 #include "report/text/room_overview.h"
 #include "report/text/room_titles.h"
+#include "report/text/storey_title.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -46,6 +47,7 @@ constexpr const char* kUnknown = "-";                         // in the block of
 
 // Layers, from which an office takes what it needs.
 constexpr const char* kRooms = "LUX_ROOMS";
+constexpr const char* kStoreyTitles = "LUX_STOREY_TITLES";  // of storeys beside each other
 constexpr const char* kRoomNames = "LUX_ROOM_NAMES";
 constexpr const char* kRoomData = "LUX_ROOM_DATA";
 constexpr const char* kFurniture = "LUX_FURNITURE";
@@ -174,6 +176,16 @@ std::string dropped_reasons(const Texts& t, const calc::SensorGrid& grid) {
   return words;
 }
 
+// "3 labels of isolux lines and 1 mark of a left-out point (x)"; not both are 0.
+std::string counted_marks(const Texts& t, std::size_t labels, std::size_t marks) {
+  const std::string of_labels = labels == 1 ? t.say<Text::dxf_one_label>(labels)
+                                            : t.say<Text::dxf_labels>(labels),
+                    of_marks = marks == 1 ? t.say<Text::dxf_one_mark>(marks)
+                                          : t.say<Text::dxf_left_out_marks>(marks);
+  if (labels == 0) return of_marks;
+  return marks == 0 ? of_labels : t.say<Text::dxf_both>(of_labels, of_marks);
+}
+
 // The sign of a luminaire, around its place, C0 along +x.
 std::string sign_of(const std::vector<glm::dvec2>& outline_m, bool has_direction,
                     double per_metre) {
@@ -216,38 +228,12 @@ std::vector<glm::dvec2> own_outline(const LuminaireMark& mark, bool has_directio
   return outline;
 }
 
-FlatBox box_of(const ProjectPart& project) {
-  FlatBox box;
-  for (const SpacePart& space : project.spaces) {
-    for (const glm::dvec2& corner : space.footprint_m) box.add(corner);
-    for (const LuminaireMark& mark : space.luminaires) {
-      box.add(mark.position_m);
-      for (const glm::dvec2& corner : mark.outline_m) box.add(corner);
-    }
-    for (const glm::dvec3& end : space.surface_lines_m) box.add(end);
-    for (const BodyMark& body : space.bodies) {
-      for (const auto& line : body.lines_m) {
-        for (const glm::dvec2& end : line) box.add(end);
-      }
-    }
-    for (const PlanePart& plane : space.planes) {
-      const FlatBox of_plane = drawn_box(plane);
-      if (of_plane.is_empty()) continue;
-      box.add(of_plane.low);
-      box.add(of_plane.high);
-    }
-  }
-  return box;
-}
+// Layers of which each storey has its own where storeys are apart, besides those of its planes.
+constexpr std::array kStoreyLayers{kRooms,     kRoomNames,  kRoomData,
+                                   kFurniture, kLuminaires, kNumbers};
 
-bool has_storeys(const ProjectPart& project) {
-  const std::vector<SpacePart>& spaces = project.spaces;
-  for (std::size_t i = 0; i < spaces.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (overlap_in_plan(spaces[i], spaces[k])) return true;
-    }
-  }
-  return false;
+LabelBox below(const glm::dvec2& corner_m, const glm::dvec2& size_m) {
+  return {{corner_m.x, corner_m.y - size_m.y}, {corner_m.x + size_m.x, corner_m.y}};
 }
 
 // A plane, and where it is drawn.
@@ -281,7 +267,7 @@ class DxfWriter : public FormatWriter {
       layers_[name] = {colour, false};
     }
     layers_[kNotes] = {DxfColour::ink, true};
-    use_layers(plane_layers(true, 0), false);
+    use_layers(plane_layers(true, 0), false, false);
   }
 
   void add(const ProjectPart& project) override;
@@ -294,7 +280,12 @@ class DxfWriter : public FormatWriter {
     return fmt::format("{} / {}", title_of_room(*drawing.space),
                        plane_name(t_, *drawing.space, *drawing.plane));
   }
-  void use_layers(const PlaneLayers& layers, bool is_frozen);
+  void use_layers(const PlaneLayers& layers, bool is_other, bool is_frozen);
+  // What is drawn from here on is of that space: it has the shift and the layers of its storey.
+  void enter(const SpacePart& space);
+  // Of the storey that is drawn.
+  std::string layer(const char* name) const { return storeys_.layer(name, storey_); }
+  PlaneLayers layers_of(bool is_task, std::size_t tier) const;
   void note(const std::string& words) { notes_.push_back(words); }
   void flush() {
     entities_.write(dxf_.bytes);
@@ -309,6 +300,13 @@ class DxfWriter : public FormatWriter {
 
   void choose_scale(const std::vector<PlaneDrawing>& planes, double plan_m);
   void begin_project(const ProjectPart& project);
+  // The box of all that is drawn of the project, before it is moved beside the one before it.
+  FlatBox put_storeys(const ProjectPart& project);
+  std::vector<std::string> title_lines(std::size_t storey) const;
+  // Its size, and its upper left corner before the project is moved.
+  glm::dvec2 title_size_m(std::size_t storey) const;
+  glm::dvec2 title_corner_m(std::size_t storey) const;
+  void draw_titles(const ProjectPart& project);
   // The upper left corner of a place of that size right of the plan, which is then taken.
   glm::dvec2 place_aside(const glm::dvec2& size_m);
 
@@ -329,7 +327,7 @@ class DxfWriter : public FormatWriter {
                    bool is_visible);
   // How many marks have no free place.
   std::size_t draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
-                            const std::string& layer, bool is_visible);
+                            const std::string& values, bool is_visible);
   // How many labels have no free place.
   std::size_t draw_isolux(const PlaneDrawing& drawing, const Placing& placing,
                           const PlaneLayers& layers, bool is_visible);
@@ -365,9 +363,10 @@ class DxfWriter : public FormatWriter {
 
   // Of the project that is drawn.
   std::map<std::string, std::string> titles_;  // of rooms by their ids
-  glm::dvec2 shift_m_{0.0};
+  glm::dvec2 project_shift_m_{0.0};
+  DxfStoreys storeys_;
   ColourScales scales_;
-  Tiers tiers_, other_tiers_;
+  std::vector<Tiers> tiers_, other_tiers_;  // of each storey
   std::optional<TakenPlaces> taken_;
   std::map<std::string, std::string> blocks_of_project_;  // names, by type and look
   std::size_t types_ = 0;                                 // blocks of all projects
@@ -375,16 +374,32 @@ class DxfWriter : public FormatWriter {
   double shelf_left_m_ = 0.0, shelf_right_m_ = 0.0, shelf_height_m_ = 0.0;
   glm::dvec2 aside_m_{0.0};  // likewise right of the plan
   double aside_top_m_ = 0.0, aside_bottom_m_ = 0.0, aside_width_m_ = 0.0;
+
+  // Of the space that is drawn, see enter().
+  std::size_t storey_ = 0;
+  glm::dvec2 shift_m_{0.0};
 };
 
-void DxfWriter::use_layers(const PlaneLayers& layers, bool is_frozen) {
-  const bool is_other = layers.outlines.ends_with(kOtherLayers);
+void DxfWriter::use_layers(const PlaneLayers& layers, bool is_other, bool is_frozen) {
   layers_[layers.outlines] = {DxfColour::ink, is_other};
   layers_[layers.names] = {DxfColour::ink, is_other};
   layers_[layers.values] = {DxfColour::ink, is_frozen};
   layers_[layers.isolux] = {DxfColour::blue, is_frozen};
   layers_[layers.limits] = {DxfColour::cyan, is_frozen};
   layers_[layers.labels] = {DxfColour::blue, is_frozen};
+}
+
+void DxfWriter::enter(const SpacePart& space) {
+  storey_ = storeys_.storey_of(space);
+  shift_m_ = project_shift_m_ + glm::dvec2(storeys_[storey_].shift_m, 0.0);
+}
+
+PlaneLayers DxfWriter::layers_of(bool is_task, std::size_t tier) const {
+  PlaneLayers layers = plane_layers(is_task, tier);
+  for (std::string* name : {&layers.outlines, &layers.names, &layers.values, &layers.isolux,
+                            &layers.limits, &layers.labels})
+    *name = storeys_.layer(*name, storey_);
+  return layers;
 }
 
 // By the first project: a drawing has one height of text.
@@ -422,16 +437,18 @@ glm::dvec2 DxfWriter::place_aside(const glm::dvec2& size_m) {
 }
 
 void DxfWriter::draw_room(const SpacePart& space) {
+  enter(space);
+  const std::string rooms = layer(kRooms), furniture = layer(kFurniture);
   std::vector<glm::dvec3> corners;
   for (const glm::dvec2& corner : space.footprint_m)
     corners.emplace_back(corner + shift_m_, space.floor_z_m);
-  dxf_polyline(kRooms, corners, true, DxfColour::by_layer, dxf_);
+  dxf_polyline(rooms, corners, true, DxfColour::by_layer, dxf_);
   const glm::dvec3 shift(shift_m_, 0.0);
   for (std::size_t i = 0; i + 1 < space.surface_lines_m.size(); i += 2)
-    dxf_line(kRooms, space.surface_lines_m[i] + shift, space.surface_lines_m[i + 1] + shift, dxf_);
+    dxf_line(rooms, space.surface_lines_m[i] + shift, space.surface_lines_m[i + 1] + shift, dxf_);
   for (const BodyMark& body : space.bodies) {
     for (const auto& line : body.lines_m) {
-      dxf_line(kFurniture, {line[0] + shift_m_, body.high_z_m}, {line[1] + shift_m_, body.high_z_m},
+      dxf_line(furniture, {line[0] + shift_m_, body.high_z_m}, {line[1] + shift_m_, body.high_z_m},
                dxf_);
     }
   }
@@ -474,11 +491,12 @@ void DxfWriter::draw_number(const LabelBox& sign, double z_m, const std::string&
   });
   const glm::dvec2 at = found == places.end() ? places.front() : *found;
   taken_->add(box_around(at, 2.0 * half));
-  dxf_words(kNumbers, {at - half, z_m}, text_m_, number, DxfAlign::start, DxfColour::by_layer,
-            dxf_);
+  dxf_words(layer(kNumbers), {at - half, z_m}, text_m_, number, DxfAlign::start,
+            DxfColour::by_layer, dxf_);
 }
 
 void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& space) {
+  enter(space);
   const auto known = [](const std::optional<double>& value) {
     return value ? format_shortest(*value) : "";
   };
@@ -508,7 +526,7 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
     std::vector<DxfAttribute> attributes;
     for (std::size_t k = 0; k < kTags.size(); ++k) attributes.push_back({kTags[k], values[k]});
     const glm::dvec3 at = mark.position_m + glm::dvec3(shift_m_, 0.0);
-    dxf_insert(kLuminaires, block_of(mark, aim.turn_deg.has_value()), at,
+    dxf_insert(layer(kLuminaires), block_of(mark, aim.turn_deg.has_value()), at,
                aim.turn_deg.value_or(0.0), attributes, text_m_, dxf_);
     LabelBox sign{glm::dvec2(at), glm::dvec2(at)};
     for (const glm::dvec2& corner : mark.outline_m) {
@@ -547,11 +565,13 @@ void DxfWriter::insert_room(const SpacePart& space, const glm::dvec2& corner_m, 
     down += kDxfLine * text_m_;
     attributes.push_back({kRoomLines[k].tag, values[k + 1], {kRoomLabel * text_m_, -down}, true});
   }
-  dxf_insert(kRoomData, kRoomBlock, {corner_m, space.floor_z_m}, 0.0, attributes, text_m_, dxf_);
+  dxf_insert(layer(kRoomData), kRoomBlock, {corner_m, space.floor_z_m}, 0.0, attributes, text_m_,
+             dxf_);
 }
 
 // Its name and below that its block in a free place of the room; else the name alone, or neither.
 void DxfWriter::draw_room_block(const SpacePart& space, const std::vector<std::string>& values) {
+  enter(space);
   const std::string name = dxf_text(dxf_signs(title_of_room(space)));
   const double lines = 1.0 + kDxfLine * static_cast<double>(kRoomLines.size());
   double width = kRoomLabel;
@@ -563,8 +583,8 @@ void DxfWriter::draw_room_block(const SpacePart& space, const std::vector<std::s
   std::vector<glm::dvec2> outline;
   for (const glm::dvec2& corner : space.footprint_m) outline.push_back(corner + shift_m_);
   const auto draw_name = [&](const glm::dvec2& corner, const glm::dvec2& taken) {
-    taken_->add({{corner.x, corner.y - taken.y}, {corner.x + taken.x, corner.y}});
-    dxf_words(kRoomNames, {corner.x, corner.y - text_m_, space.floor_z_m}, text_m_, name,
+    taken_->add(below(corner, taken));
+    dxf_words(layer(kRoomNames), {corner.x, corner.y - text_m_, space.floor_z_m}, text_m_, name,
               DxfAlign::start, DxfColour::by_layer, dxf_);
   };
   if (const auto corner = free_place(outline, size, *taken_)) {
@@ -650,7 +670,7 @@ std::size_t DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& p
       if (place) at = {*place, at.z};
       if (place) taken_->add(text_box(*place, words, text_m_));
     }
-    dxf_words(is_free ? layers.labels : kMoreValues, at, text_m_, words, DxfAlign::middle,
+    dxf_words(is_free ? layers.labels : layer(kMoreValues), at, text_m_, words, DxfAlign::middle,
               DxfColour::by_layer, dxf_);
     without_place += is_free ? 0 : 1;
   }
@@ -658,8 +678,9 @@ std::size_t DxfWriter::draw_isolux(const PlaneDrawing& drawing, const Placing& p
 }
 
 std::size_t DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing& placing,
-                                     const std::string& layer, bool is_visible) {
+                                     const std::string& values, bool is_visible) {
   const calc::SensorGrid& grid = drawing.plane->grid;
+  const std::string more = layer(kMoreValues);
   std::size_t without_place = 0;
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_area) continue;  // no point of the plane
@@ -668,8 +689,7 @@ std::size_t DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing&
     const bool is_free = !is_visible || !taken_->meets(box);
     if (is_visible && is_free) taken_->add(box);
     without_place += is_free ? 0 : 1;
-    dxf_words(is_free ? layer : kMoreValues, at, text_m_, "x", DxfAlign::middle, DxfColour::grey,
-              dxf_);
+    dxf_words(is_free ? values : more, at, text_m_, "x", DxfAlign::middle, DxfColour::grey, dxf_);
   }
   if (is_visible && !grid.dropped.empty()) {
     note(t_.say<Text::dxf_left_out>(title_of_plane(drawing), dropped_reasons(t_, grid)));
@@ -680,19 +700,20 @@ std::size_t DxfWriter::draw_left_out(const PlaneDrawing& drawing, const Placing&
 // Of visible ones those that meet others are on a layer of their own.
 void DxfWriter::draw_values(const PlaneDrawing& drawing, const Placing& placing,
                             const PlaneLayers& layers, bool is_visible) {
+  const std::string more = layer(kMoreValues);
   const std::vector<DxfPlacedText> texts = placed_values(t_, *drawing.plane, placing);
   std::vector<bool> shown(texts.size(), true);
   if (is_visible) shown = shown_texts(texts, text_m_);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const glm::dvec3 at = placing.at(drawing.plane->points[i].position_m);
-    dxf_words(shown[i] ? layers.values : kMoreValues, at, text_m_, texts[i].words, DxfAlign::middle,
+    dxf_words(shown[i] ? layers.values : more, at, text_m_, texts[i].words, DxfAlign::middle,
               DxfColour::by_layer, dxf_);
     if (is_visible && shown[i]) taken_->add(text_box(texts[i].at, texts[i].words, text_m_));
   }
   const auto count = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), true));
   if (count < texts.size()) {
-    layers_[kMoreValues] = {DxfColour::ink, true};
-    note(t_.say<Text::dxf_thinned>(title_of_plane(drawing), count, texts.size(), kMoreValues));
+    layers_[more] = {DxfColour::ink, true};
+    note(t_.say<Text::dxf_thinned>(title_of_plane(drawing), count, texts.size(), more));
   }
 }
 
@@ -703,18 +724,21 @@ void DxfWriter::draw_contents(const PlaneDrawing& drawing, const Placing& placin
   const std::size_t marks = draw_left_out(drawing, placing, layers.values, is_visible),
                     labels = draw_isolux(drawing, placing, layers, is_visible);
   if (marks + labels == 0) return;
-  layers_[kMoreValues] = {DxfColour::ink, true};
-  note(t_.say<Text::dxf_more_marks>(title_of_plane(drawing), labels, marks, kMoreValues));
+  const std::string more = layer(kMoreValues);
+  layers_[more] = {DxfColour::ink, true};
+  note(t_.say<Text::dxf_more_marks>(title_of_plane(drawing), counted_marks(t_, labels, marks),
+                                    more));
 }
 
 void DxfWriter::draw_level(const PlaneDrawing& drawing) {
+  enter(*drawing.space);
   const PlanePart& plane = *drawing.plane;
   const Placing placing = Placing::world(shift_m_);
   std::size_t tier = 0;
-  if (plane.is_computed) tier = (drawing.is_task ? tiers_ : other_tiers_).tier_of(plane);
-  const PlaneLayers layers = plane_layers(drawing.is_task, tier);
+  if (plane.is_computed) tier = (drawing.is_task ? tiers_ : other_tiers_)[storey_].tier_of(plane);
+  const PlaneLayers layers = layers_of(drawing.is_task, tier);
   const bool is_visible = drawing.is_task && tier == 0;
-  use_layers(layers, !is_visible);
+  use_layers(layers, !drawing.is_task, !is_visible);
   draw_outlines(plane, placing, layers.outlines);
   if (!plane.is_computed) return;
   if (drawing.is_task && tier > 0) {
@@ -726,8 +750,9 @@ void DxfWriter::draw_level(const PlaneDrawing& drawing) {
 // Above or below the plane, or inside it, or anywhere in the room where nothing else is written;
 // else right of the plan, with the room's name.
 void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
+  enter(*drawing.space);
   const PlanePart& plane = *drawing.plane;
-  const PlaneLayers layers = plane_layers(drawing.is_task, 0);
+  const PlaneLayers layers = layers_of(drawing.is_task, 0);
   const DxfColour colour = colour_of(gravest_outcome(plane));
   std::string label = dxf_text(dxf_signs(plane_label(t_, *drawing.space, plane)));
   const glm::dvec2 size(dxf_width_m(label, text_m_), 1.25 * text_m_);
@@ -747,11 +772,8 @@ void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
                           glm::dvec2(box.low.x + gap, box.high.y - gap),
                           glm::dvec2(box.low.x + gap, box.low.y + size.y + gap),
                           glm::dvec2(box.low.x + gap, box.low.y - gap)};
-  const auto box_at = [&](const glm::dvec2& corner) {
-    return LabelBox{{corner.x, corner.y - size.y}, {corner.x + size.x, corner.y}};
-  };
   const auto* const found = std::find_if(places.begin(), places.end(), [&](const auto& corner) {
-    return !taken_->meets(box_at(corner));
+    return !taken_->meets(below(corner, size));
   });
   std::optional<glm::dvec2> corner;
   if (found != places.end()) corner = *found;
@@ -762,16 +784,17 @@ void DxfWriter::draw_plane_name(const PlaneDrawing& drawing) {
                                            plane_label(t_, *drawing.space, plane))));
     corner = place_aside({dxf_width_m(label, text_m_), size.y});
   }
-  if (drawing.is_task) taken_->add(box_at(*corner));
+  if (drawing.is_task) taken_->add(below(*corner, size));
   dxf_words(layers.names, {corner->x, corner->y - text_m_, plane.grid.origin_m.z}, text_m_, label,
             DxfAlign::start, colour, dxf_);
 }
 
 void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
+  enter(*drawing.space);
   const PlanePart& plane = *drawing.plane;
   const calc::SensorGrid& grid = plane.grid;
-  const PlaneLayers layers = plane_layers(drawing.is_task, 0);
-  use_layers(layers, !drawing.is_task);
+  const PlaneLayers layers = layers_of(drawing.is_task, 0);
+  use_layers(layers, !drawing.is_task, !drawing.is_task);
   draw_outlines(plane, Placing::world(shift_m_), layers.outlines);
   FlatBox box;
   for (const glm::dvec2& corner : plane.outline_m) box.add(corner);
@@ -812,18 +835,95 @@ void DxfWriter::draw_beside(const PlaneDrawing& drawing) {
   shelf_height_m_ = std::max(shelf_height_m_, height);
 }
 
+// The second line says how far the storey is from its true place.
+std::vector<std::string> DxfWriter::title_lines(std::size_t storey) const {
+  const DxfStorey& one = storeys_[storey];
+  std::vector<std::string> lines{storey_title(t_, one.floor_z_m)};
+  if (one.shift_m > 0.0) {
+    lines.push_back(
+        t_.say<Text::dxf_storey_moved>(format_metres(t_, project_shift_m_.x + one.shift_m)));
+  }
+  for (std::string& line : lines) line = dxf_text(dxf_signs(line));
+  return lines;
+}
+
+glm::dvec2 DxfWriter::title_size_m(std::size_t storey) const {
+  const std::vector<std::string> lines = title_lines(storey);
+  double width = 0.0;
+  for (const std::string& line : lines) width = std::max(width, dxf_width_m(line, text_m_));
+  return {width, kDxfLine * text_m_ * static_cast<double>(lines.size())};
+}
+
+// A line and a half are free for names of planes at the edge.
+glm::dvec2 DxfWriter::title_corner_m(std::size_t storey) const {
+  const DxfStorey& one = storeys_[storey];
+  return one.box.low + glm::dvec2(one.shift_m, -1.5 * kDxfLine * text_m_);
+}
+
+FlatBox DxfWriter::put_storeys(const ProjectPart& project) {
+  storeys_ = DxfStoreys(project);
+  if (!storeys_.are_apart()) return drawn_box(project);
+  // As wide as any title, whose second line is not known before the storeys have their places.
+  constexpr const char* kLongShift = "00000.000";
+  double width = dxf_width_m(dxf_text(t_.say<Text::dxf_storey_moved>(kLongShift)), text_m_);
+  for (std::size_t i = 0; i < storeys_.count(); ++i) width = std::max(width, title_size_m(i).x);
+  storeys_.put_beside(width);
+  FlatBox box;
+  const auto add = [&box](const glm::dvec2& low, const glm::dvec2& high) {
+    box.add(low);
+    box.add(high);
+  };
+  for (const SpacePart& space : project.spaces) {
+    const FlatBox of_space = drawn_box(space);
+    const glm::dvec2 shift(storeys_[storeys_.storey_of(space)].shift_m, 0.0);
+    if (!of_space.is_empty()) add(of_space.low + shift, of_space.high + shift);
+  }
+  for (std::size_t i = 0; i < storeys_.count(); ++i) {
+    if (storeys_[i].box.is_empty()) continue;
+    const LabelBox title = below(title_corner_m(i), title_size_m(i));
+    add(title.low, title.high);
+  }
+  return box;
+}
+
+void DxfWriter::draw_titles(const ProjectPart& project) {
+  if (!storeys_.are_apart()) return;
+  const std::string name(title_of(project.name, project.path));
+  note(t_.say<Text::dxf_storeys_beside>(name, storeys_.layer("LUX_...", 0)));
+  for (storey_ = 0; storey_ < storeys_.count(); ++storey_) {
+    const DxfStorey& storey = storeys_[storey_];
+    if (storey.box.is_empty()) continue;
+    layers_[layer(kStoreyTitles)] = {DxfColour::ink, false};
+    for (const char* one : kStoreyLayers) layers_[layer(one)] = layers_[one];
+    use_layers(layers_of(true, 0), false, false);
+    const std::vector<std::string> lines = title_lines(storey_);
+    const glm::dvec2 corner = title_corner_m(storey_) + project_shift_m_;
+    taken_->add(below(corner, title_size_m(storey_)));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const double down = kDxfLine * text_m_ * static_cast<double>(i) + text_m_;
+      dxf_words(layer(kStoreyTitles), {corner.x, corner.y - down, storey.floor_z_m}, text_m_,
+                lines[i], DxfAlign::start, DxfColour::by_layer, dxf_);
+    }
+    if (storey.shift_m > 0.0) {
+      note(fmt::format(
+          "{}, {}: {}", name, storey_title(t_, storey.floor_z_m),
+          t_.say<Text::dxf_storey_moved>(format_metres(t_, project_shift_m_.x + storey.shift_m))));
+    }
+  }
+}
+
 // Where it is drawn, so that it is not over the one before it.
 void DxfWriter::begin_project(const ProjectPart& project) {
   constexpr double kWidest_m = 20.0;
-  FlatBox box = box_of(project);
-  shift_m_ = glm::dvec2(0.0);
+  project_shift_m_ = glm::dvec2(0.0);
+  FlatBox box = put_storeys(project);
   if (!extent_.is_empty() && right_m_ + kGap_m > box.low.x) {
-    shift_m_.x = right_m_ + kGap_m - box.low.x;
+    project_shift_m_.x = right_m_ + kGap_m - box.low.x;
     note(t_.say<Text::dxf_moved>(title_of(project.name, project.path),
-                                 format_metres(t_, shift_m_.x)));
+                                 format_metres(t_, project_shift_m_.x)));
   }
-  box.low += shift_m_;
-  box.high += shift_m_;
+  box.low += project_shift_m_;
+  box.high += project_shift_m_;
   extend(box);
   shelf_left_m_ = box.low.x;
   shelf_right_m_ = std::max(box.high.x, box.low.x + kWidest_m);
@@ -834,10 +934,11 @@ void DxfWriter::begin_project(const ProjectPart& project) {
   aside_bottom_m_ = box.low.y;
   aside_width_m_ = 0.0;
   scales_ = ColourScales(project, style_.scale);
-  tiers_ = other_tiers_ = {};
+  tiers_ = other_tiers_ = std::vector<Tiers>(storeys_.count());
   taken_.emplace(text_m_);
   blocks_of_project_.clear();
-  if (has_storeys(project))
+  draw_titles(project);
+  if (has_overlap_in_storey(project, storeys_))
     note(fmt::format("{}: {}", title_of(project.name, project.path), t_[Text::dxf_storeys]));
 }
 
@@ -848,16 +949,18 @@ void DxfWriter::add(const ProjectPart& project) {
   for (std::size_t i = 0; i < titles.size(); ++i) titles_.emplace(project.spaces[i].id, titles[i]);
   table_->add(project);
   add_summary(project);
-  if (box_of(project).is_empty()) return;
+  if (drawn_box(project).is_empty()) return;
   std::vector<PlaneDrawing> planes;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes)
       planes.push_back({&space, &plane, is_level_plane(plane), is_task_area(space, plane)});
   }
-  std::stable_partition(planes.begin(), planes.end(),
-                        [](const PlaneDrawing& drawing) { return drawing.is_task; });
-  choose_scale(planes, box_of(project).longest());
+  choose_scale(planes, drawn_box(project).longest());
   begin_project(project);
+  std::stable_sort(planes.begin(), planes.end(), [this](const auto& a, const auto& b) {
+    if (a.is_task != b.is_task) return a.is_task;
+    return storeys_.storey_of(*a.space) < storeys_.storey_of(*b.space);
+  });
   for (const SpacePart& space : project.spaces) draw_room(space);
   for (const PlaneDrawing& drawing : planes) {
     if (drawing.is_level) draw_level(drawing);
@@ -876,7 +979,12 @@ void DxfWriter::add(const ProjectPart& project) {
   }
   const auto others = std::count_if(planes.begin(), planes.end(),
                                     [](const PlaneDrawing& drawing) { return !drawing.is_task; });
-  if (others > 0) note(t_.say<Text::dxf_others>(others, fmt::format("LUX_...{}", kOtherLayers)));
+  if (others > 0) {
+    const std::string layers =
+        fmt::format("LUX_...{}{}", kOtherLayers, storeys_.are_apart() ? "_S..." : "");
+    note(others == 1 ? t_.say<Text::dxf_one_other>(others, layers)
+                     : t_.say<Text::dxf_others>(others, layers));
+  }
 }
 
 // For the legend: a line for each room, and why it does not pass.

@@ -16,8 +16,9 @@ namespace report {
 // luminaires as inserts of a block for each type, with attributes; planes with verdicts by colour
 // and word, values, isolux lines. What is no task area is on frozen layers. Beside the plan is a
 // legend, and on a frozen layer the table of `text`, which has every verdict, warning and doubt. Of
-// several projects each is beside the one before it. style: the scale that sets the height of all
-// texts, the unit, and the sharing of colours, on which the levels of isolux lines depend.
+// several projects each is beside the one before it; so are storeys, see dxf_storeys.h. style: the
+// scale that sets the height of all texts, the unit, and the sharing of colours, on which the
+// levels of isolux lines depend.
 std::unique_ptr<FormatWriter> dxf_writer(const DocumentFrame& frame, const SpillPlace& place,
                                          const Texts& t, const PageStyle& style);
 

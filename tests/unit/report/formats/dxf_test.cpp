@@ -1,10 +1,12 @@
 #include "report/formats/dxf.h"
 
 #include "report/formats/dxf_layout.h"
+#include "report/formats/dxf_storeys.h"
 #include "report/formats/dxf_text.h"
 #include "report/formats/format.h"
 #include "report/html/drawings/html_plan.h"
 #include "report/text/point_thresholds.h"
+#include "report/text/storey_title.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "tests/support/hostile_document.h"
@@ -354,8 +356,14 @@ TEST(Dxf, MarksAndLabelsWithoutAPlaceAreCounted) {
   EXPECT_THAT(drawing.words("LUX_VALUES_MORE"), Contains("x"));
   EXPECT_EQ(drawing.layer("LUX_VALUES_MORE")->text(70), "1");
   EXPECT_THAT(joined(drawing.words("LUX_LEGEND")),
-              HasSubstr("and 1 marks of left-out points (x) have no free place; they are on the "
-                        "frozen layer LUX_VALUES_MORE."));
+              HasSubstr("1 mark of a left-out point (x); see the frozen layer LUX_VALUES_MORE."));
+
+  for (const auto& [language, words] :
+       {std::pair(Language::german, "1 Zeichen eines ausgelassenen Punkts"),
+        std::pair(Language::french, "1 marque de point omis")}) {
+    const Drawing other = read_strictly(rendered_dxf(document, Texts(language, true)));
+    EXPECT_THAT(joined(other.words("LUX_LEGEND")), HasSubstr(words));
+  }
 
   // All that is on the layer, in a drawing with much of it.
   const Drawing full = read_strictly(rendered_dxf(sample_document(), {}, {200}));
@@ -364,13 +372,14 @@ TEST(Dxf, MarksAndLabelsWithoutAPlaceAreCounted) {
     const std::regex words(pattern);
     std::size_t sum = 0;
     for (std::sregex_iterator one(legend.begin(), legend.end(), words), end; one != end; ++one)
-      sum += count_of(std::stoul((*one)[1]), std::stoul((*one)[2]));
+      sum += count_of(*one);
     return sum;
   };
-  const std::size_t values = sum_of("([0-9]+) of ([0-9]+) values are shown",
-                                    [](auto shown, auto all) { return all - shown; });
-  const std::size_t others = sum_of("([0-9]+) labels of isolux lines and ([0-9]+) marks",
-                                    [](auto labels, auto marks) { return labels + marks; });
+  const std::size_t values = sum_of("([0-9]+) of ([0-9]+) values are shown", [](const auto& found) {
+    return std::stoul(found[2]) - std::stoul(found[1]);
+  });
+  const std::size_t others = sum_of("([0-9]+) (labels? of|marks? of)",
+                                    [](const auto& found) { return std::stoul(found[1]); });
   EXPECT_GT(values, 0u);
   EXPECT_EQ(values + others, full.words("LUX_VALUES_MORE").size());
 }
@@ -642,6 +651,192 @@ TEST(Dxf, ProjectsLieBesideEachOther) {
   EXPECT_LT(drawing.of("INSERT", "LUX_ROOM_DATA").at(0).point(10).x, rooms[1][0].x);
 }
 
+// Two rooms side by side and one above the first, 3 m higher.
+Document storeys_document() {
+  Document document = small_document();
+  std::vector<SpacePart>& spaces = document.projects[0].spaces;
+  const SpacePart first = spaces[0];
+  const auto add = [&](const char* id, double x, double z) {
+    SpacePart room = first;
+    room.id = room.name = id;
+    room.floor_z_m = z;
+    for (glm::dvec2& corner : room.footprint_m) corner.x += x;
+    for (PlanePart& plane : room.planes) {
+      plane.space_id = id;
+      plane.grid.origin_m += glm::dvec3(x, 0, z);
+      for (PointRow& point : plane.points) point.position_m += glm::dvec3(x, 0, z);
+    }
+    room.luminaires = {{{x + 1.0, 1.0, z + 2.8}, "panel"}};
+    spaces.push_back(room);
+  };
+  add("Store", 5.0, 0.0);
+  add("Attic", 0.0, 3.0);
+  return document;
+}
+
+// The lowest storey ends at 9 m; the gap of 2 m is more than a tenth of it.
+TEST(Dxf, StoreysLieBesideEachOtherAndSayByHowMuch) {
+  const Document document = storeys_document();
+  const Drawing drawing = drawn(document);
+  const auto ground = polylines(drawing, "LUX_ROOMS_S1"),
+             above = polylines(drawing, "LUX_ROOMS_S2");
+  ASSERT_EQ(ground.size(), 2u);
+  ASSERT_EQ(above.size(), 1u);
+  expect_near(ground[0][0], {0, 0, 0});
+  expect_near(ground[1][0], {5, 0, 0});
+  const double shift = above[0][0].x;  // titles are shorter than the storey
+  EXPECT_EQ(shift, 11.0);
+  EXPECT_EQ(above[0][0].z, 3.0);
+  for (const char* layer : {"LUX_ROOMS", "LUX_VALUES", "LUX_PLANES"}) {
+    EXPECT_TRUE(drawing.of("POLYLINE", layer).empty()) << layer;
+    EXPECT_TRUE(drawing.of("TEXT", layer).empty()) << layer;
+  }
+  // All of a room moves with it.
+  expect_near(drawing.of("INSERT", "LUX_LUMINAIRES_S2").at(0).point(10), {shift + 1.0, 1.0, 5.8});
+  expect_near(polylines(drawing, "LUX_PLANES_S2").at(0).at(0), {shift + 0.5, 0.25, 3.8});
+  std::size_t values = 0;
+  for (const char* layer : {"LUX_VALUES_S2", "LUX_VALUES_MORE_S2"}) {
+    for (const Entity& text : drawing.of("TEXT", layer)) {
+      EXPECT_GE(text.point(11).x, shift);
+      ++values;
+    }
+  }
+  EXPECT_GE(values, 2u);
+  EXPECT_EQ(drawing.layer("LUX_VALUES_S2")->text(70), "0");
+  EXPECT_EQ(drawing.of("INSERT", "LUX_ROOM_DATA_S2").size(), 1u);
+
+  const std::vector<Entity> titles = drawing.of("TEXT", "LUX_STOREY_TITLES_S2");
+  ASSERT_EQ(titles.size(), 2u);
+  EXPECT_EQ(titles[0].text(1), "Storey at +3.00 m");
+  EXPECT_EQ(titles[1].text(1), fmt::format("drawn {:.2f} m further in x", shift));
+  EXPECT_EQ(titles[0].point(10).x, shift);
+  EXPECT_LT(titles[0].point(10).y, 0.0);
+  EXPECT_EQ(drawing.words("LUX_STOREY_TITLES_S1").size(), 1u);
+  const std::string legend = joined(drawing.words("LUX_LEGEND"));
+  EXPECT_THAT(legend, HasSubstr("LUX_..._S1, and so on"));
+  EXPECT_THAT(legend, HasSubstr("Storey at +3.00 m: drawn"));
+  EXPECT_THAT(legend, Not(HasSubstr("overlap; the plan shows")));
+}
+
+// Beside an imported plan only the true place helps.
+TEST(Dxf, StoreysThatLieOverNothingAreAtTheirPlaces) {
+  Document document = storeys_document();
+  document.projects[0].spaces.erase(document.projects[0].spaces.begin());
+  const Drawing drawing = drawn(document);
+  EXPECT_EQ(polylines(drawing, "LUX_ROOMS").size(), 2u);
+  EXPECT_EQ(drawing.layer("LUX_ROOMS_S1"), nullptr);
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), Not(HasSubstr("further in x")));
+}
+
+TEST(Dxf, RoomsOfOneHeightThatOverlapStayAndAreSaidToBe) {
+  Document document = storeys_document();
+  document.projects[0].spaces[2].floor_z_m = 0.5;
+  const Drawing drawing = drawn(document);
+  EXPECT_EQ(polylines(drawing, "LUX_ROOMS").size(), 3u);
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("Rooms of one height overlap"));
+}
+
+// A second project begins behind the last storey of the first.
+TEST(Dxf, StoreysOfSeveralProjectsDoNotMeet) {
+  Document document = storeys_document();
+  document.projects.push_back(document.projects[0]);
+  const Drawing drawing = drawn(document);
+  std::vector<double> left;
+  for (const char* layer : {"LUX_ROOMS_S1", "LUX_ROOMS_S2"}) {
+    for (const auto& room : polylines(drawing, layer)) left.push_back(room[0].x);
+  }
+  ASSERT_EQ(left.size(), 6u);
+  std::sort(left.begin(), left.end());
+  for (std::size_t i = 1; i < left.size(); ++i) EXPECT_GE(left[i] - left[i - 1], 4.0);
+}
+
+SpacePart box_room(double x, double z, double width = 4.0) {
+  SpacePart room;
+  room.footprint_m = {{x, 0}, {x + width, 0}, {x + width, 3}, {x, 3}};
+  room.floor_z_m = z;
+  return room;
+}
+
+SpacePart road(double z) {
+  SpacePart space;
+  space.planes.emplace_back();
+  space.planes[0].grid.origin_m.z = z;
+  space.planes[0].points = {sample_point(0, 0, {-50, 1, z}, {}, 0.0)};
+  return space;
+}
+
+ProjectPart project_of(std::vector<SpacePart> spaces) {
+  ProjectPart project;
+  project.spaces = std::move(spaces);
+  return project;
+}
+
+TEST(DxfStoreys, TheGapIsATenthOfTheLargestExtentAndInWholeMetres) {
+  const ProjectPart project =
+      project_of({box_room(0.5, 0, 40.0), box_room(1.25, 3), box_room(0.5, 6), box_room(500, 9)});
+  DxfStoreys storeys(project);
+  ASSERT_EQ(storeys.count(), 4u);
+  storeys.put_beside(0.0);
+  EXPECT_EQ(storeys[0].shift_m, 0.0);
+  EXPECT_EQ(storeys[1].shift_m, 44.0);  // 40.5 + 4 - 1.25 is 43.25
+  EXPECT_EQ(storeys[2].shift_m, 53.0);  // 49.25 + 4 - 0.5 is 52.75
+  EXPECT_EQ(storeys[3].shift_m, 0.0);   // is right of all others
+  storeys.put_beside(60.0);
+  EXPECT_EQ(storeys[1].shift_m, 64.0);  // behind the title of the lowest: 60.5 + 4 - 1.25
+  EXPECT_EQ(storeys.layer("LUX_ROOMS", 1), "LUX_ROOMS_S2");
+  EXPECT_EQ(storeys.layer("LUX_ISOLUX_LIMITS_OTHER_123456", 1), "LUX_ISOLUX_LIMITS_OTHER_123456");
+}
+
+TEST(DxfStoreys, AreCalledByTheirHeightToFiveCentimetres) {
+  EXPECT_EQ(storey_title({}, 3.12), "Storey at +3.10 m");
+  EXPECT_EQ(storey_title({}, -0.01), "Storey at ±0.00 m");
+  EXPECT_EQ(storey_title(Texts(Language::german, true), -2.5), "Geschoss auf −2,50 m");
+}
+
+TEST(DxfStoreys, RoadsAreWithTheStoreyOfTheirGround) {
+  const ProjectPart project =
+      project_of({box_room(0, -3), box_room(0, 0.2), box_room(0, 3.2), road(0.0), road(5.0)});
+  const DxfStoreys storeys(project);
+  ASSERT_EQ(storeys.count(), 3u);
+  EXPECT_EQ(storeys.storey_of(project.spaces[3]), 1u);
+  EXPECT_EQ(storeys.storey_of(project.spaces[4]), 1u);  // all outdoors together
+}
+
+TEST(DxfStoreys, RoomsFromMeshesAreWhereTheirHeightIs) {
+  SpacePart mesh;
+  mesh.surface_lines_m = {{0, 0, 3.0}, {4, 0, 3.0}, {4, 0, 5.5}, {4, 0, 3.0}};
+  const ProjectPart project = project_of({box_room(0, 0), box_room(0, 2.9), mesh});
+  const DxfStoreys storeys(project);
+  ASSERT_TRUE(storeys.are_apart());
+  EXPECT_EQ(storeys.storey_of(project.spaces[2]), 1u);
+}
+
+TEST(DxfStoreys, NothingAndHostileNumbersAreOneStoreyOrHaveSmallShifts) {
+  EXPECT_FALSE(DxfStoreys(ProjectPart()).are_apart());
+  EXPECT_FALSE(DxfStoreys(project_of({road(0.0)})).are_apart());
+  SpacePart point = box_room(0, 3, 0.0);
+  for (glm::dvec2& corner : point.footprint_m) corner = {1.0, 1.0};
+  SpacePart far = box_room(1e9, 3);
+  SpacePart endless = box_room(-1e300, 1e300, 2e300);
+  // A storey that is one point, and one that is smaller than any number of a drawing.
+  const ProjectPart project = project_of({box_room(0, 0), box_room(0, 3), far, endless, point,
+                                          box_room(1.0, 6, 1e-12), box_room(1.0, 9, 1e-12)});
+  DxfStoreys storeys(project);
+  ASSERT_TRUE(storeys.are_apart());
+  EXPECT_EQ(storeys.storey_of(project.spaces[2]), 0u);
+  EXPECT_EQ(storeys.storey_of(project.spaces[3]), 0u);
+  storeys.put_beside(0.0);
+  for (std::size_t i = 1; i < storeys.count(); ++i) {
+    EXPECT_GE(storeys[i].shift_m, storeys[i - 1].shift_m);
+    EXPECT_LT(storeys[i].shift_m, 100.0);
+  }
+  Document document = small_document();
+  document.projects[0].spaces = project.spaces;
+  for (std::size_t i = 0; i < document.projects[0].spaces.size(); ++i)
+    document.projects[0].spaces[i].id = fmt::format("r{}", i);
+  drawn(document);
+}
+
 // What is frozen makes no drawing larger, but no other project is drawn over it.
 TEST(Dxf, FrozenPlanesBesideThePlanDoNotExtendIt) {
   const Document plain = small_document();
@@ -815,7 +1010,7 @@ TEST(Dxf, WhatIsNoTaskAreaIsOnFrozenLayers) {
   EXPECT_EQ(drawing.of("TEXT", "LUX_VALUES_OTHER").size(), 2u);
   for (const char* layer : {"LUX_VALUES_OTHER", "LUX_PLANES_OTHER", "LUX_PLANE_NAMES_OTHER"})
     EXPECT_EQ(drawing.layer(layer)->text(70), "1") << layer;
-  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("1 planes beside the task areas"));
+  EXPECT_THAT(joined(drawing.words("LUX_LEGEND")), HasSubstr("1 plane beside the task areas"));
 }
 
 TEST(DxfLayout, TheScaleIsTheCoarsestAtWhichHalfOfTheValuesHaveRoom) {
