@@ -236,25 +236,78 @@ std::vector<TableCell> project_row(const Texts& t, const ProjectPart& project) {
 
 // --- Rooms of the overview -----------------------------------------------------------------------
 
-std::vector<SheetColumn> room_fields(const Texts& t) {
-  return {{t[Text::verdict], 14, kOfColumn, true, ColumnRole::verdict},
-          {t[Text::xlsx_room], 24, kOfColumn, true},
-          {t[Text::xlsx_use], 20, kOfColumn, true},
-          {t[Text::xlsx_met], 9},
-          {t[Text::xlsx_asked], 9},
-          {t[Text::xlsx_average], 10},
-          {t[Text::xlsx_average_limit], 11},
-          {"Uo", 8},
-          {t[Text::xlsx_uo_limit], 9},
-          {"UGR", 8},
-          {t[Text::xlsx_ugr_limit], 9},
-          {t[Text::xlsx_power_density], 10, 2},
-          {t[Text::xlsx_why], 56, kOfColumn, true},
-          {"space", 14, kOfColumn, false, ColumnRole::other, false}};
+// Which columns of the overview are there: a value also where no room has one but its limit, which
+// is in the column after it.
+enum class Kept { always, where_used, with_limit };
+
+struct RoomField {
+  SheetColumn column;
+  Kept kept = Kept::where_used;
+};
+
+std::vector<RoomField> room_fields(const Texts& t) {
+  using enum Kept;
+  return {{{t[Text::verdict], 14, kOfColumn, true, ColumnRole::verdict}, always},
+          {{t[Text::xlsx_room], 24, kOfColumn, true}, always},
+          {{t[Text::xlsx_use], 20, kOfColumn, true}, always},
+          {{t[Text::xlsx_met], 9}, always},
+          {{t[Text::xlsx_asked], 9}, always},
+          {{t[Text::xlsx_average], 10}, with_limit},
+          {{t[Text::xlsx_average_limit], 11}},
+          {{t[Text::xlsx_minimum], 10}, with_limit},
+          {{t[Text::xlsx_minimum_limit], 10}},
+          {{"Uo", 8}, with_limit},
+          {{t[Text::xlsx_uo_limit], 9}},
+          {{"UGR", 8}, with_limit},
+          {{t[Text::xlsx_ugr_limit], 9}},
+          {{t[Text::xlsx_walls_met], 8}, with_limit},
+          {{t[Text::xlsx_walls_asked], 9}},
+          {{"Ez (lx)", 8}, with_limit},
+          {{t[Text::xlsx_ez_limit], 9}},
+          {{t[Text::xlsx_power_density], 10, 2}},
+          {{"LENI (kWh/m²)", 9, 1}},
+          {{t[Text::xlsx_why], 0, kOfColumn, true}, always},  // see set_width_of_reasons()
+          {{"space", 14, kOfColumn, false, ColumnRole::other, false}, always}};
 }
 
-std::vector<SheetColumn> overview_columns(const Texts& t, bool has_projects) {
-  return with_project(room_fields(t), project_column(t, has_projects), has_projects);
+// The reasons have what the other columns leave of a page, so that its letters stay legible.
+void set_width_of_reasons(std::vector<SheetColumn>& columns) {
+  constexpr int kOfPage = 255, kLeast = 30, kMost = 56;  // characters
+  int others = 0;
+  for (const SheetColumn& column : columns) others += column.is_printed ? column.width + 1 : 0;
+  for (SheetColumn& column : columns) {
+    if (column.width == 0) column.width = std::clamp(kOfPage - others, kLeast, kMost);
+  }
+}
+
+bool is_empty(const TableCell& cell) { return std::holds_alternative<std::monostate>(cell); }
+
+// The columns of the overview that rooms have something in. rooms: each with a cell for every
+// column; what is in the columns that are left out is taken away.
+std::vector<SheetColumn> overview_columns(const Texts& t, bool has_projects,
+                                          std::vector<std::vector<TableCell>>& rooms) {
+  const std::vector<RoomField> fields = with_project(
+      room_fields(t), RoomField{project_column(t, has_projects), Kept::always}, has_projects);
+  const auto is_in_a_room = [&rooms](std::size_t c) {
+    return std::any_of(rooms.begin(), rooms.end(),
+                       [c](const auto& row) { return !is_empty(row[c]); });
+  };
+  std::vector<SheetColumn> columns;
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < fields.size(); ++c) {
+    const Kept how = fields[c].kept;
+    const bool is_used =
+        how == Kept::always || is_in_a_room(c) || (how == Kept::with_limit && is_in_a_room(c + 1));
+    if (!is_used) continue;
+    columns.push_back(fields[c].column);
+    for (std::vector<TableCell>& row : rooms) {
+      if (kept != c) row[kept] = std::move(row[c]);
+    }
+    ++kept;
+  }
+  for (std::vector<TableCell>& row : rooms) row.resize(kept);
+  set_width_of_reasons(columns);
+  return columns;
 }
 
 // A value and its limit; nothing where it is not asked.
@@ -279,6 +332,19 @@ void add_value(const Texts& t, const rules::Finding* finding, std::vector<TableC
   const bool is_of_road =
       requirement.metric == rules::Metric::road_luminance;  // no lx, as the head
   row.emplace_back(format_required(t, threshold, is_of_road ? rules::unit_of(requirement) : ""));
+}
+
+// How many walls are met, of how many; nothing of the first where none is judged.
+void add_walls(const WallCounts& walls, std::vector<TableCell>& row) {
+  const bool is_judged = walls.not_judged < walls.asked;
+  row.push_back(is_judged ? count_cell(walls.met) : TableCell());
+  row.push_back(walls.asked > 0 ? count_cell(walls.asked) : TableCell());
+}
+
+// Nothing where the project states no use of the room, or where it cannot be known.
+TableCell leni_cell(const SpacePart& space) {
+  if (!space.energy || !space.energy->problem.empty()) return {};
+  return TableNumber{space.energy->leni_kwh_m2};
 }
 
 // "EN 12464-1:2021 34.2", each once.
@@ -316,11 +382,14 @@ std::string uses_of(const Texts& t, const SpacePart& space, const RoomArea& area
 }
 
 std::vector<TableCell> values_row(const Texts& t, const KeyValues& values, const std::string& title,
-                                  const std::string& uses) {
+                                  const std::string& uses, const WallCounts& walls) {
   std::vector<TableCell> row{std::string(outcome_words(t, values.outcome)), title, uses,
                              count_cell(values.met), count_cell(values.required)};
-  for (const rules::Finding* value : {values.average, values.uniformity, values.glare})
+  for (const rules::Finding* value :
+       {values.average, values.minimum, values.uniformity, values.glare})
     add_value(t, value, row);
+  add_walls(walls, row);
+  add_value(t, values.cylindrical, row);
   return row;
 }
 
@@ -329,9 +398,10 @@ std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const s
   const std::string owners = owners_of_values(t, room);
   std::vector<TableCell> row =
       values_row(t, room, owners.empty() ? title : t.say<Text::overview_values_of>(title, owners),
-                 uses_of(t, *room.space));
+                 uses_of(t, *room.space), room.walls);
   const std::optional<double> power_w_m2 = room.space->power.density_w_m2();
   row.push_back(power_w_m2 ? TableCell(TableNumber{*power_w_m2}) : TableCell());
+  row.push_back(leni_cell(*room.space));
   std::string why;
   for (const RoomCause& cause : room.causes) {
     const CauseWords words = cause_words(t, room, cause);
@@ -343,23 +413,23 @@ std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const s
   return row;
 }
 
-// Of its tasks, below it: as many cells as room_row().
-std::vector<std::vector<TableCell>> area_rows(const Texts& t, const RoomSummary& room) {
+// Of its tasks, below it. cells: of room_row().
+std::vector<std::vector<TableCell>> area_rows(const Texts& t, const RoomSummary& room,
+                                              std::size_t cells) {
   constexpr const char* kIndent = "    ";
-  constexpr std::size_t kCells = 14;
   std::vector<std::vector<TableCell>> rows;
   if (room.areas.empty()) return rows;
   const std::vector<std::string> titles = area_titles(t, room);
   for (std::size_t k = 0; k < std::min(room.areas.size(), kMostAreaLines); ++k) {
     const RoomArea& area = room.areas[k];
-    rows.push_back(values_row(t, area, kIndent + titles[k], uses_of(t, *room.space, area)));
+    rows.push_back(values_row(t, area, kIndent + titles[k], uses_of(t, *room.space, area), {}));
   }
   if (const FurtherAreas further = further_areas(room); further.count > 0) {
     rows.push_back({std::string(outcome_words(t, further.outcome)),
                     kIndent + t.say<Text::overview_more_areas>(further.count)});
   }
   for (std::vector<TableCell>& row : rows) {
-    row.resize(kCells);
+    row.resize(cells);
     row.back() = room.space->id;
   }
   return rows;
@@ -643,8 +713,9 @@ class XlsxWriter : public FormatWriter {
   WorkbookLook look_;
   SheetOrder results_order_, points_order_, positions_order_;
   SheetSeries projects_, requirements_, types_, positions_, points_, notes_;
-  std::vector<std::vector<TableCell>> rooms_;  // of the overview, which begins with what comes last
-  std::string title_;                          // of the only project
+  // Of the overview, which begins with what comes last; with every column until the end.
+  std::vector<std::vector<TableCell>> rooms_;
+  std::string title_;  // of the only project
   std::string page_title_;
   std::vector<AboutWords> about_;
 };
@@ -664,9 +735,9 @@ void XlsxWriter::add(const ProjectPart& project) {
   }
   const PlaceNames names(t_, project);
   for (const RoomSummary& room : room_summaries(project)) {
-    rooms_.push_back(with_project<TableCell>(room_row(t_, room, names.rooms.at(room.space->id)),
-                                             project.path, has_projects()));
-    for (const std::vector<TableCell>& row : area_rows(t_, room))
+    const std::vector<TableCell> of_room = room_row(t_, room, names.rooms.at(room.space->id));
+    rooms_.push_back(with_project<TableCell>(of_room, project.path, has_projects()));
+    for (const std::vector<TableCell>& row : area_rows(t_, room, of_room.size()))
       rooms_.push_back(with_project<TableCell>(row, project.path, has_projects()));
   }
   projects_.add(project_row(t_, project));
@@ -786,8 +857,8 @@ void XlsxWriter::write_sizes(SheetSeries& about) const {
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_, has_projects()), look_,
-                       place_, kMostSheetRows, SheetHead::without);
+  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_, has_projects(), rooms_),
+                       look_, place_, kMostSheetRows, SheetHead::without);
   SheetSeries about(t_[Text::xlsx_sheet_about], {{"", 46}, {"", 100, kOfColumn, true}}, look_,
                     place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;

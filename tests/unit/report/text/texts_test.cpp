@@ -78,7 +78,7 @@ TEST(Texts, EveryLanguageHasTheSamePlaceholders) {
 std::set<std::string_view> loanwords(Language language) {
   std::set<std::string_view> words{
       "in_lx",        "colon",      "count_of",          "statistic_minimum", "statistic_maximum",
-      "statistic_ud", "about_logo", "clause_and_source", "road_surface_is"};
+      "statistic_ud", "about_logo", "clause_and_source", "road_surface_is",   "xlsx_minimum"};
   if (language == Language::german)
     words.insert({"about_revision", "schedule_position", "xlsx_name"});
   if (language == Language::french) {
