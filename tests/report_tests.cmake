@@ -11,6 +11,7 @@ luxgate_test(report_tests
     unit/report/formats/csv_test.cpp
     unit/report/formats/dxf_test.cpp
     unit/report/document/document_test.cpp
+    unit/report/document/luminaire_labels_test.cpp
     unit/report/document/luminaire_schedule_test.cpp
     unit/report/document/road_facts_test.cpp
     unit/report/document/looked_at_wall_test.cpp

@@ -23,6 +23,9 @@ std::string ascii_lowered(std::string_view text);
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
 
+// As people sort names: "Room 9" before "Room 10".
+bool comes_before(std::string_view a, std::string_view b);
+
 // "a, b or c"
 std::string join_choices(const std::vector<std::string_view>& choices);
 

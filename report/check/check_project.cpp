@@ -17,6 +17,7 @@
 #include "report/check/in_order.h"
 #include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
+#include "report/document/luminaire_labels.h"
 #include "rules/binding/colour_rendering.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
@@ -500,6 +501,7 @@ report::ProjectPart check_project(const std::string& path, const Run& run, Obser
     part.aggregates = judge_aggregates(part, *loaded, context.packs, settings.today);
     rules::warn_about_waivers(part.aggregates, settings.today, diagnostics);
   }
+  report::label_luminaires(part);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

@@ -227,7 +227,7 @@ struct PlanePart {
   std::vector<std::vector<glm::dvec2>> holes_m;
 };
 
-// For plans and tables: number k of a room is number k + 1 of its plans.
+// A luminaire in plans and tables.
 struct LuminaireMark {
   glm::dvec3 position_m;
   std::string type_id;
@@ -236,6 +236,7 @@ struct LuminaireMark {
   std::vector<glm::dvec2> outline_m = {};  // of the opening from above, world; empty: a point
   // World directions of C0 and of gamma = 0, unit; 0: not known.
   glm::dvec3 c0{0.0}, axis{0.0};
+  std::string label = {};  // "A1": follows from the rest of the project, see label_luminaires()
 };
 
 struct BodyMark {  // furniture, for plans

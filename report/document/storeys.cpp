@@ -1,5 +1,6 @@
 #include "report/document/storeys.h"
 
+#include "calc/base/text.h"
 #include "calc/scene/polygon.h"
 
 #include <glm/glm.hpp>
@@ -7,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace report {
@@ -106,6 +109,17 @@ void drop_overlapping(Storeys& storeys) {
   storeys.list = std::move(kept);
 }
 
+std::string_view sorted_name(const SpacePart& space) {
+  return space.name.empty() ? space.id : space.name;
+}
+
+// By names; of names that are equal by ids.
+bool stands_before(const SpacePart& a, const SpacePart& b) {
+  if (calc::comes_before(sorted_name(a), sorted_name(b))) return true;
+  if (calc::comes_before(sorted_name(b), sorted_name(a))) return false;
+  return calc::comes_before(a.id, b.id);
+}
+
 }  // namespace
 
 bool overlap_in_plan(const SpacePart& a, const SpacePart& b) {
@@ -132,6 +146,21 @@ Storeys storeys_of(const ProjectPart& project) {
   for (Storey& storey : storeys.list) std::sort(storey.rooms.begin(), storey.rooms.end());
   drop_overlapping(storeys);
   return storeys;
+}
+
+std::vector<std::size_t> spaces_in_order(const ProjectPart& project) {
+  const Storeys storeys = storeys_of(project);
+  std::vector<std::size_t> order(project.spaces.size()),
+      storey(project.spaces.size(), storeys.list.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = 0; i < storeys.list.size(); ++i) {
+    for (const std::size_t room : storeys.list[i].rooms) storey[room] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return storey[a] != storey[b] ? storey[a] < storey[b]
+                                  : stands_before(project.spaces[a], project.spaces[b]);
+  });
+  return order;
 }
 
 }  // namespace report

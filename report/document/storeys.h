@@ -36,4 +36,8 @@ bool overlap_in_plan(const SpacePart& a, const SpacePart& b);
 // rooms are described around an origin of their own.
 Storeys storeys_of(const ProjectPart& project);
 
+// Places of all spaces as documents have them one after another: by storeys, lowest first, and
+// there as people sort names; spaces that are on no storey come last.
+std::vector<std::size_t> spaces_in_order(const ProjectPart& project);
+
 }  // namespace report

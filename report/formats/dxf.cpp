@@ -61,8 +61,8 @@ constexpr const char* kRoomBlock = "LUX_ROOM";
 
 // Names in the order of attributes of a luminaire.
 const std::vector<std::string_view> kTags{
-    "NUMBER",      "ID",    "ROOM",    "TYPE",       "GROUP",   "HEIGHT_M", "TILT_DEG",
-    "HEADING_DEG", "MAKER", "ARTICLE", "PHOTOMETRY", "FLUX_LM", "POWER_W"};
+    "MARK",     "NUMBER",      "ID",    "ROOM",    "TYPE",       "GROUP",   "HEIGHT_M",
+    "TILT_DEG", "HEADING_DEG", "MAKER", "ARTICLE", "PHOTOMETRY", "FLUX_LM", "POWER_W"};
 
 // What a room's block shows, line by line, and what it is called there.
 struct RoomLine {
@@ -312,7 +312,7 @@ class DxfWriter : public FormatWriter {
 
   void draw_room(const SpacePart& space);
   void draw_luminaires(const ProjectPart& project, const SpacePart& space);
-  void draw_number(const LabelBox& sign, double z_m, const std::string& number);
+  void draw_mark(const LabelBox& sign, double z_m, const std::string& label);
   // Names of rooms, and their blocks.
   void draw_room_data(const ProjectPart& project);
   void draw_room_block(const SpacePart& space, const std::vector<std::string>& values);
@@ -476,8 +476,8 @@ std::string DxfWriter::block_of(const LuminaireMark& mark, bool has_direction) {
 }
 
 // Beside its sign, where that is free.
-void DxfWriter::draw_number(const LabelBox& sign, double z_m, const std::string& number) {
-  const glm::dvec2 half = 0.5 * glm::dvec2(dxf_width_m(number, text_m_), text_m_);
+void DxfWriter::draw_mark(const LabelBox& sign, double z_m, const std::string& label) {
+  const glm::dvec2 half = 0.5 * glm::dvec2(dxf_width_m(label, text_m_), text_m_);
   const double gap = 0.3 * text_m_;
   const glm::dvec2 middle = 0.5 * (sign.low + sign.high);
   const double right = sign.high.x + gap + half.x, left = sign.low.x - gap - half.x,
@@ -491,7 +491,7 @@ void DxfWriter::draw_number(const LabelBox& sign, double z_m, const std::string&
   });
   const glm::dvec2 at = found == places.end() ? places.front() : *found;
   taken_->add(box_around(at, 2.0 * half));
-  dxf_words(layer(kNumbers), {at - half, z_m}, text_m_, number, DxfAlign::start,
+  dxf_words(layer(kNumbers), {at - half, z_m}, text_m_, label, DxfAlign::start,
             DxfColour::by_layer, dxf_);
 }
 
@@ -508,9 +508,9 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
                      [&](const LuminaireRow& row) { return row.type_id == mark.type_id; });
     const LuminaireRow row = type == project.luminaires.end() ? LuminaireRow{} : *type;
     const bool has_floor = !space.footprint_m.empty();
-    const std::string number = fmt::format("{}", i + 1);
     const std::vector<std::string> values{
-        number,
+        dxf_text(mark.label),
+        fmt::format("{}", i + 1),
         dxf_text(mark.id),
         dxf_text(space.id),
         dxf_text(mark.type_id),
@@ -533,7 +533,7 @@ void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& spa
       sign.low = glm::min(sign.low, corner + shift_m_);
       sign.high = glm::max(sign.high, corner + shift_m_);
     }
-    draw_number(sign, at.z, number);
+    draw_mark(sign, at.z, mark.label);
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kLuminaireColumns{
     TableColumn{"project", "Project", 18},
     TableColumn{"space", "Space", 14},
-    TableColumn{"number", "Number in the plans", 10},
+    TableColumn{"number", "Number in the room", 10},
     TableColumn{"id", "Id", 14},
     TableColumn{"type", "Type", 16},
     TableColumn{"maker", "Maker", 18},
@@ -37,7 +37,8 @@ constexpr std::array kLuminaireColumns{
     TableColumn{"product", "Product", 24},
     TableColumn{"efficacy_lm_w", "Efficacy (lm/W)", 11, 0},
     TableColumn{"colour_temperature", "Colour temperature (K)", 12},
-    TableColumn{"colour_rendering", "Ra", 8}};
+    TableColumn{"colour_rendering", "Ra", 8},
+    TableColumn{"mark", "Mark", 8}};
 
 TableCell known(const std::optional<double>& value) {
   return value ? TableCell(TableNumber{*value}) : TableCell();
@@ -59,6 +60,7 @@ void visit_luminaire(const ProjectPart& project, const SpacePart& space, std::si
   set("space", space.id);
   set("number", static_cast<std::int64_t>(index + 1));
   set("id", mark.id);
+  set("mark", mark.label);
   set("type", mark.type_id);
   set("group", mark.group);
   set("x_m", TableNumber{mark.position_m.x});

@@ -61,12 +61,12 @@ const char* notice_kind_words(const Texts& t, NoticeKind kind);
 // One row per calculation point of every computed plane.
 const DocumentTable& points_table();
 
-// One row per luminaire: project, space, its number in the plans of the space, id, type, maker and
+// One row per luminaire: project, space, its number in the space, id, type, maker and
 // article of its photometry file or lamp package, group, position of the centre of its opening
 // (world, m), height above the floor (m; none in the open), tilt, heading and turn (degrees, see
 // LuminaireAim), flux (lm, new), power (W), maintenance factor, and of its type the letter in the
-// schedule, the product's name, efficacy (lm/W), colour temperature and Ra. What is not stated or
-// not known is not there.
+// schedule, the product's name, efficacy (lm/W), colour temperature and Ra; at the end the mark in
+// all plans and documents. What is not stated or not known is not there.
 const DocumentTable& luminaires_table();
 
 // Place of a column by its name, or else std::logic_error.

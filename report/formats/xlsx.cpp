@@ -88,7 +88,7 @@ constexpr std::array kPointFields{SheetField{kRoom, Text::xlsx_room, 20},
 
 constexpr std::array kPositionFields{
     SheetField{kRoom, Text::xlsx_room, 20, kOfColumn, true},
-    SheetField{"number", Text::xlsx_number, 9},
+    SheetField{"mark", Text::luminaire_mark, 9},
     SheetField{"position", Text::schedule_position, 6},
     SheetField{"id", Text::luminaire_id, 12, kOfColumn, true},
     SheetField{"type", Text::type, 16, kOfColumn, true},

@@ -3,6 +3,7 @@
 #include "calc/base/encoding.h"
 #include "calc/base/file_kind.h"
 #include "calc/base/utf8.h"
+#include "report/document/luminaire_labels.h"
 #include "report/result_file/contradiction.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
@@ -237,6 +238,7 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem) 
       for (SpacePart& space : project.spaces) {
         for (PlanePart& plane : space.planes) complete(space, plane);
       }
+      label_luminaires(project);
     }
     refuse_contradictions(document);
     check_written(JsonCursor(json), document);

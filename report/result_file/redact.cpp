@@ -1,5 +1,6 @@
 #include "report/result_file/redact.h"
 
+#include "report/document/luminaire_labels.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/message_json.h"
 #include "report/result_file/result_fields.h"
@@ -306,6 +307,8 @@ void Redaction::redact(DocumentFrame& frame) const {
 
 void Redaction::redact(ProjectPart& project, std::size_t index) const {
   redact_project(FileNames(paths_[index], prefixes_[index]), project);
+  // Rooms whose names held paths may come in another order.
+  label_luminaires(project);
 }
 
 void redact(Document& document) {

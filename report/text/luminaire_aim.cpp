@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "report/text/text_numbers.h"
 
 #include <glm/glm.hpp>
 
@@ -34,6 +35,12 @@ LuminaireAim aim_of(const LuminaireMark& mark) {
   aim.heading_deg = seen_from_above_deg(mark.axis);
   aim.turn_deg = seen_from_above_deg(mark.c0);
   return aim;
+}
+
+std::string aim_words(const Texts& t, const LuminaireAim& aim) {
+  const auto degrees = [&](double angle_deg) { return format_fixed(t, angle_deg, 1) + "°"; };
+  if (!aim.tilt_deg) return {};
+  return degrees(*aim.tilt_deg) + (aim.heading_deg ? " → " + degrees(*aim.heading_deg) : "");
 }
 
 }  // namespace report

@@ -2,8 +2,10 @@
 // How a luminaire is turned, as fitters read it.
 
 #include "report/document/document.h"
+#include "report/text/texts.h"
 
 #include <optional>
+#include <string>
 
 namespace report {
 
@@ -15,5 +17,8 @@ struct LuminaireAim {
 };
 
 LuminaireAim aim_of(const LuminaireMark& mark);
+
+// "30.0° → 90.0°": tilt, and heading where there is one; "" = not known.
+std::string aim_words(const Texts& t, const LuminaireAim& aim);
 
 }  // namespace report

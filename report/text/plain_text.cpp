@@ -36,18 +36,6 @@ std::size_t width_of(char32_t c) {
   return is_in(c, kWide) ? 2 : 1;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// The digits at its start, without zeros before them, which are taken off.
-std::string_view take_number(std::string_view& text) {
-  std::size_t end = 0;
-  while (end < text.size() && is_digit(text[end])) ++end;
-  std::string_view digits = text.substr(0, end);
-  text.remove_prefix(end);
-  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
-  return digits;
-}
-
 }  // namespace
 
 std::size_t display_width(std::string_view utf8) {
@@ -102,23 +90,6 @@ std::string shorten_name(std::string_view utf8, std::size_t columns) {
   constexpr std::size_t kLong = 24, kRoom = 12;  // columns
   const bool has_room = columns >= kRoom && display_width(utf8) > kLong;
   return has_room ? shorten_middle(utf8, columns) : shorten_end(utf8, columns);
-}
-
-bool comes_before(std::string_view a, std::string_view b) {
-  while (!a.empty() && !b.empty()) {
-    if (is_digit(a.front()) && is_digit(b.front())) {
-      const std::string_view one = take_number(a), other = take_number(b);
-      if (one.size() != other.size()) return one.size() < other.size();
-      if (one != other) return one < other;
-      continue;
-    }
-    if (a.front() != b.front()) {
-      return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
-    }
-    a.remove_prefix(1);
-    b.remove_prefix(1);
-  }
-  return a.size() < b.size();
 }
 
 }  // namespace report

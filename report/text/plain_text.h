@@ -1,6 +1,7 @@
 #pragma once
 // Names from files made safe to show, and how much room they take.
 
+#include "calc/base/text.h"
 #include "calc/base/utf8.h"
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 
 namespace report {
 
+using calc::comes_before;
 using calc::printable;
 using calc::printable_path;
 
@@ -29,8 +31,5 @@ std::string shorten_end(std::string_view utf8, std::size_t columns);
 std::string shorten_middle(std::string_view utf8, std::size_t columns);
 // A name: of a long one the end stays, too, since that may be what tells it from others.
 std::string shorten_name(std::string_view utf8, std::size_t columns);
-
-// As people sort names: "Room 9" before "Room 10".
-bool comes_before(std::string_view a, std::string_view b);
 
 }  // namespace report

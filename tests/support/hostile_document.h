@@ -103,6 +103,7 @@ inline Document hostile_document() {
         }
       }
     }
+    label_luminaires(project);
   }
   return document;
 }

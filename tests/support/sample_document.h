@@ -5,6 +5,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "report/document/document.h"
+#include "report/document/luminaire_labels.h"
 
 #include <glm/glm.hpp>
 
@@ -335,6 +336,7 @@ inline Document sample_document() {
       {"school/project.xml", "fd61a03af4f77d870fc21e05e7e80678095c92d808cfb3b5c279ee04c74aca13"},
       {"school/photometry/panel-600.ldt", panel.sha256},
       {"school/photometry/hall.ies", hall.sha256}};
+  label_luminaires(project);
 
   Document document;
   document.provenance.program_version = "0.1.0";

@@ -96,7 +96,7 @@ HEADS = {
                      "reason": "Reason", "clause": "Clause", "waiver": "Waived by", "note": "Notes"},
     "Points": {"x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)", "illuminance_lx": "Illuminance (lx)", "low_lx": "Low (lx)", "high_lx": "High (lx)",
                "direct_lx": "Direct (lx)", "indirect_lx": "Reflected (lx)", "rating": "Rating or ratio", "rating_low": "Low", "rating_high": "High"},
-    "Positions": {"number": "Number in the plans", "id": "Id", "type": "Type", "maker": "Maker", "article": "Article number", "group": "Dimming group",
+    "Positions": {"mark": "Mark", "id": "Id", "type": "Type", "maker": "Maker", "article": "Article number", "group": "Dimming group",
                   "x_m": "x (m)", "y_m": "y (m)", "z_m": "z (m)", "height_m": "Height above the floor (m)", "tilt_deg": "Tilt (°)",
                   "heading_deg": "Heading (°)", "turn_deg": "Turn (°)", "flux_lm": "Luminous flux, new (lm)", "power_w": "Power (W)",
                   "maintenance_factor": "Maintenance factor", "position": "Pos.", "product": "Product"}}

@@ -206,11 +206,10 @@ bool is_whole(const SpacePart& room, const PlanePart& plane) {
 }
 
 void add_luminaires(const PlanProject& all, const SpacePart& space, PlanContents& contents) {
-  for (std::size_t i = 0; i < space.luminaires.size(); ++i) {
-    const LuminaireMark& mark = space.luminaires[i];
+  for (const LuminaireMark& mark : space.luminaires) {
     const auto row = all.rows.find(mark.type_id);
     contents.luminaires.push_back(
-        {&mark, row == all.rows.end() ? "" : position_letter(row->second), i + 1});
+        {&mark, row == all.rows.end() ? "" : position_letter(row->second)});
   }
 }
 

@@ -2,6 +2,7 @@
 // Floor plans of a project's storeys, and site plans of roads and outdoor areas.
 
 #include "report/document/document.h"
+#include "report/document/storeys.h"
 #include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
 

@@ -26,7 +26,6 @@
 #include "report/html/room/html_uses.h"
 #include "report/text/markup.h"
 #include "report/text/notices.h"
-#include "report/text/plain_text.h"
 #include "report/text/room_titles.h"
 #include "report/text/words.h"
 
@@ -34,7 +33,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,22 +62,6 @@ std::string causes_html(const Texts& t, const ProjectPart& project,
 // words: not escaped; "" = none.
 std::string paragraph(const std::string& words) {
   return words.empty() ? words : "<p>" + escape_html(words) + "</p>\n";
-}
-
-// Spaces by storeys, lowest first, and there as people sort names; what is on no storey comes last.
-std::vector<std::size_t> in_order(const ProjectPart& project,
-                                  const std::vector<std::string>& titles) {
-  const Storeys storeys = storeys_of(project);
-  std::vector<std::size_t> order(project.spaces.size()),
-      storey(project.spaces.size(), storeys.list.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = 0; i < storeys.list.size(); ++i) {
-    for (const std::size_t room : storeys.list[i].rooms) storey[room] = i;
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return storey[a] != storey[b] ? storey[a] < storey[b] : comes_before(titles[a], titles[b]);
-  });
-  return order;
 }
 
 class ClientWriter : public FormatWriter {
@@ -137,7 +119,7 @@ void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomS
                              std::vector<ClientChapter>& chapters) const {
   const ColourScales scales(project, style_.scale, style_.palette);
   const std::vector<std::string> titles = room_titles(project);
-  for (const std::size_t s : in_order(project, titles)) {
+  for (const std::size_t s : spaces_in_order(project)) {
     const SpacePart& space = project.spaces[s];
     const auto summary = std::find_if(rooms.begin(), rooms.end(),
                                       [&](const auto& room) { return room.space == &space; });

@@ -210,9 +210,9 @@ std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sig
   }
   for (std::size_t i = 0; has_numbers && i < space.luminaires.size(); ++i) {
     const FlatBox& sign = signs_mm[i];
-    const std::string number = fmt::format("{}", i + 1);
+    const std::string& label = space.luminaires[i].label;
     const glm::dvec2 middle = 0.5 * (sign.low + sign.high);
-    const glm::dvec2 half = 0.5 * glm::dvec2(drawing_width_mm(number) + 1.0, kDrawingText_mm + 0.6);
+    const glm::dvec2 half = 0.5 * glm::dvec2(drawing_width_mm(label) + 1.0, kDrawingText_mm + 0.6);
     std::vector<glm::dvec2> places;
     for (const double further_mm : {0.0, 1.5, 3.0}) {
       const glm::dvec2 aside = 0.5 * sign.size() + half + glm::dvec2(further_mm);
@@ -222,7 +222,7 @@ std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sig
         places.push_back(middle + aside * way);
       }
     }
-    numbers += labels.put(places, number, "number");
+    numbers += labels.put(places, label, "number");
   }
   return drawing_path("luminaire", signs) + numbers;
 }

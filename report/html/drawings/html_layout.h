@@ -1,6 +1,6 @@
 #pragma once
 // A room as fitters need it: plan and elevation to a scale of drawings, with dimensions, north,
-// numbered luminaires, furniture and calculation planes.
+// luminaires with their marks, furniture and calculation planes.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"

@@ -303,27 +303,28 @@ std::string svg_luminaires(const Drawing& drawing) {
          "</g>\n";
 }
 
-constexpr double kNumberSize = 10;  // px
+constexpr double kNumberSize = 10;     // px
+constexpr double kLetterWidth = 0.66;  // of marks, about, in sizes: capitals are wider than digits
 
-// Of luminaires, to the lower right of their signs. There are none where they are too many to be
-// read apart, and none among the values of cells: the room's layout has them, too.
-glm::dvec2 sign_number_px(const Drawing& drawing, const PlanLuminaire& sign) {
+// Marks of luminaires, to the lower right of their signs. There are none where they are too many to
+// be read apart, and none among the values of cells: the room's layout has them, too.
+glm::dvec2 sign_label_px(const Drawing& drawing, const PlanLuminaire& sign) {
   constexpr double kAside = 8;
   return drawing.layout.pixel(sign.place_m) + glm::dvec2(kAside, kAside + 0.36 * kNumberSize);
 }
 
-bool has_sign_numbers(const Drawing& drawing) {
+bool has_sign_labels(const Drawing& drawing) {
   constexpr std::size_t kMost = 80;
   return drawing.layout.luminaires_m.size() <= kMost && number_size_px(drawing) == 0.0;
 }
 
-std::string svg_sign_numbers(const Drawing& drawing) {
-  if (drawing.layout.luminaires_m.empty() || !has_sign_numbers(drawing)) return {};
+std::string svg_sign_labels(const Drawing& drawing) {
+  if (drawing.layout.luminaires_m.empty() || !has_sign_labels(drawing)) return {};
   std::string svg = "<g class=\"sign-numbers\">";
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
-    const glm::dvec2 at = sign_number_px(drawing, sign);
+    const glm::dvec2 at = sign_label_px(drawing, sign);
     svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", svg_number(at.x), svg_number(at.y),
-                       sign.number);
+                       escape_html(sign.label));
   }
   return svg + "</g>\n";
 }
@@ -358,12 +359,11 @@ std::vector<LabelBox> taken_by_numbers(const Drawing& drawing, double size, bool
 
 std::vector<LabelBox> taken_places(const Drawing& drawing) {
   std::vector<LabelBox> taken = taken_by_numbers(drawing, number_size_px(drawing), false);
-  if (!has_sign_numbers(drawing)) return taken;
+  if (!has_sign_labels(drawing)) return taken;
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
-    const auto digits = static_cast<double>(fmt::formatted_size("{}", sign.number));
-    const glm::dvec2 size(kDigitWidth * kNumberSize * digits, kNumberSize);
-    taken.push_back(
-        box_around(sign_number_px(drawing, sign) + glm::dvec2(0.5, -0.36) * size, size));
+    const auto letters = static_cast<double>(sign.label.size());
+    const glm::dvec2 size(kLetterWidth * kNumberSize * letters, kNumberSize);
+    taken.push_back(box_around(sign_label_px(drawing, sign) + glm::dvec2(0.5, -0.36) * size, size));
   }
   return taken;
 }
@@ -478,7 +478,7 @@ std::string svg_plan(const Drawing& drawing) {
   const IsoluxDrawing isolux =
       svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
-         svg_sign_numbers(drawing) + isolux.labels + paper_labels(drawing) + "</g></svg>\n";
+         svg_sign_labels(drawing) + isolux.labels + paper_labels(drawing) + "</g></svg>\n";
   for (int piece = 1; piece < pieces.count(); ++piece) {
     svg += piece_start(drawing, pieces, piece) +
            fmt::format("<use href=\"#{}-plan\"/></g></svg>\n", drawing.anchor);

@@ -74,10 +74,9 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
   layout.high_m = box.high;
   layout.pixels_per_metre = std::min(wanted_px.x / box.size().x, wanted_px.y / box.size().y);
   if (!is_plan_view) return layout;
-  for (std::size_t i = 0; i < space.luminaires.size(); ++i) {
-    const LuminaireMark& mark = space.luminaires[i];
+  for (const LuminaireMark& mark : space.luminaires) {
     PlanLuminaire sign;
-    sign.number = i + 1;
+    sign.label = mark.label;
     sign.place_m = in_plane(grid, mark.position_m);
     if (!box.contains(sign.place_m)) continue;
     for (const glm::dvec2& corner : mark.outline_m)

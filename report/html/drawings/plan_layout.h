@@ -9,7 +9,6 @@
 
 #include <glm/glm.hpp>
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +17,7 @@ namespace report {
 
 // A luminaire in the drawing, in metres.
 struct PlanLuminaire {
-  std::size_t number = 0;  // in the room, from 1
+  std::string label;  // LuminaireMark::label
   glm::dvec2 place_m{0.0};
   std::vector<glm::dvec2> outline_m;  // empty: a point
   glm::dvec2 c0{0.0};                 // direction of C0; 0: none in the drawing

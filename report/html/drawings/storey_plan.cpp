@@ -354,12 +354,12 @@ std::string Plan::labels() {
   return svg;
 }
 
-// Of luminaires, on them or beside them: with the number, else alone.
+// Marks of luminaires, on them or beside them; else the letter of the type alone.
 std::string Plan::letters() {
   std::string svg;
   for (const Sign& sign : signs_) {
     const std::string& letter = sign.sign->letter;
-    std::string placed = letter_of(sign, fmt::format("{}{}", letter, sign.sign->number));
+    std::string placed = letter_of(sign, sign.sign->luminaire->label);
     if (placed.empty() && !letter.empty()) placed = letter_of(sign, letter);
     if (placed.empty()) ++drawing_.without_letter;
     svg += placed;

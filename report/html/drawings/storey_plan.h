@@ -29,8 +29,7 @@ struct PlanArea {
 
 struct PlanSign {
   const LuminaireMark* luminaire = nullptr;
-  std::string letter;      // of its type
-  std::size_t number = 0;  // in the table of positions
+  std::string letter;  // of its type, where its mark has no room
 };
 
 struct PlanContents {

@@ -159,20 +159,16 @@ std::string luminaire_facts(const Texts& t, const ProjectPart& project, const Sp
 std::string position_row(const Texts& t, const SpacePart& space, std::size_t index) {
   const LuminaireMark& mark = space.luminaires[index];
   const LuminaireAim aim = aim_of(mark);
-  const auto degrees = [&](const std::optional<double>& angle_deg) {
-    return angle_deg ? format_fixed(t, *angle_deg, 1) + "°" : "";
-  };
   const auto number = [&](double metres) {
     return "<td class=\"num\">" + with_minus(format_metres(t, metres)) + "</td>";
   };
   return fmt::format(
-      "<tr><th scope=\"row\" class=\"num\">{}</th><td>{}</td><td>{}</td><td>{}</td>{}{}{}<td "
+      "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>{}{}{}<td "
       "class=\"num\">{}</td><td class=\"num\">{}</td></tr>\n",
-      index + 1, escape_html(mark.id), escape_html(mark.type_id), escape_html(mark.group),
-      number(mark.position_m.x), number(mark.position_m.y),
-      number(mark.position_m.z - space.floor_z_m),
-      degrees(aim.tilt_deg) + (aim.heading_deg ? " → " + degrees(aim.heading_deg) : ""),
-      degrees(aim.turn_deg));
+      escape_html(mark.label), escape_html(mark.id), escape_html(mark.type_id),
+      escape_html(mark.group), number(mark.position_m.x), number(mark.position_m.y),
+      number(mark.position_m.z - space.floor_z_m), aim_words(t, aim),
+      aim.turn_deg ? format_fixed(t, *aim.turn_deg, 1) + "°" : "");
 }
 
 std::string positions(const Texts& t, const SpacePart& space) {
@@ -183,7 +179,7 @@ std::string positions(const Texts& t, const SpacePart& space) {
   const auto head = [](const char* name, bool is_number) {
     return fmt::format("<th scope=\"col\"{}>{}</th>", is_number ? " class=\"num\"" : "", name);
   };
-  const std::string heads = head(t[Text::luminaire_number], true) +
+  const std::string heads = head(t[Text::luminaire_mark], false) +
                             head(t[Text::luminaire_id], false) + head(t[Text::type], false) +
                             head(t[Text::group_column], false) + head("x m", true) +
                             head("y m", true) + head(t[Text::mounting_height_m], true) +

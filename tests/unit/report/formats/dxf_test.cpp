@@ -484,6 +484,9 @@ TEST(Dxf, LuminairesAreInsertsOfABlockOfTheirType) {
   turned.outline_m = {{2.9, 0.7}, {3.1, 0.7}, {3.1, 1.3}, {2.9, 1.3}};
   turned.id = "L2";
   space.luminaires = {mark, turned, {{2, 1, 2.5}, "spot"}};
+  space.luminaires[0].label = "A1";
+  space.luminaires[1].label = "A2";
+  space.luminaires[2].label = "B1";
   const Drawing drawing = drawn(document);
   const std::vector<Entity> inserts = drawing.of("INSERT", "LUX_LUMINAIRES");
   ASSERT_EQ(inserts.size(), 3u);
@@ -494,13 +497,14 @@ TEST(Dxf, LuminairesAreInsertsOfABlockOfTheirType) {
   EXPECT_EQ(inserts[0].text(2), inserts[1].text(2));  // one block for both
   EXPECT_NE(inserts[0].text(2), inserts[2].text(2));
   EXPECT_THAT(inserts[0].text(2), HasSubstr("PANEL"));
-  EXPECT_THAT(drawing.words("LUX_LUMINAIRE_NUMBERS"), testing::ElementsAre("1", "2", "3"));
+  EXPECT_THAT(drawing.words("LUX_LUMINAIRE_NUMBERS"), testing::ElementsAre("A1", "A2", "B1"));
   std::vector<std::map<std::string, std::string>> attributes;
   for (const Entity& entity : drawing.entities) {
     if (entity.layer() != "LUX_LUMINAIRES") continue;
     if (entity.kind == "INSERT") attributes.emplace_back();
     if (entity.kind == "ATTRIB") attributes.back()[entity.text(2)] = entity.text(1);
   }
+  EXPECT_EQ(attributes[1]["MARK"], "A2");
   EXPECT_EQ(attributes[1]["NUMBER"], "2");
   EXPECT_EQ(attributes[1]["ID"], "L2");
   EXPECT_EQ(attributes[1]["TYPE"], "panel");

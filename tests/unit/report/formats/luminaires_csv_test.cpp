@@ -55,13 +55,15 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   mark.axis = {0, 0, -1};
   mark.c0 = {1, 0, 0};
   space.luminaires = {mark, {{1, 2, 3}, "gone"}};
+  space.luminaires[0].label = "A12";
   const std::string csv = rendered("luminaires-csv", document);
   const std::string at = project.path + "," + space.id;
   EXPECT_THAT(csv, testing::StartsWith("project,space,number,id,type,maker,article,group,x_m,"));
-  EXPECT_THAT(csv, testing::HasSubstr(
-                       at + ",1,L.1,panel,\"Maker, "
-                            "Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8,A,Panel,120,4000,80\r\n"));
-  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,,,,,,\r\n"));
+  EXPECT_THAT(csv,
+              testing::HasSubstr(
+                  at + ",1,L.1,panel,\"Maker, "
+                       "Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8,A,Panel,120,4000,80,A12\r\n"));
+  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,,,,,,,\r\n"));
   // What to order where the project takes a package.
   project.luminaires[0].package = "warm-900";
   EXPECT_THAT(rendered("luminaires-csv", document),

@@ -506,6 +506,15 @@ TEST(Xlsx, TypesAddUpAndUnknownPowerIsNoSum) {
   EXPECT_FALSE(total("G3"));
 }
 
+TEST(Xlsx, PositionsHaveTheMarksOfThePlans) {
+  const Book book(rendered("xlsx", sample_document()));
+  EXPECT_EQ(book.words("Positions", column_with(book, "Mark", "Positions") + "3"), "A2");
+  FormatStyle style;
+  style.texts = Texts(Language::german, true);
+  EXPECT_TRUE(
+      says(Book(rendered("xlsx", sample_document(), style)), "Leuchtenpositionen", "Kürzel"));
+}
+
 TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
   Document document = small_document();
   std::string name;

@@ -2,6 +2,7 @@
 #include "report/html/chapters/html_storeys.h"
 
 #include "calc/base/utf8.h"
+#include "report/document/luminaire_labels.h"
 #include "report/document/storeys.h"
 #include "report/html/drawings/storey_plan.h"
 #include "report/html/page/html.h"
@@ -53,7 +54,8 @@ ProjectPart house() {
   return project;
 }
 
-std::string shown(const ProjectPart& project, Paper paper = Paper::a4) {
+std::string shown(ProjectPart project, Paper paper = Paper::a4) {
+  label_luminaires(project);
   return html_storeys({}, project, 0, paper);
 }
 
@@ -128,19 +130,21 @@ TEST(HtmlStoreys, HaveTwoPlansEachToScale) {
 
 TEST(HtmlStoreys, NameRoomsAndLuminaires) {
   const Page page(shown(house()));
-  EXPECT_THAT(page.texts(0), IsSupersetOf({"1.01", "Office", "1.02", "Store", "A2", "B1"}));
+  EXPECT_THAT(page.texts(0),
+              IsSupersetOf({"1.01", "Office", "1.02", "Store", "A1", "A2", "B1", "B2"}));
+  EXPECT_THAT(page.texts(2), IsSupersetOf({"A3", "B3"})) << "the upper storey counts on";
   EXPECT_THAT(page.of("//ul[@class='layout-key']/li/b"), Contains("A"));
   EXPECT_THAT(shown(house()), HasSubstr("2 × Panel &lt;600&gt;"));
 }
 
 TEST(HtmlStoreys, CaptionsExplainWhatIsDrawnAlone) {
   ProjectPart project = house();
-  EXPECT_THAT(shown(project), HasSubstr("Letters name types of luminaires"));
+  EXPECT_THAT(shown(project), HasSubstr("Marks of luminaires: the letter"));
   for (SpacePart& space : project.spaces) {
     space.luminaires.clear();
     for (PlanePart& plane : space.planes) plane.outline_m.clear();
   }
-  EXPECT_THAT(shown(project), Not(HasSubstr("Letters name types of luminaires")));
+  EXPECT_THAT(shown(project), Not(HasSubstr("Marks of luminaires: the letter")));
   EXPECT_THAT(shown(project), Not(HasSubstr("Dashed: ")));
 }
 
@@ -234,7 +238,7 @@ TEST(HtmlStoreys, StrangeLuminairesDoNotBreakIt) {
   EXPECT_THAT(html, HasSubstr("Luminaires outside the plan, not drawn: 3."));
   EXPECT_THAT(html, Not(HasSubstr("–L")));
   for (int i = 0; i < 3000; ++i) project.spaces[0].luminaires.push_back({{1, 1, 2}, "panel"});
-  EXPECT_THAT(shown(project), HasSubstr("The luminaires are too many for outlines and letters"));
+  EXPECT_THAT(shown(project), HasSubstr("The luminaires are too many for outlines and marks"));
 }
 
 TEST(HtmlStoreys, HaveASitePlanOfARoad) {
@@ -252,7 +256,7 @@ TEST(HtmlStoreys, HaveASitePlanOfARoad) {
   EXPECT_THAT(page.of("//h3"), testing::ElementsAre("Site plan: Road <1>"));
   EXPECT_THAT(page.of("//svg/@aria-label"),
               testing::ElementsAre("Site plan: Road <1>, scale 1:200"));
-  EXPECT_THAT(page.texts(0), IsSupersetOf({"✗ Work plane", "B1", "B2", "N"}));
+  EXPECT_THAT(page.texts(0), IsSupersetOf({"✗ Work plane", "B2", "B3", "N"}));
   EXPECT_THAT(html, HasSubstr("outside the plan, not drawn: 1."));
   EXPECT_EQ(storeys_title({}, project), "Site plan: Small office");
   EXPECT_THAT(html, Not(HasSubstr("too many corners")));

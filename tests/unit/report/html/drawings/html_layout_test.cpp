@@ -1,6 +1,7 @@
 // Plan and elevation of a room, against its own metres.
 #include "report/html/drawings/html_layout.h"
 
+#include "report/document/luminaire_labels.h"
 #include "report/html/drawings/technical_drawing.h"
 
 #include "tests/support/sample_document.h"
@@ -39,7 +40,11 @@ Document hall() {
   return document;
 }
 
-std::string shown(const Document& document) {
+std::string shown(Document document) {
+  document.projects[0].luminaires.resize(2);
+  document.projects[0].luminaires[0].type_id = "panel";
+  document.projects[0].luminaires[1].type_id = "spot";
+  label_luminaires(document.projects[0]);
   return html_layout({}, document.projects[0], document.projects[0].spaces[0]);
 }
 
@@ -97,8 +102,8 @@ TEST(HtmlLayout, HasDimensionsNumbersAndHeights) {
   EXPECT_THAT(texts, IsSupersetOf({"11.60", "2.40", "14.00", "2.00", "7.50", "9.50"}));
   // Over the floor: room, luminaires and the plane.
   EXPECT_THAT(texts, IsSupersetOf({"0.00", "4.00", "3.90", "2.50", "0.80"}));
-  for (const char* number : {"1", "2", "A"})
-    EXPECT_EQ(std::count(texts.begin(), texts.end(), number), 1) << number;
+  for (const char* sign : {"A1", "B1", "A"})
+    EXPECT_EQ(std::count(texts.begin(), texts.end(), sign), 1) << sign;
   EXPECT_THAT(texts, IsSupersetOf({"↖ x = 0.00, y = 0.00", "Elevation, seen towards +y"}));
 }
 
@@ -165,7 +170,7 @@ TEST(HtmlLayout, WhatIsTooMuchIsTold) {
   space.planes[0].points.assign(1201, space.planes[0].points[0]);
   space.bodies_left_out = 3;
   const std::string html = shown(document);
-  for (const char* words : {"too many for numbers", "too many to be drawn", "3 "})
+  for (const char* words : {"too many for marks", "too many to be drawn", "3 "})
     EXPECT_THAT(html, HasSubstr(words));
   EXPECT_THAT(html, Not(HasSubstr("class=\"number\"")));
   EXPECT_THAT(html, Not(HasSubstr("class=\"points\"")));

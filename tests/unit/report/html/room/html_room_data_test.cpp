@@ -31,6 +31,7 @@ Document office() {
   mark.axis = {0, 0, -1};
   mark.c0 = {0, -1, 0};
   space.luminaires = {mark, {{3.5, 2.0, 12.8}, "panel"}};
+  space.luminaires[0].label = "A7";
   space.power = {60.0, 20.0, 2, 0};
   PlanePart& plane = space.planes[0];
   plane.average = {500.0, 490.0, 510.0};
@@ -68,7 +69,7 @@ TEST(HtmlRoomData, TellsWhereLuminairesAreAndHowTheyAreTurned) {
   EXPECT_THAT(html, HasSubstr("Positions of luminaires: 2"));
   // The height is above the floor, C0 to -y.
   EXPECT_THAT(html,
-              HasSubstr("<tr><th scope=\"row\" class=\"num\">1</th><td>L.1</td><td>panel</td><td>"
+              HasSubstr("<tr><th scope=\"row\">A7</th><td>L.1</td><td>panel</td><td>"
                         "window</td><td class=\"num\">1.50</td><td class=\"num\">2.00</td><td "
                         "class=\"num\">2.80</td><td class=\"num\">0.0°</td><td "
                         "class=\"num\">270.0°</td></tr>"));
