@@ -37,6 +37,7 @@ luxgate_test(report_tests
     unit/report/html/drawings/html_plan_test.cpp
     unit/report/html/room/html_room_data_test.cpp
     unit/report/html/client/client_page_test.cpp
+    unit/report/html/client/client_positions_test.cpp
     unit/report/html/page/html_test.cpp
     unit/report/html/drawings/isolux_test.cpp
     unit/report/html/drawings/label_places_test.cpp

@@ -15,6 +15,7 @@
 #include "report/html/chapters/html_revision.h"
 #include "report/html/chapters/html_roads.h"
 #include "report/html/chapters/html_storeys.h"
+#include "report/html/client/client_positions.h"
 #include "report/html/client/client_room.h"
 #include "report/html/client/client_style.h"
 #include "report/html/page/html_footnotes.h"
@@ -79,6 +80,8 @@ class ClientWriter : public FormatWriter {
   ClientChapter overview(const ProjectPart& project, const std::vector<RoomSummary>& rooms) const;
   void add_rooms(const ProjectPart& project, const std::vector<RoomSummary>& rooms,
                  std::vector<ClientChapter>& chapters) const;
+  // The schedule, and the positions.
+  std::string luminaires(const ProjectPart& project);
   bool has_cover() const { return style_.cover != Cover::never; }
 
   const DocumentFrame& frame_;
@@ -87,8 +90,9 @@ class ClientWriter : public FormatWriter {
   const PageNumbers* numbers_;
   RegionNames regions_;
   Footnotes footnotes_;
-  std::size_t project_ = 0;  // the next one
-  std::size_t sheets_ = 0;   // data sheets so far
+  std::size_t project_ = 0;    // the next one
+  std::size_t sheets_ = 0;     // data sheets so far
+  std::size_t positions_ = 0;  // luminaires whose positions are listed so far
   ClientMethod method_;
   std::string only_title_, about_, on_cover_, head_, foot_, notes_, messages_;
   std::vector<ContentsEntry> contents_;
@@ -132,6 +136,15 @@ void ClientWriter::add_rooms(const ProjectPart& project, const std::vector<RoomS
   }
 }
 
+std::string ClientWriter::luminaires(const ProjectPart& project) {
+  const std::string schedule = html_luminaires(t_, project, project_);
+  if (schedule.empty()) return schedule;
+  const ClientPositions positions = client_positions(
+      t_, project, !frame_.provenance.selection.empty(), kMostClientPositions - positions_);
+  positions_ += positions.listed;
+  return schedule + positions.html;
+}
+
 std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project) {
   const std::vector<RoomSummary> rooms = room_summaries(project);
   std::vector<ClientChapter> chapters{overview(project, rooms)};
@@ -149,7 +162,7 @@ std::vector<ClientChapter> ClientWriter::chapters_of(const ProjectPart& project)
   };
   add(html_roads(t_, project, project_), "roads", Text::roads);
   add(html_emergency(t_, project, project_, "", footnotes_), "emergency", Text::emergency);
-  add(html_luminaires(t_, project, project_), "luminaires", Text::luminaires);
+  add(luminaires(project), "luminaires", Text::luminaires);
   add(html_energy(t_, project, project_), "energy", Text::energy);
   add(html_aggregates(t_, project, project_, AggregatesFor::client), "", {});
   add(html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan);
