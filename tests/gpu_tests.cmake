@@ -17,7 +17,7 @@ luxgate_test(gpu_tests
     unit/gpu/device/egl_context_test.cpp
     unit/gpu/gather/exact_arithmetic_test.cpp
     unit/gpu/opengl/gl_buffer_test.cpp
-    unit/gpu/opengl/lent_bytes_test.cpp
+    unit/gpu/opengl/borrowed_bytes_test.cpp
     unit/gpu/device/missing_device_test.cpp
     unit/gpu/rays/path_rounds_test.cpp
     unit/gpu/opengl/program_cache_test.cpp

@@ -10,8 +10,8 @@ luxgate_test(rules_tests
     unit/rules/verdict/coverage_test.cpp
     unit/rules/pack/evaluate_test.cpp
     unit/rules/pack/expression_test.cpp
-    unit/rules/fitness/fitness_test.cpp
-    unit/rules/fitness/obstacles_test.cpp
+    unit/rules/applicability/applicability_test.cpp
+    unit/rules/applicability/obstacles_test.cpp
     unit/rules/measure/despite_doubt_test.cpp
     unit/rules/measure/level_conditions_test.cpp
     unit/rules/measure/gradient_test.cpp

@@ -13,7 +13,7 @@ luxgate_test(scene_tests
     unit/calc/glare/ugr_table_test.cpp
     unit/calc/road/r_table_test.cpp
     unit/calc/road/road_light_test.cpp
-    unit/calc/scene/grid_trap_test.cpp
+    unit/calc/scene/grid_aliasing_test.cpp
     unit/calc/scene/polygon_cut_test.cpp
     unit/calc/scene/polygon_mend_test.cpp
     unit/calc/scene/polygon_test.cpp

@@ -63,7 +63,7 @@ std::size_t DrawPass::bytes() const {
   return sum;
 }
 
-// Of four large pieces: three waves take no more room than three.
+// Of four large pieces: three batches take no more room than three.
 std::size_t DrawPass::most_bytes(const DrawLimits& limits) {
   constexpr std::size_t kPerWeight = sizeof(float) + sizeof(double);
   constexpr std::size_t kPerPlace = sizeof(std::uint32_t) + 2 * sizeof(BoundedDraw);

@@ -2,7 +2,7 @@
 // Part of a calc::DrawBatch as it goes to the device and comes back.
 
 #include "calc/radiosity/gather/gatherer.h"
-#include "gpu/opengl/lent_bytes.h"
+#include "gpu/opengl/borrowed_bytes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,9 +52,9 @@ struct DrawPiece {
   std::vector<std::uint32_t> tiles;
 
   // What comes back, read by whoever asked; given back before the next piece is.
-  LentBytes answers;  // [receiver] a DrawAnswer and doubles, see words_per_answer()
+  BorrowedBytes answers;  // [receiver] a DrawAnswer and doubles, see words_per_answer()
   // A word and a list of BoundedDraw; the rest of it, where it is longer than was thought.
-  LentBytes bounded, bounded_rest;
+  BorrowedBytes bounded, bounded_rest;
   bool is_cut_short = false;  // the deadline has passed
 
   // Throws calc::BackendFailure if the device did not do its work.

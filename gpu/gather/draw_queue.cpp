@@ -9,10 +9,10 @@
 namespace gpu {
 namespace {
 
-constexpr double kGlance_s = 0.0005;   // between looks for pieces of others
-constexpr std::size_t kMostWaves = 3;  // under way, with the last
-constexpr std::size_t kMostPieces = DrawPass::kSlots / kMostWaves;  // of a wave
-constexpr std::size_t kEnoughWaves = 2;  // whose rays were sent: one is worked on, one waits
+constexpr double kGlance_s = 0.0005;     // between looks for pieces of others
+constexpr std::size_t kMostBatches = 3;  // under way, with the last
+constexpr std::size_t kMostPieces = DrawPass::kSlots / kMostBatches;  // of a batch
+constexpr std::size_t kEnoughBatches = 2;  // whose rays were sent: one is worked on, one waits
 
 template <class Entries>
 std::vector<DrawTask> tasks_of(const Entries& entries) {
@@ -58,7 +58,7 @@ std::size_t DrawQueue::waiting() const {
 }
 
 // Takes the first that waits, and those behind it that fit in with it.
-void DrawQueue::take_wave() {
+void DrawQueue::take_batch() {
   std::size_t places = 0, weights = 0;
   const std::scoped_lock lock(mutex_);
   while (!waiting_.empty() && next_.size() < kMostPieces) {
@@ -75,14 +75,14 @@ void DrawQueue::take_wave() {
 }
 
 bool DrawQueue::has_room() const {
-  return under_way_.size() + (drawn_.empty() ? 0 : 1) < kMostWaves;
+  return under_way_.size() + (drawn_.empty() ? 0 : 1) < kMostBatches;
 }
 
-// The next wave's choices, if there is one, and the rays of the wave before. At any time each entry
-// is in one of the lists, so that fail_all() finds it.
+// The next batch's choices, if there is one, and the rays of the batch before. At any time each
+// entry is in one of the lists, so that fail_all() finds it.
 void DrawQueue::send(DeviceState& device) {
   if (!next_.empty()) {
-    ++sent_.waves;
+    ++sent_.batches;
     sent_.most_pieces = std::max(sent_.most_pieces, next_.size());
     if (!drawn_.empty()) ++sent_.beside;
   }
@@ -94,23 +94,23 @@ void DrawQueue::send(DeviceState& device) {
 }
 
 void DrawQueue::finish_oldest(DeviceState& device) {
-  Wave& wave = under_way_.front();
-  Entry* oldest = wave.front();
+  Batch& batch = under_way_.front();
+  Entry* oldest = batch.front();
   pass_->finish(device, oldest->task);
   oldest->is_done = true;
-  wave.erase(wave.begin());
-  if (wave.empty()) under_way_.pop_front();
+  batch.erase(batch.begin());
+  if (batch.empty()) under_way_.pop_front();
 }
 
 void DrawQueue::advance(DeviceState& device) {
   try {
     if (!pass_) pass_ = std::make_unique<DrawPass>(device.context.device(), limits_);
     while (has_room()) {
-      take_wave();
+      take_batch();
       if (next_.empty()) break;
       send(device);
     }
-    if (!drawn_.empty() && under_way_.size() < kEnoughWaves) send(device);
+    if (!drawn_.empty() && under_way_.size() < kEnoughBatches) send(device);
     // Meanwhile others may send theirs.
     if (has_room() && !pass_->is_ready(under_way_.front().front()->task, kGlance_s)) return;
     finish_oldest(device);
@@ -124,16 +124,16 @@ void DrawQueue::advance(DeviceState& device) {
 
 // All that is under way; what waits may yet do better. Needs no memory: that may be what failed.
 void DrawQueue::fail_all(const std::exception_ptr& failure) {
-  const auto fail = [&](Wave& wave) {
-    for (Entry* entry : wave) {
+  const auto fail = [&](Batch& batch) {
+    for (Entry* entry : batch) {
       entry->failure = failure;
       entry->is_done = true;
     }
-    wave.clear();
+    batch.clear();
   };
   fail(next_);
   fail(drawn_);
-  for (Wave& wave : under_way_) fail(wave);
+  for (Batch& batch : under_way_) fail(batch);
   under_way_.clear();
 }
 

@@ -31,8 +31,8 @@ class DrawQueue {
 
   // For tests: pieces that wait; what was sent so far.
   struct Sent {
-    std::size_t waves = 0, most_pieces = 0;  // pieces that went together
-    std::size_t beside = 0;                  // waves whose choices went beside rays of others
+    std::size_t batches = 0, most_pieces = 0;  // pieces that went together
+    std::size_t beside = 0;                    // batches whose choices went beside rays of others
   };
   std::size_t waiting() const;
   Sent sent() const { return sent_; }
@@ -43,12 +43,12 @@ class DrawQueue {
     bool is_done = false;
     std::exception_ptr failure;  // null: none
   };
-  using Wave = std::vector<Entry*>;
+  using Batch = std::vector<Entry*>;
 
   // On the context's thread: sends what waits as long as there is room, then finishes the oldest,
   // unless others might yet be sent meanwhile.
   void advance(DeviceState& device);
-  void take_wave();
+  void take_batch();
   void send(DeviceState& device);
   bool has_room() const;
   void finish_oldest(DeviceState& device);
@@ -60,9 +60,9 @@ class DrawQueue {
   std::deque<Entry*> waiting_;
   // Of the context's thread alone.
   std::unique_ptr<DrawPass> pass_;
-  Wave next_;                   // not sent yet
-  Wave drawn_;                  // the last wave, if its rays were not sent
-  std::deque<Wave> under_way_;  // those before, oldest first; none is empty
+  Batch next_;                   // not sent yet
+  Batch drawn_;                  // the last batch, if its rays were not sent
+  std::deque<Batch> under_way_;  // those before, oldest first; none is empty
   Sent sent_;
 };
 

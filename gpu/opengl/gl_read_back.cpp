@@ -110,7 +110,7 @@ void GlReadBack::copy(std::size_t offset, std::span<std::byte> to) const {
   }
 }
 
-LentBytes GlReadBack::lend(std::size_t offset, std::size_t bytes) {
+BorrowedBytes GlReadBack::lend(std::size_t offset, std::size_t bytes) {
   if (offset + bytes > wanted_) throw GlError("more is lent than was fetched: " + what_);
   if (mapped_ == nullptr && fetched_.empty()) {
     fetched_.resize(wanted_);

@@ -1,9 +1,9 @@
 #pragma once
 // Results on their way back, beside other work of the device.
 
+#include "gpu/opengl/borrowed_bytes.h"
 #include "gpu/opengl/gl_buffer.h"
 #include "gpu/opengl/gl_fence.h"
-#include "gpu/opengl/lent_bytes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +41,7 @@ class GlReadBack {
   void copy(std::size_t offset, std::span<std::byte> to) const;
   // After wait(): the same for another thread, without a copy; no byte twice. What comes back is
   // ready for the next start().
-  LentBytes lend(std::size_t offset, std::size_t bytes);
+  BorrowedBytes lend(std::size_t offset, std::size_t bytes);
   // Whether start() would not wait for what is lent.
   bool has_all() { return lender_.has_all(); }
   // What start() can fetch without more memory.

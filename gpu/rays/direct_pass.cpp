@@ -120,7 +120,7 @@ std::size_t totals_of(const DirectPiece& piece) {
              : piece.rounds.replicates * (channels_of(piece) + 1) * piece.points.size();
 }
 
-void take_numbers(const LentBytes& from, std::size_t numbers, std::vector<double>& to) {
+void take_numbers(const BorrowedBytes& from, std::size_t numbers, std::vector<double>& to) {
   if (from.bytes().size() != numbers * sizeof(double)) throw_not_done();
   to.resize(numbers);
   if (numbers > 0) std::memcpy(to.data(), from.bytes().data(), from.bytes().size());
@@ -129,7 +129,7 @@ void take_numbers(const LentBytes& from, std::size_t numbers, std::vector<double
 
 }  // namespace
 
-void take_pairs(const LentBytes& pairs, DirectPiece& piece) {
+void take_pairs(const BorrowedBytes& pairs, DirectPiece& piece) {
   const std::size_t points = piece.points.size();
   if (pairs.bytes().size() != pairs_of(piece) * sizeof(std::uint32_t)) throw_not_done();
   const auto* const words = reinterpret_cast<const std::uint32_t*>(pairs.bytes().data());
@@ -175,7 +175,7 @@ std::vector<DirectSamples> samples_of(const DirectPiece& piece, const DirectLimi
   return samples;
 }
 
-void take_sums(const LentBytes& known, const LentBytes& totals, DirectPiece& piece) {
+void take_sums(const BorrowedBytes& known, const BorrowedBytes& totals, DirectPiece& piece) {
   take_numbers(known, channels_of(piece) * piece.points.size(), piece.known_lx);
   take_numbers(totals, totals_of(piece), piece.totals);
 }
@@ -282,7 +282,8 @@ void DirectPass::sum_seen(DirectPiece& piece, DirectBuffers& buffers) {
   buffers.known_back.start({{buffers.known, 0, sums * sizeof(double)}}, kNoNumber);
 }
 
-LentBytes DirectPass::pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers) {
+BorrowedBytes DirectPass::pairs(DeviceState& device, const DirectPiece& piece,
+                                DirectBuffers& buffers) {
   buffers.pairs_back.wait(kDoing);
   device.check(kDoing);
   return buffers.pairs_back.lend(0, pairs_of(piece) * sizeof(std::uint32_t));

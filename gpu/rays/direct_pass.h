@@ -4,10 +4,10 @@
 #include "calc/radiosity/direct/direct_tracer.h"
 #include "gpu/device/device_thread.h"
 #include "gpu/device/dispatch_pacer.h"
+#include "gpu/opengl/borrowed_bytes.h"
 #include "gpu/opengl/gl_buffer.h"
 #include "gpu/opengl/gl_program.h"
 #include "gpu/opengl/gl_read_back.h"
-#include "gpu/opengl/lent_bytes.h"
 #include "gpu/rays/gl_direct_tracer.h"
 
 #include <cstddef>
@@ -68,10 +68,10 @@ struct DirectSamples {
 
 // What the caller does with what came back, on its own thread. They throw calc::BackendFailure if
 // the device did not do its work.
-void take_pairs(const LentBytes& pairs, DirectPiece& piece);
+void take_pairs(const BorrowedBytes& pairs, DirectPiece& piece);
 std::vector<DirectSamples> samples_of(const DirectPiece& piece, const DirectLimits& limits);
 // known_lx and, with keys, totals.
-void take_sums(const LentBytes& known, const LentBytes& totals, DirectPiece& piece);
+void take_sums(const BorrowedBytes& known, const BorrowedBytes& totals, DirectPiece& piece);
 
 // In three steps, between which the device's thread does other work. All calls need the context
 // current, the destructor too. They throw GlError.
@@ -82,12 +82,12 @@ class DirectPass {
   // Proofs and what is known.
   void start(DeviceState& device, DirectPiece& piece, DirectBuffers& buffers);
   // Of what is proved, a word for each pair. Waits.
-  LentBytes pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
+  BorrowedBytes pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
   // With keys: the rest, by samples.
   void sample(DeviceState& device, DirectPiece& piece, std::span<const DirectSamples> samples,
               DirectBuffers& buffers);
   struct Sums {
-    LentBytes known, totals;  // totals: with keys
+    BorrowedBytes known, totals;  // totals: with keys
   };
   // Waits.
   Sums sums(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);

@@ -3,7 +3,7 @@
 #include "calc/radiosity/gather/gatherer.h"
 #include "calc/radiosity/sampling/phase_timer.h"
 #include "gpu/gather/shader_text.h"
-#include "gpu/opengl/turns.h"
+#include "gpu/opengl/buffer_sets.h"
 #include "gpu/rays/direct_pass.h"
 #include "gpu/rays/path_shader_text.h"
 
@@ -82,7 +82,7 @@ class GlDirectTracer : public calc::DirectTracer {
 
  private:
   struct UnderWay {
-    Turns<DirectBuffers>::Turn turn;
+    BufferSets<DirectBuffers>::BufferSet turn;
     DirectPiece piece;
     std::size_t first;  // of the batch's points
   };
@@ -108,11 +108,11 @@ class GlDirectTracer : public calc::DirectTracer {
     };
     for (std::size_t first = 0; first < batch.receivers.size(); first += most) {
       if (calc::is_past(batch.deadline_s)) return;
-      std::optional<Turns<DirectBuffers>::Turn> turn;
-      if (before) turn = turns_.try_take();
+      std::optional<BufferSets<DirectBuffers>::BufferSet> turn;
+      if (before) turn = sets_.try_take();
       if (!turn) {
         if (!finish_before()) return;
-        turn = turns_.take();
+        turn = sets_.take();
       }
       const std::size_t points = std::min(most, batch.receivers.size() - first);
       auto next = std::make_unique<UnderWay>(
@@ -131,7 +131,7 @@ class GlDirectTracer : public calc::DirectTracer {
   // What follows the start.
   void finish(UnderWay& work) {
     DirectPiece& piece = work.piece;
-    LentBytes pairs;
+    BorrowedBytes pairs;
     run([&](DeviceState& device) { pairs = pass_->pairs(device, piece, work.turn.buffers()); });
     take_pairs(pairs, piece);
     pairs = {};  // given back
@@ -158,7 +158,7 @@ class GlDirectTracer : public calc::DirectTracer {
   }
   void clear() {
     pass_.reset();
-    turns_.clear();
+    sets_.clear();
   }
 
   static void take(const calc::DirectBatch& batch, std::size_t first, const DirectPiece& piece,
@@ -215,7 +215,7 @@ class GlDirectTracer : public calc::DirectTracer {
 
   const std::shared_ptr<DeviceThread> thread_;
   const DirectLimits limits_;
-  Turns<DirectBuffers> turns_{3};
+  BufferSets<DirectBuffers> sets_{3};
   std::unique_ptr<DirectPass> pass_;  // of the device's thread alone
 };
 

@@ -3,9 +3,9 @@
 #include "calc/radiosity/gather/gatherer.h"
 #include "calc/radiosity/paths/cut.h"
 #include "calc/radiosity/paths/near_field.h"
+#include "gpu/opengl/buffer_sets.h"
 #include "gpu/opengl/gl_error.h"
 #include "gpu/opengl/gl_read_back.h"
-#include "gpu/opengl/turns.h"
 #include "gpu/rays/hit_pass.h"
 #include "gpu/rays/short_ray_pass.h"
 
@@ -152,7 +152,7 @@ class GlShortRays : public calc::ShortRayCaster {
                           points.get(),
                           true,
                           field.deadline_s};
-    const auto turn = turns_.take();
+    const auto turn = sets_.take();
     bool goes_on = false;
     run([&](DeviceState& device) {
       goes_on = lights_of(device).start(device, *rays_, field, job, turn.buffers());
@@ -190,12 +190,12 @@ class GlShortRays : public calc::ShortRayCaster {
     hits_back_.reset();
     cast_.reset();
     rays_.reset();
-    turns_.clear();
+    sets_.clear();
   }
 
   const std::shared_ptr<DeviceThread> thread_;
   const HitLimits limits_;
-  Turns<HitBuffers> turns_{3};
+  BufferSets<HitBuffers> sets_{3};
   // Of the device's thread alone.
   std::unique_ptr<ShortRayPass> rays_;
   std::unique_ptr<ShortRayBuffers> cast_;

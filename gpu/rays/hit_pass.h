@@ -5,10 +5,10 @@
 #include "calc/radiosity/paths/near_field.h"
 #include "gpu/device/device_thread.h"
 #include "gpu/device/dispatch_pacer.h"
+#include "gpu/opengl/borrowed_bytes.h"
 #include "gpu/opengl/gl_buffer.h"
 #include "gpu/opengl/gl_program.h"
 #include "gpu/opengl/gl_read_back.h"
-#include "gpu/opengl/lent_bytes.h"
 #include "gpu/rays/gl_short_rays.h"
 #include "gpu/rays/hit_answer.h"
 #include "gpu/rays/short_ray_pass.h"
@@ -64,7 +64,8 @@ struct HitBuffers {
 struct HitAnswers {
   // Some calc::HitLight, in any order.
   struct Left {
-    LentBytes bytes;  // all that came back with them: what is lent in parts is not ready for more
+    BorrowedBytes
+        bytes;  // all that came back with them: what is lent in parts is not ready for more
     std::size_t first_byte, count;
 
     std::span<const std::byte> lights() const {
@@ -72,8 +73,8 @@ struct HitAnswers {
     }
   };
 
-  std::size_t hits = 0;  // 0: nothing else
-  LentBytes requests;    // [request] a HitAnswer, and a double for each channel
+  std::size_t hits = 0;    // 0: nothing else
+  BorrowedBytes requests;  // [request] a HitAnswer, and a double for each channel
   std::vector<Left> left;
 };
 

@@ -3,7 +3,7 @@
 // reads them: what a path costs it, all others would wait for.
 
 #include "calc/radiosity/paths/light_vertex.h"
-#include "gpu/opengl/lent_bytes.h"
+#include "gpu/opengl/borrowed_bytes.h"
 
 #include <condition_variable>
 #include <cstddef>
@@ -19,8 +19,8 @@ namespace gpu {
 // What the reflections of one round left, of one job.
 struct PathRound {
   std::vector<std::uint32_t> chunk_vertices;  // [chunk of the job]
-  LentBytes vertices;  // in order of chunks, then of reflections, then of paths
-  double share_alive;  // of the job's paths, which go on
+  BorrowedBytes vertices;  // in order of chunks, then of reflections, then of paths
+  double share_alive;      // of the job's paths, which go on
 };
 
 // From the device's thread to the one that waits.

@@ -51,7 +51,7 @@ struct Context {
         observer(its_observer),
         vertices(run.vertices()),
         kept(run.store()),
-        most_spaces(run.crew().most_begun) {}
+        most_spaces(run.concurrency().most_begun) {}
 
   const Settings& settings;
   const calc::FileReader& files;

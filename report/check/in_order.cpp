@@ -7,9 +7,10 @@
 
 namespace check {
 
-void in_order(std::size_t count, const Crew& crew, const std::function<void(std::size_t)>& work,
+void in_order(std::size_t count, const Concurrency& concurrency,
+              const std::function<void(std::size_t)>& work,
               const std::function<void(std::size_t)>& deliver, const std::function<bool()>& go_on) {
-  if (count <= 1 || crew.most_begun <= 1) {
+  if (count <= 1 || concurrency.most_begun <= 1) {
     for (std::size_t i = 0; i < count && go_on(); ++i) {
       work(i);
       deliver(i);
@@ -30,9 +31,9 @@ void in_order(std::size_t count, const Crew& crew, const std::function<void(std:
     tbb::this_task_arena::isolate([&] { work(i); });
     return i;
   };
-  calc::on_threads(crew.threads, [&] {
+  calc::on_threads(concurrency.threads, [&] {
     tbb::parallel_pipeline(
-        crew.most_begun,
+        concurrency.most_begun,
         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, begin) &
             tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, do_work) &
             tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, deliver));

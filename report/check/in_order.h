@@ -7,7 +7,7 @@
 namespace check {
 
 // How many threads, and how many pieces at once. Neither ever changes a result.
-struct Crew {
+struct Concurrency {
   int threads = 0;  // 0: one per core
   // At most so many pieces are begun and not yet delivered, which bounds the memory of results that
   // wait for an earlier one. 1: one after the other, and all threads work on each.
@@ -19,7 +19,8 @@ struct Crew {
 // more are, and what was begun is finished and delivered. All three may be called on any thread.
 // Threads without a piece of their own help with what other pieces have in parallel. Passes on the
 // first exception.
-void in_order(std::size_t count, const Crew& crew, const std::function<void(std::size_t)>& work,
+void in_order(std::size_t count, const Concurrency& concurrency,
+              const std::function<void(std::size_t)>& work,
               const std::function<void(std::size_t)>& deliver, const std::function<bool()>& go_on);
 
 }  // namespace check

@@ -1,6 +1,6 @@
 #pragma once
 // Who watches a check: tells people, stops it, adds pictures. Nothing of it changes a value. Where
-// spaces are checked at the same time (Run::crew()) several threads call at once, of
+// spaces are checked at the same time (Run::concurrency()) several threads call at once, of
 // different spaces; judged() alone is called for one space after the other, in their order.
 
 #include "calc/radiosity/looks/solve.h"

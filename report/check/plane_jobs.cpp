@@ -2,11 +2,11 @@
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
-#include "calc/scene/grid_trap.h"
+#include "calc/scene/grid_aliasing.h"
 #include "report/check/between_points_warning.h"
+#include "rules/applicability/applicability.h"
+#include "rules/applicability/lost_points.h"
 #include "rules/binding/bind.h"
-#include "rules/fitness/fitness.h"
-#include "rules/fitness/lost_points.h"
 #include "rules/verdict/coverage.h"
 
 #include <fmt/format.h>
@@ -58,12 +58,13 @@ void add_no_longer_left_out(const calc::Space& space, const rules::JudgedProject
   }
 }
 
-void warn_of_speck(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
-                   const std::vector<rules::Requirement>& asked, calc::Diagnostics& diagnostics) {
+void warn_of_small_task(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
+                        const std::vector<rules::Requirement>& asked,
+                        calc::Diagnostics& diagnostics) {
   const auto first = std::find_if(asked.begin(), asked.end(), [](const rules::Requirement& one) {
     return !one.origin.pack.empty() && !rules::is_of_space(one.metric);
   });
-  const calc::Message words = rules::speck_words(plane, grid);
+  const calc::Message words = rules::small_task_words(plane, grid);
   if (first == asked.end() || words.empty()) return;
   diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
 }
@@ -91,8 +92,8 @@ void warn_of_lost_points(const PlaneJob& job, const calc::Diagnostics& of_grid,
 }
 
 // Once for a plane, for the first scene in which it is so.
-void warn_of_grid_trap(const calc::Project& project, const calc::Space& space, const PlaneJob& job,
-                       calc::Diagnostics& diagnostics) {
+void warn_of_grid_aliasing(const calc::Project& project, const calc::Space& space,
+                           const PlaneJob& job, calc::Diagnostics& diagnostics) {
   constexpr double kPointsBetween = 3.0;  // three phases see half of a ripple at least
   if (!is_asked_of_points(job)) return;
   std::set<std::string> scenes;
@@ -102,8 +103,8 @@ void warn_of_grid_trap(const calc::Project& project, const calc::Space& space, c
   for (const std::string& id : scenes) {
     const auto scene = std::find_if(project.scenes.begin(), project.scenes.end(),
                                     [&](const calc::LightScene& one) { return one.id == id; });
-    const auto trap = calc::grid_trap(project, space, *job.grid,
-                                      scene == project.scenes.end() ? nullptr : &*scene);
+    const auto trap = calc::grid_aliasing(project, space, *job.grid,
+                                          scene == project.scenes.end() ? nullptr : &*scene);
     if (!trap) continue;
     diagnostics.report(calc::DiagnosticId::grid_trap, job.plane->where, job.plane->id,
                        id.empty() ? "" : fmt::format(" in scene '{}'", id), trap->points_m,
@@ -127,11 +128,11 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     job.grid = calc::make_sensor_grid(plane, space, of_grid, &job.reason);
     diagnostics.add(of_grid);
     if (job.grid) {
-      rules::check_fitness(
+      rules::check_applicability(
           {loaded.project, space, plane, *job.grid, packs, day, loaded.requirements},
           job.requirements);
-      warn_of_speck(plane, *job.grid, job.requirements, diagnostics);
-      warn_of_grid_trap(loaded.project, space, job, diagnostics);
+      warn_of_small_task(plane, *job.grid, job.requirements, diagnostics);
+      warn_of_grid_aliasing(loaded.project, space, job, diagnostics);
       warn_of_lost_points(job, of_grid, diagnostics);
     }
   }

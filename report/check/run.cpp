@@ -185,7 +185,7 @@ std::optional<calc::LookStore> Run::store() const {
   return calc::LookStore{*entries_, machine_->opened.identity, is_all_there_is_};
 }
 
-Crew Run::crew() const {
+Concurrency Run::concurrency() const {
   const calc::RadiositySettings& radiosity = settings_.radiosity;
   if (backend().backend == Backend::gpu || radiosity.time_limit_s > 0.0) return {radiosity.jobs, 1};
   constexpr std::size_t kForEachThread = 2;  // so that nobody waits while results are written

@@ -91,7 +91,7 @@ class Run {
   Hardware& hardware() const { return machine_->hardware; }
   // How many projects, and spaces of each, are best calculated at the same time: one where a device
   // or a time limit is shared among them, else some for each thread.
-  Crew crew() const;
+  Concurrency concurrency() const;
 
   // For check_project().
   calc::Stages stages() const { return machine_->opened.stages(); }

@@ -13,11 +13,11 @@
 #include "calc/scene/plane_place.h"
 #include "calc/scene/scene_level.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/applicability/place_in_space.h"
 #include "rules/binding/colour_rendering.h"
 #include "rules/binding/luminaire_values.h"
 #include "rules/binding/requirement_ids.h"
 #include "rules/binding/requirement_reader.h"
-#include "rules/fitness/place_in_space.h"
 
 #include <fmt/format.h>
 
@@ -387,7 +387,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
 }
 
 // Own limits are compared with light that never fades, and somebody must know. What is asked of a
-// rule pack is not judged then: see rules/fitness.
+// rule pack is not judged then: see rules/applicability.
 void warn_about_maintenance(const calc::Project& project, const std::vector<Requirement>& bound,
                             calc::Diagnostics& diagnostics) {
   const auto is_own_and_maintained = [](const Requirement& requirement) {

@@ -5,8 +5,8 @@
 #include "calc/base/field.h"
 #include "calc/glare/luminaires_seen.h"
 #include "calc/scene/project.h"
+#include "rules/applicability/place_in_space.h"
 #include "rules/catalogue/requirement.h"
-#include "rules/fitness/place_in_space.h"
 
 #include <functional>
 #include <vector>

@@ -88,7 +88,7 @@ struct Requirement {
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
   std::vector<StatedDeviation> stated_deviations;  // each aspect once
-  std::vector<Deviation> deviations;               // found, see rules/fitness
+  std::vector<Deviation> deviations;               // found, see rules/applicability
   RuleOrigin origin;
   calc::SourceLocation where;
 };

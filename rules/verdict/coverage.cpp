@@ -3,7 +3,7 @@
 #include "calc/base/sentences.h"
 #include "calc/project/spaces/plane_area.h"
 #include "calc/scene/polygon.h"
-#include "rules/fitness/covered_surface.h"
+#include "rules/applicability/covered_surface.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/waiver.h"
 

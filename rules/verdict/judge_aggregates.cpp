@@ -5,7 +5,7 @@
 #include "calc/scene/polygon.h"
 #include "calc/scene/route_shape.h"
 #include "calc/scene/zone_shapes.h"
-#include "rules/fitness/covered_surface.h"
+#include "rules/applicability/covered_surface.h"
 #include "rules/pack/evaluate.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/coverage.h"

@@ -9,7 +9,7 @@ set(folders
   calc/project/reading calc/project/objects calc/project/warnings calc/project/spaces calc/project
   calc/radiosity/terms calc/radiosity/sampling calc/radiosity/direct calc/radiosity/paths calc/radiosity/gather calc/radiosity/looks calc/radiosity
   calc/forecast
-  rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
+  rules/catalogue rules/pack rules/applicability rules/zones rules/measure rules/verdict rules/binding
   gpu
   report/document report/text report/stream report/revision report/policy report/build report/images report/html report/result_file report/formats report/check
   report/git report/advice

@@ -55,8 +55,8 @@ constexpr std::size_t kGlobalCut = 128;
 constexpr double kGlobalSoftening = 0.1;
 
 // What rays need: not made for a space whose looks all come from the store.
-struct Workshop {
-  Workshop(const PreparedScene& scene, const std::vector<PlaneTask>& tasks, const SkipSet& skips)
+struct RayContext {
+  RayContext(const PreparedScene& scene, const std::vector<PlaneTask>& tasks, const SkipSet& skips)
       : plan(decide(scene, tasks, skips)),
         tracer(scene),
         emitter(scene, plan.is_unlit),
@@ -120,7 +120,7 @@ class Solver {
       v->resize(replicates());
     }
     open_planes();
-    if (find_stored() > 0 || tasks_.empty()) make_workshop();
+    if (find_stored() > 0 || tasks_.empty()) make_ray_context();
     begin_missing();
     finish_exact();
     if (any_active() && is_endless()) {
@@ -133,7 +133,7 @@ class Solver {
       field.is_cut_off = settings_.clamp_per_m2 > 0.0 && !field.indirect_lx.empty();
       solution_.fields.push_back(std::move(field));
     }
-    solution_.looks.has_rays = workshop_ != nullptr;
+    solution_.looks.has_rays = ray_context_ != nullptr;
     solution_.pool_rays = pool_rays_;
     if (balanced_paths_ > 0) {
       solution_.balance.absorbed_lm = t_interval(absorbed_lm_, confidence_);
@@ -218,11 +218,11 @@ class Solver {
     if (parse_look(bytes, plane.state)) store_->entries.write(plane.look_key, bytes);
   }
 
-  void make_workshop() {
-    if (workshop_) return;
+  void make_ray_context() {
+    if (ray_context_) return;
     const double begin_s = now_s();
-    workshop_ = std::make_unique<Workshop>(scene_, tasks_, settings_.skips);
-    const Emitter& emitter = workshop_->emitter;
+    ray_context_ = std::make_unique<RayContext>(scene_, tasks_, settings_.skips);
+    const Emitter& emitter = ray_context_->emitter;
     solution_.balance.emitted_lm = emitter.flux_lm();
     solution_.balance.untraced_lm = emitter.flux_lm() - emitter.traced_flux_lm();
     solution_.times.build_s += now_s() - begin_s;
@@ -230,8 +230,9 @@ class Solver {
 
   void make_work(std::size_t p) {
     if (planes_[p].work) return;
-    planes_[p].work = std::make_unique<PlaneWork>(
-        workshop_->tracer, *tasks_[p].grid, workshop_->plan.planes[p], settings_, planes_[p].state);
+    planes_[p].work =
+        std::make_unique<PlaneWork>(ray_context_->tracer, *tasks_[p].grid,
+                                    ray_context_->plan.planes[p], settings_, planes_[p].state);
   }
 
   // Exact light of planes that are not in the store.
@@ -242,7 +243,7 @@ class Solver {
       planes_[p].work->begin(*tasks_[p].grid);
     }
     if (any_missing() && settings_.refuses_close_points) {
-      const Message covered = source_problem(workshop_->tracer);
+      const Message covered = source_problem(ray_context_->tracer);
       if (!covered.empty()) refuse_missing(covered);
     }
     refuse_missing_of_store();
@@ -280,10 +281,11 @@ class Solver {
         })) {
       return false;
     }
-    if (!workshop_->plan.samples_indirect || !workshop_->may_be_endless) return false;
+    if (!ray_context_->plan.samples_indirect || !ray_context_->may_be_endless) return false;
     PathBatch probes{kProbeSeed, 0, 0, kProbes, deadline_s_};
     probes.most_vertices = kProbes * kMostMeanReflections;
-    const TracedPaths traced = trace_light_paths(workshop_->tracer, workshop_->emitter, probes);
+    const TracedPaths traced =
+        trace_light_paths(ray_context_->tracer, ray_context_->emitter, probes);
     return traced.has_endless_path || traced.has_too_many_vertices;
   }
 
@@ -293,7 +295,7 @@ class Solver {
   // points that cannot be computed, and spaces without an end.
   void refuse_missing_of_store() {
     if (!is_store_all() || !any_missing()) return;
-    const bool is_unlimited = workshop_ != nullptr && is_endless();
+    const bool is_unlimited = ray_context_ != nullptr && is_endless();
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing()) continue;
       plane.state.refuse(is_unlimited ? endless_words()
@@ -341,7 +343,7 @@ class Solver {
     for (std::uint64_t paths = settings_.first_paths; any_active();
          paths *= 2, ++look_number.index) {
       if (look_number.index > 0 && find_stored() > 0) {
-        if (!is_store_all()) make_workshop();
+        if (!is_store_all()) make_ray_context();
         refuse_missing_of_store();
         if (!any_active()) return;
       }
@@ -418,17 +420,18 @@ class Solver {
       planes_[p].work->sample_openings(stages_.direct_tracer, deadline_s_, solution_.times);
     }
     if (const auto stopped = reason_to_stop(paths)) return stopped;
-    if (!any_missing() || !workshop_->plan.samples_indirect) return std::nullopt;
+    if (!any_missing() || !ray_context_->plan.samples_indirect) return std::nullopt;
 
     const std::uint64_t batch_paths = paths - done_paths;
     const bool is_pool = settings_.method == Method::light_pool;
-    const GeometryBound bound(workshop_->tracer, workshop_->emitter, batch_paths);
+    const GeometryBound bound(ray_context_->tracer, ray_context_->emitter, batch_paths);
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing() || !plane.work->decision().samples_reflection) continue;
       plane.work->start_look(is_pool ? bound.reach_m() : 0.0,
-                             is_pool ? PossibleVertex{workshop_->largest_path_lm,
-                                                      workshop_->mean_reflectance, bound.smallest()}
-                                     : PossibleVertex{});
+                             is_pool
+                                 ? PossibleVertex{ray_context_->largest_path_lm,
+                                                  ray_context_->mean_reflectance, bound.smallest()}
+                                 : PossibleVertex{});
       lit_planes_.push_back(plane.work.get());
     }
     if (!lit_planes_.empty()) {
@@ -480,7 +483,7 @@ class Solver {
     if (traced.has_too_many_vertices) return StopReason::memory_limit;
     if (const auto stopped = reason_to_stop(last)) return stopped;
     const double sort_begin_s = now_s();
-    const std::size_t channels = workshop_->tracer.scene().channels.size();
+    const std::size_t channels = ray_context_->tracer.scene().channels.size();
     const VertexTree tree(std::move(traced.vertices), channels);
     const VertexBounds bounds =
         bound != nullptr
@@ -491,20 +494,20 @@ class Solver {
     if (bound != nullptr) {
       ReceiverTile everywhere;
       everywhere.softening_m =
-          static_cast<float>(kGlobalSoftening * workshop_->tracer.scene().extent_m);
+          static_cast<float>(kGlobalSoftening * ray_context_->tracer.scene().extent_m);
       global_cut.build(tree, everywhere,
                        {kGlobalCut, static_cast<float>(bound->smallest()), false});
     }
     times.pool_s += now_s() - sort_begin_s;
     if (stages_.gatherer.connects_all() && bound == nullptr) {
-      gather_all_planes(workshop_->tracer, lit_planes_,
-                        {tree, bounds, bound, workshop_->luminaire_choice, global_cut, replicate,
+      gather_all_planes(ray_context_->tracer, lit_planes_,
+                        {tree, bounds, bound, ray_context_->luminaire_choice, global_cut, replicate,
                          first, last - first, deadline_s_},
                         stages_.gatherer, times);
       return reason_to_stop(last);
     }
     for (PlaneWork* plane : lit_planes_) {
-      plane->connect({tree, bounds, bound, workshop_->luminaire_choice, global_cut, replicate,
+      plane->connect({tree, bounds, bound, ray_context_->luminaire_choice, global_cut, replicate,
                       first, last - first, deadline_s_, stages_.short_rays, &has_endless_chain_},
                      stages_.gatherer, times);
       if (has_endless_chain_) return StopReason::endless_path;
@@ -543,8 +546,8 @@ class Solver {
 
   TracedPaths trace_batch(const PathBatch& batch) const {
     if (stages_.path_tracer == nullptr)
-      return trace_light_paths(workshop_->tracer, workshop_->emitter, batch);
-    return stages_.path_tracer->trace(workshop_->tracer, workshop_->emitter, batch);
+      return trace_light_paths(ray_context_->tracer, ray_context_->emitter, batch);
+    return stages_.path_tracer->trace(ray_context_->tracer, ray_context_->emitter, batch);
   }
 
   TracedPaths trace(std::size_t replicate, std::uint64_t first, std::uint64_t last) {
@@ -580,7 +583,7 @@ class Solver {
   const VertexCache* cache_;
   const LookStore* store_;
   double start_s_;
-  std::unique_ptr<Workshop> workshop_;  // once a look has to be computed
+  std::unique_ptr<RayContext> ray_context_;  // once a look has to be computed
   std::vector<SolvedPlane> planes_;
   std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look
   std::vector<double> absorbed_lm_, escaped_lm_;  // per replicate

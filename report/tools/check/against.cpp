@@ -354,7 +354,7 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
     begun[k].path = projects_[k].path;
     parts.push_back(std::move(begun[k]));
   };
-  check::in_order(projects_.size(), run.crew(), work, deliver, go_on);
+  check::in_order(projects_.size(), run.concurrency(), work, deliver, go_on);
   for (const report::ProjectPart& part : parts) print_errors(part.diagnostics);
   if (!go_on()) return parts;
   if (failures() == failures_before) return parts;

@@ -86,10 +86,10 @@ void print_timing(const report::ProjectPart& project) {
 
 // Pictures of rooms, which are drawn in the order of the projects: on software only the first are.
 // Projects wait for their turn.
-class Gallery {
+class PictureQueue {
  public:
   // device: null = none are wanted.
-  Gallery(const CheckOptions& options, std::optional<check::PictureDevice::Request> device) {
+  PictureQueue(const CheckOptions& options, std::optional<check::PictureDevice::Request> device) {
     if (!device) return;
     const calc::RadiositySettings& radiosity = options.settings.radiosity;
     pictures_.emplace(
@@ -132,15 +132,15 @@ class Gallery {
 class CheckObserver : public WatchedProject {
  public:
   // project: its number.
-  CheckObserver(const CheckOptions& options, Progress& progress, Gallery& gallery,
+  CheckObserver(const CheckOptions& options, Progress& progress, PictureQueue& pictures,
                 std::size_t project)
       : WatchedProject(progress, options.input.projects[project]),
         options_(options),
-        gallery_(gallery),
+        pictures_(pictures),
         project_(project) {}
   CheckObserver(const CheckObserver&) = delete;
   CheckObserver& operator=(const CheckObserver&) = delete;
-  ~CheckObserver() override { gallery_.done(project_); }
+  ~CheckObserver() override { pictures_.done(project_); }
 
   // In the order of its spaces.
   std::string cost_log(const report::ProjectPart& part) const {
@@ -159,15 +159,15 @@ class CheckObserver : public WatchedProject {
     cost_log_[space_id] =
         explain_cost(project_path, space_id, scene, tasks, options_.settings.radiosity, solution);
   }
-  bool draws_rooms() const override { return gallery_.draws(); }
+  bool draws_rooms() const override { return pictures_.draws(); }
   void judged(const std::string& project_path, const calc::Space& space,
               const calc::PreparedScene& scene, report::SpacePart& part) override {
-    gallery_.add_pictures(project_, project_path, space, scene, part);
+    pictures_.add_pictures(project_, project_path, space, scene, part);
   }
 
  private:
   const CheckOptions& options_;
-  Gallery& gallery_;
+  PictureQueue& pictures_;
   const std::size_t project_;
   std::mutex mutex_;
   std::map<std::string, std::string> cost_log_;  // by space
@@ -428,9 +428,9 @@ class CheckCommand {
         context_.gl_fault, context_.environment.program_folder, open, warn};
   }
 
-  CheckedProject check_project(std::size_t p, Gallery& gallery) {
+  CheckedProject check_project(std::size_t p, PictureQueue& pictures) {
     const std::string& path = options_.input.projects[p];
-    CheckObserver observer(options_, progress_, gallery, p);
+    CheckObserver observer(options_, progress_, pictures, p);
     check::Run run = *run_;
     // Whatever happens to the file from now on, advice is about what was checked.
     const calc::FileContent as_read = options_.advice ? files_.read(path) : calc::FileContent{};
@@ -456,14 +456,14 @@ class CheckCommand {
                                : CheckedResults::Revise());
     std::optional<check::PictureDevice::Request> device = picture_device();
     const std::string pictures_line = device ? check::pictures_line(device->choice) : "";
-    Gallery gallery(options_, std::move(device));
+    PictureQueue pictures(options_, std::move(device));
     WarningTally warnings(options_.strict);
     MissingUnits missing;
     std::vector<std::optional<CheckedProject>> checked(options_.input.projects.size());
     std::string cost_log;
     calc::LookCounts looks;
     bool has_chosen = options_.settings.selection.is_all();
-    const auto work = [&](std::size_t p) { checked[p] = check_project(p, gallery); };
+    const auto work = [&](std::size_t p) { checked[p] = check_project(p, pictures); };
     const auto deliver = [&](std::size_t p) {
       if (interrupted()) return;
       report::ProjectPart& project = checked[p]->part;
@@ -481,7 +481,7 @@ class CheckCommand {
       results.add(std::move(project), recorded_.new_paths());
       checked[p].reset();
     };
-    check::in_order(checked.size(), run_->crew(), work, deliver, go_on);
+    check::in_order(checked.size(), run_->concurrency(), work, deliver, go_on);
     progress_.clear();
     if (!begin_to_write()) return told_of_interrupt(options_);
     if (options_.explain_cost) {

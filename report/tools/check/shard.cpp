@@ -118,7 +118,7 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
     done += told[p].has_errors() ? 0 : own[p].units.size();
     progress.done(own[p].path);
   };
-  check::in_order(own.size(), run->crew(), work, deliver, [] { return !interrupted(); });
+  check::in_order(own.size(), run->concurrency(), work, deliver, [] { return !interrupted(); });
   progress.clear();
   calc::StoreTroubles troubles = folder->troubles();
   const bool is_kept = is_light_kept_or_print(options.store, troubles);

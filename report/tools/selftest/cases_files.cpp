@@ -5,7 +5,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "report/tools/selftest/closed_forms.h"
-#include "report/tools/selftest/front_door.h"
+#include "report/tools/selftest/end_to_end.h"
 
 #include <fmt/format.h>
 

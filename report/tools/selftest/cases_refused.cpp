@@ -3,7 +3,7 @@
 #include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/tools/selftest/case.h"
-#include "report/tools/selftest/front_door.h"
+#include "report/tools/selftest/end_to_end.h"
 
 #include <fmt/format.h>
 

@@ -361,7 +361,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
     done[i].reset();
     memory->clear_above(kMostSweepStoreBytes / 2);
   };
-  check::in_order(own.size(), run.crew(), work, deliver, [] { return !interrupted(); });
+  check::in_order(own.size(), run.concurrency(), work, deliver, [] { return !interrupted(); });
   progress.clear();
   if (!begin_to_write()) {
     tell("luxgate: interrupted; nothing was written{}\n",

@@ -153,7 +153,7 @@ class Watch {
       document.projects[p] = run_->check(paths[p], observer);
     };
     const auto deliver = [&](std::size_t p) { progress.done(paths[p]); };
-    check::in_order(paths.size(), run_->crew(), work, deliver, go_on);
+    check::in_order(paths.size(), run_->concurrency(), work, deliver, go_on);
     progress.clear();
     if (!go_on()) return std::nullopt;
     complete_provenance(document.provenance, report::totals_of(document), *run_);

@@ -145,7 +145,7 @@ TEST_P(Buffers, AreLentToOtherThreads) {
       for (const auto& [first, count] : {std::pair{0u, 500u}, {500u, 1500u}}) {
         readers.emplace_back([expected = numbers(count, 10'000 * turn + first),
                               lent = read_back.lend(4 * first, 4 * count)]() mutable {
-          const gpu::LentBytes own = std::move(lent);
+          const gpu::BorrowedBytes own = std::move(lent);
           std::this_thread::sleep_for(std::chrono::milliseconds(2));
           EXPECT_TRUE(std::ranges::equal(own.bytes(), std::as_bytes(std::span(expected))));
         });
@@ -192,7 +192,7 @@ TEST(ReadBack, DoesNotShowWhatItLentEarlier) {
   gl_device(Fault::results_lost)->run([&](gpu::DeviceState& device) {
     gpu::GlBuffer buffer("numbers");
     buffer.assign(numbers(5000, 1));
-    for (const std::size_t lent_bytes : {std::size_t{20'000}, std::size_t{8000}}) {
+    for (const std::size_t borrowed_bytes : {std::size_t{20'000}, std::size_t{8000}}) {
       gpu::GlReadBack read_back("numbers");
       std::vector<std::uint32_t> words(5000);
       for (const std::size_t bytes : {20'000u, 10'000u, 20'000u}) {
@@ -202,7 +202,7 @@ TEST(ReadBack, DoesNotShowWhatItLentEarlier) {
         read_back.copy(0, std::as_writable_bytes(std::span(words)));
         if (words[0] == 1) {
           EXPECT_EQ(words, numbers(5000, 1));
-          read_back.lend(0, lent_bytes);
+          read_back.lend(0, borrowed_bytes);
         } else {
           EXPECT_THAT(words, Each(~0u));
         }

@@ -25,7 +25,8 @@ std::vector<std::size_t> counted(std::size_t count) {
 
 // The first pieces take longest, so that others overtake them.
 TEST(InOrder, DeliversInOrderWhateverEndsFirst) {
-  for (const Crew crew : {Crew{1, 1}, Crew{1, 4}, Crew{2, 4}, Crew{4, 8}, Crew{0, 3}}) {
+  for (const Concurrency concurrency : {Concurrency{1, 1}, Concurrency{1, 4}, Concurrency{2, 4},
+                                        Concurrency{4, 8}, Concurrency{0, 3}}) {
     std::vector<std::size_t> delivered;
     std::vector<int> done(40, 0);
     const auto work = [&](std::size_t i) {
@@ -36,7 +37,7 @@ TEST(InOrder, DeliversInOrderWhateverEndsFirst) {
       EXPECT_EQ(done[i], 1);
       delivered.push_back(i);
     };
-    in_order(done.size(), crew, work, deliver, kAlways);
+    in_order(done.size(), concurrency, work, deliver, kAlways);
     EXPECT_EQ(delivered, counted(done.size()));
   }
 }
@@ -77,7 +78,7 @@ TEST(InOrder, AThreadThatWaitsForItsPieceTakesUpNoOther) {
 }
 
 TEST(InOrder, WhatWasBegunIsFinishedOnceItStops) {
-  for (const Crew crew : {Crew{1, 1}, Crew{2, 4}}) {
+  for (const Concurrency concurrency : {Concurrency{1, 1}, Concurrency{2, 4}}) {
     std::atomic<bool> go_on{true};
     std::atomic<std::size_t> worked{0};
     std::vector<std::size_t> delivered;
@@ -86,7 +87,7 @@ TEST(InOrder, WhatWasBegunIsFinishedOnceItStops) {
       if (i == 5) go_on = false;
     };
     in_order(
-        100, crew, work, [&](std::size_t i) { delivered.push_back(i); },
+        100, concurrency, work, [&](std::size_t i) { delivered.push_back(i); },
         [&] { return go_on.load(); });
     EXPECT_EQ(delivered, counted(worked));
     EXPECT_GE(delivered.size(), 6U);
@@ -98,9 +99,9 @@ TEST(InOrder, PassesOnAnException) {
   const auto work = [](std::size_t i) {
     if (i == 7) throw std::runtime_error("seven");
   };
-  for (const Crew crew : {Crew{1, 1}, Crew{2, 4}}) {
+  for (const Concurrency concurrency : {Concurrency{1, 1}, Concurrency{2, 4}}) {
     EXPECT_THROW(in_order(
-                     20, crew, work, [](std::size_t) {}, kAlways),
+                     20, concurrency, work, [](std::size_t) {}, kAlways),
                  std::runtime_error);
   }
 }

@@ -1,8 +1,8 @@
 // What is required of roads: by the project and by the classes of EN 13201-2, in a scene, of the
 // right light, and of nothing but a road.
 #include "calc/road/road_values.h"
+#include "rules/applicability/applicability.h"
 #include "rules/binding/judged_project.h"
-#include "rules/fitness/fitness.h"
 #include "rules/pack/rule_pack.h"
 #include "tests/support/memory_file_reader.h"
 

@@ -1,16 +1,16 @@
-#include "gpu/opengl/lent_bytes.h"
+#include "gpu/opengl/borrowed_bytes.h"
 
 #include <cstring>
 
 namespace gpu {
 
-LentBytes::~LentBytes() {
+BorrowedBytes::~BorrowedBytes() {
   if (lender_ == nullptr) return;
   fill_words(bytes_, not_done_);
   lender_->take_back();
 }
 
-LentBytes Lender::lend(std::span<std::byte> bytes, std::uint32_t not_done) {
+BorrowedBytes Lender::lend(std::span<std::byte> bytes, std::uint32_t not_done) {
   const std::scoped_lock lock(mutex_);
   ++lent_;
   return {*this, bytes, not_done};

@@ -1,4 +1,4 @@
-#include "rules/fitness/route_way.h"
+#include "rules/applicability/route_way.h"
 
 #include "calc/base/sentences.h"
 

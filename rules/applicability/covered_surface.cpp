@@ -1,10 +1,10 @@
-#include "rules/fitness/covered_surface.h"
+#include "rules/applicability/covered_surface.h"
 
 #include "calc/project/spaces/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/polygon_cut.h"
 #include "calc/scene/route_shape.h"
-#include "rules/fitness/place_in_space.h"
+#include "rules/applicability/place_in_space.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,28 +14,28 @@ class Lender;
 
 // A part of it. Whoever destroys it, on any thread, gives it back, with every word "not done": what
 // is not overwritten then cannot pass for a result.
-class LentBytes {
+class BorrowedBytes {
  public:
-  LentBytes() = default;
-  ~LentBytes();
-  LentBytes(LentBytes&& other) noexcept
+  BorrowedBytes() = default;
+  ~BorrowedBytes();
+  BorrowedBytes(BorrowedBytes&& other) noexcept
       : lender_(std::exchange(other.lender_, nullptr)),
         bytes_(std::exchange(other.bytes_, {})),
         not_done_(other.not_done_) {}
-  LentBytes& operator=(LentBytes&& other) noexcept {
+  BorrowedBytes& operator=(BorrowedBytes&& other) noexcept {
     std::swap(lender_, other.lender_);
     std::swap(bytes_, other.bytes_);
     std::swap(not_done_, other.not_done_);
     return *this;
   }
-  LentBytes(const LentBytes&) = delete;
-  LentBytes& operator=(const LentBytes&) = delete;
+  BorrowedBytes(const BorrowedBytes&) = delete;
+  BorrowedBytes& operator=(const BorrowedBytes&) = delete;
 
   std::span<const std::byte> bytes() const { return bytes_; }
 
  private:
   friend Lender;
-  LentBytes(Lender& lender, std::span<std::byte> bytes, std::uint32_t not_done)
+  BorrowedBytes(Lender& lender, std::span<std::byte> bytes, std::uint32_t not_done)
       : lender_(&lender), bytes_(bytes), not_done_(not_done) {}
 
   Lender* lender_ = nullptr;
@@ -52,13 +52,13 @@ class Lender {
   Lender(const Lender&) = delete;
   Lender& operator=(const Lender&) = delete;
 
-  LentBytes lend(std::span<std::byte> bytes, std::uint32_t not_done);
+  BorrowedBytes lend(std::span<std::byte> bytes, std::uint32_t not_done);
   // Until all is back.
   void wait();
   bool has_all();
 
  private:
-  friend LentBytes;
+  friend BorrowedBytes;
   void take_back();
 
   std::mutex mutex_;

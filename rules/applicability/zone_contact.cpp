@@ -1,8 +1,8 @@
-#include "rules/fitness/zone_contact.h"
+#include "rules/applicability/zone_contact.h"
 
 #include "calc/scene/polygon.h"
 #include "calc/scene/walking_surface.h"
-#include "rules/fitness/place_in_space.h"
+#include "rules/applicability/place_in_space.h"
 
 #include <algorithm>
 #include <limits>

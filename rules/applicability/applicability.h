@@ -16,7 +16,7 @@
 
 namespace rules {
 
-struct FitContext {
+struct ApplicabilityContext {
   const calc::Project& project;
   const calc::Space& space;
   const calc::CalcPlane& plane;  // of the space
@@ -30,11 +30,12 @@ struct FitContext {
 // keeps them from being judged, if one is not stated or its last day is over; or if they are about
 // maintained light and no maintenance factor is stated. A plane that the pack says nothing about
 // fits. Points that are left out are named in the note of every requirement.
-void check_fitness(const FitContext& context, std::vector<Requirement>& requirements);
+void check_applicability(const ApplicabilityContext& context,
+                         std::vector<Requirement>& requirements);
 
-// Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
-// it, but who reads the verdict must see it. What lies within the margin is meant. "" of planes
-// that are no speck, and of point lists.
-calc::Message speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid);
+// Returns what to say of a task that is too small for its room: the project draws the task, so a
+// small task can be put where the light is good. No rule forbids that, but readers of the verdict
+// must see it. The band inside the margin counts as task. Empty for larger planes and point lists.
+calc::Message small_task_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid);
 
 }  // namespace rules

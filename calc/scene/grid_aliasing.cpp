@@ -1,4 +1,4 @@
-#include "calc/scene/grid_trap.h"
+#include "calc/scene/grid_aliasing.h"
 
 #include "calc/base/units.h"
 #include "calc/scene/plane_place.h"
@@ -202,7 +202,7 @@ class TrapsAlong {
     trap_.points_m = axis == 0 ? grid.spacing_u_m : grid.spacing_v_m;
   }
 
-  std::optional<GridTrap> of(std::vector<Source>& sources) {
+  std::optional<GridAliasing> of(std::vector<Source>& sources) {
     const auto kind = [](const Source& source) {
       return std::tuple(source.luminaire->type, source.level);
     };
@@ -293,13 +293,13 @@ class TrapsAlong {
   double trapped_lm_ = 0.0;
   std::size_t longest_ = 0;
   std::map<std::tuple<std::size_t, long long, long long, long long, long long>, bool> is_even_;
-  GridTrap trap_;
+  GridAliasing trap_;
 };
 
 }  // namespace
 
-std::optional<GridTrap> grid_trap(const Project& project, const Space& space,
-                                  const SensorGrid& grid, const LightScene* scene) {
+std::optional<GridAliasing> grid_aliasing(const Project& project, const Space& space,
+                                          const SensorGrid& grid, const LightScene* scene) {
   const bool is_level = std::abs(glm::cross(grid.u, grid.v).z) >= kLevel;
   const bool has_cells = grid.columns > 0 && !grid.route;
   const bool is_planar =
@@ -307,7 +307,7 @@ std::optional<GridTrap> grid_trap(const Project& project, const Space& space,
   if (!is_level || !has_cells || !is_planar || space.road) return std::nullopt;
   std::vector<Source> sources = sources_before(project, space, grid, scene);
   for (const int axis : {0, 1}) {
-    if (const std::optional<GridTrap> trap = TrapsAlong(project, grid, axis).of(sources))
+    if (const std::optional<GridAliasing> trap = TrapsAlong(project, grid, axis).of(sources))
       return trap;
   }
   return std::nullopt;

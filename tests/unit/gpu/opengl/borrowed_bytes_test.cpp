@@ -1,4 +1,4 @@
-#include "gpu/opengl/lent_bytes.h"
+#include "gpu/opengl/borrowed_bytes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,20 +9,20 @@
 #include <utility>
 #include <vector>
 
-namespace lent_bytes_test {
+namespace borrowed_bytes_test {
 namespace {
 
 using ::testing::Each;
 using ::testing::ElementsAre;
 
-TEST(LentBytes, ComeBackNotDone) {
+TEST(BorrowedBytes, ComeBackNotDone) {
   std::array<std::uint32_t, 6> words{1, 2, 3, 4, 5, 6};
   const auto bytes = std::as_writable_bytes(std::span(words));
   gpu::Lender lender;
   {
-    gpu::LentBytes lent = lender.lend(bytes.subspan(4, 12), 0xffff'fffeu);
+    gpu::BorrowedBytes lent = lender.lend(bytes.subspan(4, 12), 0xffff'fffeu);
     EXPECT_FALSE(lender.has_all());
-    const gpu::LentBytes moved = std::move(lent);
+    const gpu::BorrowedBytes moved = std::move(lent);
     EXPECT_EQ(moved.bytes().size(), 12u);
     EXPECT_THAT(words, ElementsAre(1, 2, 3, 4, 5, 6));
   }
@@ -32,7 +32,7 @@ TEST(LentBytes, ComeBackNotDone) {
   EXPECT_THAT(words, Each(~0u));
 }
 
-TEST(LentBytes, AreWaitedFor) {
+TEST(BorrowedBytes, AreWaitedFor) {
   constexpr std::size_t kReaders = 3, kBytes = 5000;
   std::vector<std::byte> memory(kReaders * kBytes);
   gpu::Lender lender;
@@ -45,7 +45,7 @@ TEST(LentBytes, AreWaitedFor) {
       readers.emplace_back(
           [turn, lent = lender.lend(std::span(memory).subspan(k * kBytes, kBytes), ~0u)]() mutable {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            const gpu::LentBytes own = std::move(lent);
+            const gpu::BorrowedBytes own = std::move(lent);
             for (const std::byte byte : own.bytes()) ASSERT_EQ(byte, std::byte(turn));
           });
     }
@@ -55,4 +55,4 @@ TEST(LentBytes, AreWaitedFor) {
 }
 
 }  // namespace
-}  // namespace lent_bytes_test
+}  // namespace borrowed_bytes_test

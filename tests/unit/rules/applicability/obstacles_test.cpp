@@ -1,4 +1,4 @@
-#include "rules/fitness/obstacles.h"
+#include "rules/applicability/obstacles.h"
 
 #include <gtest/gtest.h>
 

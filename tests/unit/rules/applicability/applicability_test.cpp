@@ -1,13 +1,13 @@
-#include "rules/fitness/fitness.h"
+#include "rules/applicability/applicability.h"
 
 #include "calc/base/names.h"
 #include "calc/base/sentences.h"
 #include "calc/base/xml_document.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/applicability/lost_points.h"
+#include "rules/applicability/place_in_space.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
-#include "rules/fitness/lost_points.h"
-#include "rules/fitness/place_in_space.h"
 #include "tests/support/memory_file_reader.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace rules::fitness_test {
+namespace rules::applicability_test {
 namespace {
 
 using testing::ElementsAre;
@@ -92,8 +92,9 @@ Fitted fit(const Setting& setting) {
     const auto grid = calc::make_sensor_grid(*plane, space, diagnostics);
     fitted.requirements = requirements_of_plane(judged->requirements, setting.judged);
     if (grid) {
-      check_fitness({judged->project, space, *plane, *grid, packs, kToday, judged->requirements},
-                    fitted.requirements);
+      check_applicability(
+          {judged->project, space, *plane, *grid, packs, kToday, judged->requirements},
+          fitted.requirements);
     }
   }
   for (const auto& d : diagnostics.all()) fitted.messages.push_back(format_diagnostic(d));
@@ -103,7 +104,7 @@ Fitted fit(const Setting& setting) {
 const std::string kDeskWork = "pack='en12464-1:2021' row='34.2'";
 const std::string kWholeRoom = "height='0.75' margin='0.5'";
 
-TEST(Fitness, APlaneOfTheStandardsOwnFits) {
+TEST(Applicability, APlaneOfTheStandardsOwnFits) {
   const Fitted fitted = fit({kWholeRoom, kDeskWork});
   ASSERT_EQ(fitted.requirements.size(), 2u) << testing::PrintToString(fitted.messages);
   for (const Requirement& requirement : fitted.requirements) {
@@ -113,7 +114,7 @@ TEST(Fitness, APlaneOfTheStandardsOwnFits) {
   }
 }
 
-TEST(Fitness, OnePointIsNotTheStandardsGrid) {
+TEST(Applicability, OnePointIsNotTheStandardsGrid) {
   const Fitted fitted = fit({"height='0.75' margin='0.5' count='1 1'", kDeskWork});
   EXPECT_THAT(fitted.aspects("task.Em"), ElementsAre("grid"));
   EXPECT_EQ(fitted.first().problem,
@@ -122,7 +123,7 @@ TEST(Fitness, OnePointIsNotTheStandardsGrid) {
 }
 
 // 11 m x 7 m: p = 0.2 * 5^log10(11) = 1.069 m, 10.29 and 6.55 cells: 10 x 7.
-TEST(Fitness, AsManyPointsAsTheStandardsFitAndOneRowLessDoesNot) {
+TEST(Applicability, AsManyPointsAsTheStandardsFitAndOneRowLessDoesNot) {
   const auto aspects = [](const std::string& count) {
     return fit({"height='0.75' margin='0.5' count='" + count + "'", kDeskWork}).aspects("task.Em");
   };
@@ -133,7 +134,7 @@ TEST(Fitness, AsManyPointsAsTheStandardsFitAndOneRowLessDoesNot) {
 }
 
 // EN 12464-1 leaves out a strip along walls. A desk counts up to its edge.
-TEST(Fitness, AMarginIsOfWallsOnly) {
+TEST(Applicability, AMarginIsOfWallsOnly) {
   const auto aspects = [](const std::string& plane) {
     return fit({plane, kDeskWork}).aspects("task.Em");
   };
@@ -151,7 +152,7 @@ TEST(Fitness, AMarginIsOfWallsOnly) {
               HasSubstr("leaves out 0.5 m along walls, and parts of the outline run along none"));
 }
 
-TEST(Fitness, WhatTheMarginLeavesOfASpeckIsASpeck) {
+TEST(Applicability, WhatTheMarginLeavesOfASpeckIsASpeck) {
   const auto note = [](const std::string& plane) {
     return fit({plane, kDeskWork}).first().note.english();
   };
@@ -174,7 +175,7 @@ Setting in_mesh(const std::string& plane, const std::string& require) {
 }
 
 // In a mesh nobody names walls: what is upright beside the plane is one, and nothing else.
-TEST(Fitness, OfAMeshTheMarginIsBesideWhatIsUpright) {
+TEST(Applicability, OfAMeshTheMarginIsBesideWhatIsUpright) {
   const auto aspects = [](const std::string& plane) {
     return fit(in_mesh(plane, kDeskWork)).aspects("task.Em");
   };
@@ -183,7 +184,7 @@ TEST(Fitness, OfAMeshTheMarginIsBesideWhatIsUpright) {
               ElementsAre("margin"));
 }
 
-TEST(Fitness, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
+TEST(Applicability, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
   const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
   const Fitted on = fit(in_mesh("origin='0 0 0' u='0 8 0' v='0 0 3' margin='0.5'", wall));
   EXPECT_THAT(on.aspects("wall.Em"), IsEmpty()) << on.first().problem;
@@ -200,7 +201,7 @@ TEST(Fitness, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
 }
 
 // Cells of 0.9 m whose centres lie in the strip that does not count leave 0.85 m without a point.
-TEST(Fitness, PointsStandForAllThatTheMaskLeaves) {
+TEST(Applicability, PointsStandForAllThatTheMaskLeaves) {
   const auto aspects = [](const std::string& plane) {
     Setting setting{plane, "pack='en1838:2024' role='open-area' scene='em'"};
     setting.room = "<room id='r' size='9 8 3' ceiling='m' walls='m' floor='m'>";
@@ -213,7 +214,7 @@ TEST(Fitness, PointsStandForAllThatTheMaskLeaves) {
   EXPECT_THAT(aspects("origin='0.5 0.5 0' u='8 0 0' v='0 7 0'"), IsEmpty());
 }
 
-TEST(Fitness, PointsOfARouteStandForAllOfItsWidthThatCounts) {
+TEST(Applicability, PointsOfARouteStandForAllOfItsWidthThatCounts) {
   const auto aspects = [](const std::string& route) {
     Setting setting{route, "pack='en1838:2024' scene='em'"};
     setting.room = "<room id='r' size='20 4 3' ceiling='m' walls='m' floor='m'>";
@@ -225,7 +226,7 @@ TEST(Fitness, PointsOfARouteStandForAllOfItsWidthThatCounts) {
   EXPECT_THAT(aspects(way + " spacing='1'"), ElementsAre("grid"));
 }
 
-TEST(Fitness, AFieldOfARoadHasAtLeastSoManyPoints) {
+TEST(Applicability, AFieldOfARoadHasAtLeastSoManyPoints) {
   const auto aspects = [](const std::string& count) {
     Setting setting{"origin='0 0 0' u='6 0 0' v='0 1.5 0' count='" + count + "'",
                     "pack='en13201-2' row='C3' role='carriageway'"};
@@ -250,7 +251,7 @@ std::string frame(double low, double high, double z, double hole_low, double hol
 }
 
 // Whoever draws the surround must draw it around the task of the row, and all of it.
-TEST(Fitness, ASurroundIsAroundATask) {
+TEST(Applicability, ASurroundIsAroundATask) {
   const auto fitted = [](const std::string& plane, bool has_task = true) {
     Setting setting{plane, kDeskWork + " role='surround'"};
     if (has_task) setting.objects = kTask;
@@ -273,7 +274,7 @@ TEST(Fitness, ASurroundIsAroundATask) {
 }
 
 // A band ends at walls and at the next task.
-TEST(Fitness, OfABandOnlyWhatIsThereIsAskedFor) {
+TEST(Applicability, OfABandOnlyWhatIsThereIsAskedFor) {
   Setting setting{"points='0.5 2 0.75 1.5 2 0.75 1.5 3 0.75 0.5 3 0.75'",
                   kDeskWork + " role='surround'"};
   // Between two tasks that fill the room but for this square, less the strip along walls.
@@ -286,7 +287,7 @@ TEST(Fitness, OfABandOnlyWhatIsThereIsAskedFor) {
   EXPECT_THAT(fit(setting).aspects("surround.Em"), IsEmpty());
 }
 
-TEST(Fitness, ABackgroundAndACylinderAreAllAroundTheTaskToo) {
+TEST(Applicability, ABackgroundAndACylinderAreAllAroundTheTaskToo) {
   const auto aspects = [](const std::string& plane, const std::string& role) {
     Setting setting{plane, kDeskWork + " role='" + role + "'"};
     setting.objects = kTask;
@@ -302,7 +303,7 @@ TEST(Fitness, ABackgroundAndACylinderAreAllAroundTheTaskToo) {
 }
 
 // An area that a project gives to a zone of a workplace is looked at as one that it draws.
-TEST(Fitness, AZoneWithAnAreaOfItsOwnIsAroundItsTask) {
+TEST(Applicability, AZoneWithAnAreaOfItsOwnIsAroundItsTask) {
   const auto aspects = [](const std::string& area) {
     Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
     setting.objects = "<workplace id='w' " + kDeskWork +
@@ -316,7 +317,7 @@ TEST(Fitness, AZoneWithAnAreaOfItsOwnIsAroundItsTask) {
   EXPECT_THAT(aspects("origin='7.5 3.5' size='3 3'"), ElementsAre("place"));  // that of the other
 }
 
-TEST(Fitness, OutdoorsASurroundIsAroundItsTaskToo) {
+TEST(Applicability, OutdoorsASurroundIsAroundItsTaskToo) {
   const auto aspects = [](const std::string& plane) {
     Setting setting{plane, "pack='en12464-2' row='5.1-crossings' role='surround'"};
     setting.room = "";
@@ -330,7 +331,7 @@ TEST(Fitness, OutdoorsASurroundIsAroundItsTaskToo) {
   EXPECT_THAT(aspects(frame(0, 6, 0, 2, 4)), IsEmpty());
 }
 
-TEST(Fitness, TheTotalAreaHoldsThePrincipalOne) {
+TEST(Applicability, TheTotalAreaHoldsThePrincipalOne) {
   const auto aspects = [](const std::string& plane) {
     Setting setting{plane, "pack='en12193' row='football-III' role='ta'"};
     setting.room = "";
@@ -346,7 +347,7 @@ TEST(Fitness, TheTotalAreaHoldsThePrincipalOne) {
 
 // Towards a luminaire 3 m to the side a desk that leans by 14 degrees has 40 % more light than one
 // that is level.
-TEST(Fitness, NothingLeansThatLiesOnNothing) {
+TEST(Applicability, NothingLeansThatLiesOnNothing) {
   const auto aspects = [](const std::string& u, const std::string& objects = "") {
     Setting setting{"origin='3 3 0.75' u='" + u + "' v='0 0.6 0'", kDeskWork};
     setting.objects = objects;
@@ -360,7 +361,7 @@ TEST(Fitness, NothingLeansThatLiesOnNothing) {
   EXPECT_THAT(aspects("0.6 0 -0.03", board), ElementsAre("orientation"));
 }
 
-TEST(Fitness, UprightIsUprightAndNoLittleLess) {
+TEST(Applicability, UprightIsUprightAndNoLittleLess) {
   const auto aspects = [](const std::string& v) {
     Setting setting{"origin='3 3 1' u='-2 0 0' v='" + v + "'",
                     "pack='en12464-2' row='E2' role='window'"};
@@ -372,7 +373,7 @@ TEST(Fitness, UprightIsUprightAndNoLittleLess) {
 }
 
 // 8 m x 1 m, at 45 degrees to x and y: cells of 0.2 m, and not those of the square around it.
-TEST(Fitness, AGridIsThatOfTheAreasOwnSides) {
+TEST(Applicability, AGridIsThatOfTheAreasOwnSides) {
   const std::string strip =
       "1.429289322 1.070710678 0.75 1.570710678 1.070710678 0.75 "
       "7.156854249 6.656854249 0.75 6.449747468 7.363961031 0.75 "
@@ -386,7 +387,7 @@ TEST(Fitness, AGridIsThatOfTheAreasOwnSides) {
 }
 
 // The light beside a post is that of its cell; a column takes the light of the cell with it.
-TEST(Fitness, APostOnAPointTakesNoDarkCellAway) {
+TEST(Applicability, APostOnAPointTakesNoDarkCellAway) {
   const auto aspects = [](double side, const std::string& check) {
     Setting setting{"origin='3 3 0.75' u='2 0 0' v='0 2 0' count='9 9'", kDeskWork};
     setting.objects =
@@ -401,7 +402,7 @@ TEST(Fitness, APostOnAPointTakesNoDarkCellAway) {
 
 // What is cut out of a task is another task, whose dark part somebody has left out. A column may
 // stand in it.
-TEST(Fitness, HolesTakeNoMoreThanBodiesMay) {
+TEST(Applicability, HolesTakeNoMoreThanBodiesMay) {
   const auto aspects = [](double side) {
     return fit({frame(1, 7, 0.75, 4 - 0.5 * side, 4 + 0.5 * side), kDeskWork}).aspects("task.Em");
   };
@@ -410,7 +411,7 @@ TEST(Fitness, HolesTakeNoMoreThanBodiesMay) {
 }
 
 // A limit from above is met by every plane that no light can meet.
-TEST(Fitness, NothingIsProvedByAPlaneThatLightCannotMeet) {
+TEST(Applicability, NothingIsProvedByAPlaneThatLightCannotMeet) {
   const auto aspects = [](double y, const std::string& more, const std::string& scene = "") {
     Setting setting{fmt::format("origin='6 {} 1' u='-1 0 0' v='0 0 1'", y),
                     "pack='lai' row='residential-night'" + scene};
@@ -431,7 +432,7 @@ TEST(Fitness, NothingIsProvedByAPlaneThatLightCannotMeet) {
   EXPECT_THAT(aspects(1.001, facade), IsEmpty());
 }
 
-TEST(Fitness, ASpeckOfARouteIsTold) {
+TEST(Applicability, ASpeckOfARouteIsTold) {
   const auto note = [](const std::string& points) {
     Setting setting{"points='" + points + "' width='0.2'", "pack='en1838:2024' scene='em'"};
     setting.element = "route";
@@ -443,7 +444,7 @@ TEST(Fitness, ASpeckOfARouteIsTold) {
 
 // The standard limits intensities from 60 degrees on of level ways, and in all directions of
 // others.
-TEST(Fitness, GlareOfLevelWaysIsOfNoStairs) {
+TEST(Applicability, GlareOfLevelWaysIsOfNoStairs) {
   const auto aspects = [](const std::string& u, const std::string& role, const std::string& check) {
     return fit({"origin='0 0 0' u='" + u + "' v='0 2 0'",
                 "pack='en1838:2024' scene='em' role='" + role + "'"})
@@ -454,7 +455,7 @@ TEST(Fitness, GlareOfLevelWaysIsOfNoStairs) {
   EXPECT_THAT(aspects("4 0 1.5", "glare-stairs", "stairs.1"), IsEmpty());
 }
 
-TEST(Fitness, WhoStandsOnAPlatformIsTold) {
+TEST(Applicability, WhoStandsOnAPlatformIsTold) {
   const auto note = [](const std::string& size) {
     Setting setting{"height='1.45' margin='0.5'", kDeskWork};
     setting.objects = "<box id='podium' size='" + size + "' position='0.2 0.2 0' material='m'/>";
@@ -465,7 +466,7 @@ TEST(Fitness, WhoStandsOnAPlatformIsTold) {
   EXPECT_EQ(note("11.6 7.6 0.05"), "");
 }
 
-TEST(Fitness, AStatedDeviationIsKeptAndTheNumberIsCompared) {
+TEST(Applicability, AStatedDeviationIsKeptAndTheNumberIsCompared) {
   const Fitted fitted =
       fit({"height='0.75' count='1 1'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-22'/>"});
@@ -480,7 +481,7 @@ TEST(Fitness, AStatedDeviationIsKeptAndTheNumberIsCompared) {
 
 // Outdoors glare is rated on the area of the row, and what keeps the one from being judged keeps
 // the other; each has its own deviations.
-TEST(Fitness, GlareOutdoorsIsOfAnAreaThatFits) {
+TEST(Applicability, GlareOutdoorsIsOfAnAreaThatFits) {
   const auto fitted = [](const std::string& plane, const std::string& of_glare = "") {
     return fit({plane,
                 "pack='en12464-2' row='5.9-medium'/><require pack='en12464-2' row='5.9-medium' "
@@ -503,7 +504,7 @@ TEST(Fitness, GlareOutdoorsIsOfAnAreaThatFits) {
   EXPECT_EQ(stated.requirements[2].problem, "");
 }
 
-TEST(Fitness, AStatedDeviationEnds) {
+TEST(Applicability, AStatedDeviationEnds) {
   const Fitted fitted =
       fit({"height='0.75' count='1 1'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-21'/>"});
@@ -512,7 +513,7 @@ TEST(Fitness, AStatedDeviationEnds) {
               HasSubstr("(stated by A. Meier, but only until 2026-11-21)"));
 }
 
-TEST(Fitness, AnotherDeviationThanTheStatedOneCounts) {
+TEST(Applicability, AnotherDeviationThanTheStatedOneCounts) {
   const Fitted fitted =
       fit({"height='1.8' margin='0.5'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2030-01-01'/>"});
@@ -520,7 +521,7 @@ TEST(Fitness, AnotherDeviationThanTheStatedOneCounts) {
   EXPECT_EQ(fitted.first().note, "a deviation in grid is stated, and there is none");
 }
 
-TEST(Fitness, WhatIsStatedMustBeWhole) {
+TEST(Applicability, WhatIsStatedMustBeWhole) {
   const auto messages = [](const std::string& deviation) {
     return testing::PrintToString(fit({kWholeRoom, kDeskWork, deviation}).messages);
   };
@@ -538,20 +539,20 @@ TEST(Fitness, WhatIsStatedMustBeWhole) {
               HasSubstr("'role' has no meaning"));
 }
 
-TEST(Fitness, ALimitOfItsOwnHasNoDeviation) {
+TEST(Applicability, ALimitOfItsOwnHasNoDeviation) {
   const Fitted fitted = fit({kWholeRoom, "quantity='average' at-least='1'",
                              "<deviation in='grid' because='x' by='A' until='2030-01-01'/>"});
   EXPECT_THAT(testing::PrintToString(fitted.messages), HasSubstr("a limit of its own"));
 }
 
-TEST(Fitness, ALimitOfItsOwnIsFree) {
+TEST(Applicability, ALimitOfItsOwnIsFree) {
   const Fitted fitted = fit({"height='1.8' count='1 1'", "quantity='average' at-least='1'"});
   EXPECT_EQ(fitted.first().problem, "");
   EXPECT_EQ(fitted.first().note, "");
   EXPECT_THAT(fitted.messages, IsEmpty());
 }
 
-TEST(Fitness, MaintainedLightNeedsAMaintenanceFactor) {
+TEST(Applicability, MaintainedLightNeedsAMaintenanceFactor) {
   Setting setting{kWholeRoom, kDeskWork};
   setting.root = "";
   const Fitted fitted = fit(setting);
@@ -560,7 +561,7 @@ TEST(Fitness, MaintainedLightNeedsAMaintenanceFactor) {
   EXPECT_THAT(fitted.messages, IsEmpty()) << "not judged is said with the requirement";
 }
 
-TEST(Fitness, OwnLimitsWarnOfAMissingMaintenanceFactor) {
+TEST(Applicability, OwnLimitsWarnOfAMissingMaintenanceFactor) {
   Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
   setting.root = "";
   EXPECT_THAT(testing::PrintToString(fit(setting).messages), HasSubstr("maintenance-not-stated"));
@@ -568,7 +569,7 @@ TEST(Fitness, OwnLimitsWarnOfAMissingMaintenanceFactor) {
   EXPECT_THAT(fit(setting).messages, IsEmpty());
 }
 
-TEST(Fitness, PointsThatAreLostAreNamedWithEveryRequirement) {
+TEST(Applicability, PointsThatAreLostAreNamedWithEveryRequirement) {
   Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
   setting.objects = "<box id='desk' size='1 1 0.8' position='5 2.5 0' material='m'/>";
   const Fitted own = fit(setting);
@@ -583,13 +584,13 @@ TEST(Fitness, PointsThatAreLostAreNamedWithEveryRequirement) {
 }
 
 // Of a plane that a project draws itself it is known where the rack is.
-TEST(Fitness, ABandThatIsDrawnDoesNotEndAtARack) {
+TEST(Applicability, ABandThatIsDrawnDoesNotEndAtARack) {
   Setting setting{"height='0.75' margin='0.5'", "pack='en12464-1:2021' row='34.2' role='surround'"};
   setting.objects = "<box id='b' size='6 8 2' position='0 0 0' material='m'/>";
   EXPECT_THAT(fit(setting).aspects("surround.Em"), ElementsAre("points"));
 }
 
-TEST(Fitness, AListMayNotFaceElsewhere) {
+TEST(Applicability, AListMayNotFaceElsewhere) {
   calc::CalcPlane list;
   list.area = calc::PointList{"", {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}, {}};
   calc::SensorGrid grid;
@@ -598,7 +599,7 @@ TEST(Fitness, AListMayNotFaceElsewhere) {
   requirement.origin = {"rp-8:2014", "vertical.min", "medium", {}, {}};
   std::vector<Requirement> requirements{requirement};
   const std::vector<RulePack> packs = builtin_rule_packs();
-  check_fitness({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
+  check_applicability({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
   EXPECT_THAT(requirements[0].problem.english(),
               HasSubstr("role 'vertical' of rp-8:2014 is about a plane that is vertical, and this "
                         "one is not"));
@@ -606,7 +607,7 @@ TEST(Fitness, AListMayNotFaceElsewhere) {
 }
 
 // 1.5 m above the pavement: that is the middle of an upright plane, which is not tall.
-TEST(Fitness, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
+TEST(Applicability, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
   const std::string vertical = "pack='rp-20' row='lot-enhanced' role='vertical'";
   EXPECT_THAT(fit({"origin='2 2 1' u='2 0 0' v='0 0 1'", vertical}).aspects("vertical.min"),
               IsEmpty());
@@ -622,7 +623,7 @@ TEST(Fitness, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
 }
 
 // What is laid a little above the floor is on it; rows have heights of their own.
-TEST(Fitness, ARowAboutAFloorSaysSo) {
+TEST(Applicability, ARowAboutAFloorSaysSo) {
   const std::string row = "pack='en12464-1:2021' row='9.4'";
   EXPECT_THAT(fit({"height='0.02' margin='0.5'", row}).aspects("task.Em"), IsEmpty());
   EXPECT_THAT(fit({kWholeRoom, row}).first().problem.english(),
@@ -630,7 +631,7 @@ TEST(Fitness, ARowAboutAFloorSaysSo) {
                         "row 9.4, and this one is 0.75 m"));
 }
 
-TEST(Fitness, HeightsHaveSomeLatitude) {
+TEST(Applicability, HeightsHaveSomeLatitude) {
   const auto aspects = [](const std::string& height, const std::string& require) {
     return fit({"height='" + height + "' margin='0.5'", require}).aspects("task.Em");
   };
@@ -643,7 +644,7 @@ TEST(Fitness, HeightsHaveSomeLatitude) {
 }
 
 // In the open space the ground is what lies below, or z = 0.
-TEST(Fitness, HeightsOutdoorsAreAboveTheGroundBelow) {
+TEST(Applicability, HeightsOutdoorsAreAboveTheGroundBelow) {
   Setting setting{"origin='4 2 0.0' u='8 0 0' v='0 2 0'", "pack='en13201-2' row='P4'"};
   setting.room = "";
   EXPECT_THAT(fit(setting).aspects("P.average"), IsEmpty());
@@ -655,7 +656,7 @@ TEST(Fitness, HeightsOutdoorsAreAboveTheGroundBelow) {
   EXPECT_THAT(fit(setting).aspects("P.average"), IsEmpty()) << "below the deck, on the ground";
 }
 
-TEST(Fitness, ALimitFromAboveNeedsLightFromThatSide) {
+TEST(Applicability, ALimitFromAboveNeedsLightFromThatSide) {
   Setting setting{"origin='4 2 0.0' u='8 0 0' v='0 2 0'", "pack='en13201-2' row='P4'"};
   setting.room = "";
   EXPECT_THAT(fit(setting).aspects("P.not-too-much"), IsEmpty());
@@ -673,7 +674,7 @@ Fitted fit_route(const std::string& route, const std::string& require = kEmergen
   return fit(setting);
 }
 
-TEST(FitnessOfRoute, FollowsItsLineAndTheFloor) {
+TEST(ApplicabilityOfRoute, FollowsItsLineAndTheFloor) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'");
   EXPECT_THAT(fitted.messages, IsEmpty());
   ASSERT_EQ(fitted.requirements.size(), 3u);
@@ -685,7 +686,7 @@ TEST(FitnessOfRoute, FollowsItsLineAndTheFloor) {
 }
 
 // The pack allows 1 m. The second leg is 5.75 m long at its outer edge.
-TEST(FitnessOfRoute, NeedsThePacksPointsOnEveryLeg) {
+TEST(ApplicabilityOfRoute, NeedsThePacksPointsOnEveryLeg) {
   const Fitted coarse = fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5' spacing='1.5 0.5'");
   EXPECT_THAT(coarse.aspects("route.line"), ElementsAre("grid"));
   EXPECT_EQ(coarse.first().problem,
@@ -697,7 +698,7 @@ TEST(FitnessOfRoute, NeedsThePacksPointsOnEveryLeg) {
               IsEmpty());
 }
 
-TEST(FitnessOfRoute, ItsHeightIsWhatItStates) {
+TEST(ApplicabilityOfRoute, ItsHeightIsWhatItStates) {
   const std::string line = "points='1 1 0.2  9 1 0.2' width='1.5' height=";
   EXPECT_THAT(fit_route(line + "'0.2'").aspects("route.line"), IsEmpty());
   const Fitted high = fit_route(line + "'0.5'");
@@ -706,7 +707,7 @@ TEST(FitnessOfRoute, ItsHeightIsWhatItStates) {
               HasSubstr("above the floor, and the points of this route are 0.5 m"));
 }
 
-TEST(FitnessOfRoute, IsNoUprightPlane) {
+TEST(ApplicabilityOfRoute, IsNoUprightPlane) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'",
                                   "pack='en1838:2024' role='safety-item' scene='em'");
   EXPECT_THAT(fitted.first().problem.english(),
@@ -715,7 +716,7 @@ TEST(FitnessOfRoute, IsNoUprightPlane) {
 
 // 16 stations and 5 rows: a table of half the width leaves a way, whatever its length; one across
 // the whole width leaves none.
-TEST(FitnessOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
+TEST(ApplicabilityOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
   const auto with_table = [](const std::string& size) {
     return fit_route("points='1 1 0  9 1 0' width='1.5'", kEmergency,
                      "<box id='table' size='" + size + " 0.72' position='3 0 0' material='m'/>");
@@ -736,7 +737,7 @@ TEST(FitnessOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
 }
 
 // No point lies in it.
-TEST(FitnessOfRoute, NobodyGoesThroughAWall) {
+TEST(ApplicabilityOfRoute, NobodyGoesThroughAWall) {
   const auto barred = [](const std::string& objects) {
     const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'", kEmergency, objects);
     return fitted.first().problem.english().substr(0, fitted.first().problem.english().find(" m:"));
@@ -751,21 +752,21 @@ TEST(FitnessOfRoute, NobodyGoesThroughAWall) {
 }
 
 // A line that climbs where there is no stair: from 0.5 m on nothing is below it.
-TEST(FitnessOfRoute, AMissingStairIsNoFloor) {
+TEST(ApplicabilityOfRoute, AMissingStairIsNoFloor) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 2' width='1.5'");
   EXPECT_THAT(fitted.aspects("route.line"), ElementsAre("points"));
   EXPECT_THAT(fitted.first().problem.english(),
               HasSubstr("60 of 80 points are left out: 60 without a floor"));
 }
 
-TEST(FitnessOfRoute, SaysThatPointsCountAlikeInAShare) {
+TEST(ApplicabilityOfRoute, SaysThatPointsCountAlikeInAShare) {
   const std::string share = "quantity='percentile' percent='50' at-least='1'";
   EXPECT_THAT(fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'", share).first().note.english(),
               HasSubstr("points count alike, though cells at bends differ in area"));
   EXPECT_EQ(fit_route("points='1 1 0  9 1 0' width='1.5'", share).first().note, "");
 }
 
-TEST(Fitness, AFloatingPlaneIsNoWall) {
+TEST(Applicability, AFloatingPlaneIsNoWall) {
   const std::string wall = kDeskWork + " role='wall'";
   EXPECT_THAT(fit({"on='wall1' margin='0.5'", wall}).aspects("wall.Em"), IsEmpty());
   EXPECT_THAT(
@@ -781,7 +782,7 @@ TEST(Fitness, AFloatingPlaneIsNoWall) {
               ElementsAre("orientation"));
 }
 
-TEST(Fitness, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
+TEST(Applicability, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
   const std::string cylinder = kDeskWork + " role='cylinder'";
   const std::string lying = "origin='2 2 1.2' u='8 0 0' v='0 2.4 0'";
   const std::string over = "origin='2 2 1.2' u='0 2.4 0' v='8 0 0'";
@@ -803,7 +804,7 @@ TEST(Fitness, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
 }
 
 // A square metre of the wall is no wall, wherever it lies: its own edges do not count, either.
-TEST(Fitness, APartOfAWallIsNotTheWall) {
+TEST(Applicability, APartOfAWallIsNotTheWall) {
   const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
   const auto of_wall = [&](const std::string& plane) { return fit({plane, wall}); };
   const Fitted patch = of_wall("origin='2.5 0 1' u='-1 0 0' v='0 0 1'");
@@ -830,7 +831,7 @@ TEST(Fitness, APartOfAWallIsNotTheWall) {
   EXPECT_THAT(fit({"on='ceiling' margin='0.5'", ceiling}).aspects("ceiling.Em"), IsEmpty());
 }
 
-TEST(Fitness, APartOfAWallIsJudgedIfSomebodyStatesIt) {
+TEST(Applicability, APartOfAWallIsJudgedIfSomebodyStatesIt) {
   const std::string stated =
       "<deviation in='place' because='the rest is glass' by='A. Meier' until='2027-12-31'/>";
   const Fitted fitted =
@@ -840,7 +841,7 @@ TEST(Fitness, APartOfAWallIsJudgedIfSomebodyStatesIt) {
 }
 
 // Two pieces of one straight side: each by itself, or both together.
-TEST(Fitness, AWallInPiecesIsCoveredPieceByPiece) {
+TEST(Applicability, AWallInPiecesIsCoveredPieceByPiece) {
   const std::string room =
       "<room id='r' height='3' footprint='0 0  7 0  12 0  12 8  0 8' "
       "ceiling='m' walls='m' floor='m'>";
@@ -854,7 +855,7 @@ TEST(Fitness, AWallInPiecesIsCoveredPieceByPiece) {
 }
 
 // The surfaces of a room are cut where a window lies in them, and are still those surfaces.
-TEST(Fitness, AWallWithAWindowDrawnInItIsAWall) {
+TEST(Applicability, AWallWithAWindowDrawnInItIsAWall) {
   const std::string room =
       "<material id='glass' reflectance='0.1'/><room id='r' size='12 8 3' ceiling='m' walls='m' "
       "floor='m'><quad id='w' origin='1 0 1' u='9 0 0' v='0 0 1' material='glass'/>";
@@ -865,7 +866,7 @@ TEST(Fitness, AWallWithAWindowDrawnInItIsAWall) {
   EXPECT_THAT(aspects("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'"), ElementsAre("place"));
 }
 
-TEST(Fitness, ASpeckIsSaid) {
+TEST(Applicability, ASpeckIsSaid) {
   EXPECT_EQ(fit({"origin='2 2 0.75' u='0.02 0 0' v='0 0.02 0'", kDeskWork}).first().note,
             "the plane has only 0.0004 m2");
   EXPECT_EQ(fit({"origin='2 2 0.75' u='0.4 0 0' v='0 0.3 0'", kDeskWork}).first().note, "");
@@ -876,7 +877,7 @@ TEST(Fitness, ASpeckIsSaid) {
 }
 
 // The formula gives what a mask leaves a closer grid than the whole.
-TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
+TEST(Applicability, TheGridIsThatOfWhatTheMaskLeaves) {
   const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
   EXPECT_THAT(fitted.aspects("wall.Em"), ElementsAre("grid"));
   EXPECT_THAT(fitted.first().problem.english(),
@@ -983,7 +984,7 @@ bool is_refused(const Fitted& fitted, const std::string& check, const std::strin
 
 // What somebody has let into the zone is held against the grid as it is asked, not as the pack has
 // it: 0.3 m along the edges in place of 0.5 m.
-TEST(Fitness, AMaskThatIsNarrowedIsHeldAgainstItsOwnGrid) {
+TEST(Applicability, AMaskThatIsNarrowedIsHeldAgainstItsOwnGrid) {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.8'><material id='m' reflectance='0.5'/>"
       "<luminaire-type id='spot' photometry='spot.ies'/>"
@@ -1002,28 +1003,28 @@ TEST(Fitness, AMaskThatIsNarrowedIsHeldAgainstItsOwnGrid) {
     if (!plane.id.starts_with("w.wall")) continue;
     const auto grid = calc::make_sensor_grid(plane, space, diagnostics);
     std::vector<Requirement> requirements = requirements_of_plane(judged->requirements, plane.id);
-    check_fitness({judged->project, space, plane, *grid, packs, kToday}, requirements);
+    check_applicability({judged->project, space, plane, *grid, packs, kToday}, requirements);
     for (const Requirement& r : requirements) EXPECT_EQ(r.problem, "") << plane.id;
     walls += static_cast<int>(requirements.size());
   }
   EXPECT_EQ(walls, 8);
 }
 
-TEST(Fitness, HolesThatOverlapAreTakenOffOnce) {
+TEST(Applicability, HolesThatOverlapAreTakenOffOnce) {
   calc::CalcPlane plane;
   calc::PlanarArea area;
   area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
   area.holes_m = {{{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}}, {{0.5, 0}, {1.5, 0}, {1.5, 1}, {0.5, 1}}};
   plane.area = area;
   const calc::SensorGrid grid;
-  EXPECT_EQ(speck_words(plane, grid), "");
+  EXPECT_EQ(small_task_words(plane, grid), "");
   area.holes_m[0] = {{0, 0}, {1.95, 0}, {1.95, 1}, {0, 1}};
   plane.area = area;
-  EXPECT_EQ(speck_words(plane, grid), calc::say<calc::Sentence::speck>(0.05));
+  EXPECT_EQ(small_task_words(plane, grid), calc::say<calc::Sentence::speck>(0.05));
 }
 
 // One point may stand where no luminaire shines to.
-TEST(Fitness, OfBystandersTheGridIsTheRules) {
+TEST(Applicability, OfBystandersTheGridIsTheRules) {
   const Setting few{"origin='0 2 1' u='12 0 0' v='0 0 2' count='1 1'",
                     "pack='en12464-2:2014' row='E3' role='bystander'", "", ""};
   EXPECT_THAT(fit(few).aspects("bystander"), ElementsAre("grid"));
@@ -1035,7 +1036,7 @@ TEST(Fitness, OfBystandersTheGridIsTheRules) {
 // tests/rules_corpus says of every check in what a plane may be unfit for it: unfit="...", worked
 // out from what is known of the standards, not from the packs. A plane that is unfit in one of them
 // is refused for it; one that fits is not; nothing else refuses.
-TEST(FitnessCorpus, EveryCheckRefusesWhatItIsNotAbout) {
+TEST(ApplicabilityCorpus, EveryCheckRefusesWhatItIsNotAbout) {
   const std::vector<RulePack> packs = builtin_rule_packs();
   std::size_t cases = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kCorpus)) {
@@ -1093,4 +1094,4 @@ TEST(FitnessCorpus, EveryCheckRefusesWhatItIsNotAbout) {
 }
 
 }  // namespace
-}  // namespace rules::fitness_test
+}  // namespace rules::applicability_test

@@ -1,7 +1,7 @@
-#include "rules/fitness/room_border.h"
+#include "rules/applicability/room_border.h"
 
 #include "calc/scene/polygon.h"
-#include "rules/fitness/place_in_space.h"
+#include "rules/applicability/place_in_space.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rules/fitness/place_in_space.h"
+#include "rules/applicability/place_in_space.h"
 
 #include "calc/project/spaces/plane_area.h"
 #include "calc/scene/plane_place.h"

@@ -1,4 +1,4 @@
-#include "rules/fitness/masked_grid.h"
+#include "rules/applicability/masked_grid.h"
 
 #include "calc/scene/polygon.h"
 

@@ -12,51 +12,51 @@
 namespace gpu {
 
 template <class Buffers>
-class Turns {
+class BufferSets {
  public:
   // A set, until it is destroyed. Of the caller's thread, but for buffers().
-  class Turn {
+  class BufferSet {
    public:
-    ~Turn() {
-      if (turns_ != nullptr) turns_->put_back(number_);
+    ~BufferSet() {
+      if (owner_ != nullptr) owner_->put_back(number_);
     }
-    Turn(Turn&& other) noexcept
-        : turns_(std::exchange(other.turns_, nullptr)), number_(other.number_) {}
-    Turn& operator=(Turn&& other) noexcept {
-      std::swap(turns_, other.turns_);
+    BufferSet(BufferSet&& other) noexcept
+        : owner_(std::exchange(other.owner_, nullptr)), number_(other.number_) {}
+    BufferSet& operator=(BufferSet&& other) noexcept {
+      std::swap(owner_, other.owner_);
       std::swap(number_, other.number_);
       return *this;
     }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
+    BufferSet(const BufferSet&) = delete;
+    BufferSet& operator=(const BufferSet&) = delete;
 
     // On the context's thread. What an earlier call left, or what clear() left of it.
     Buffers& buffers() const {
-      std::unique_ptr<Buffers>& made = turns_->sets_[number_];
+      std::unique_ptr<Buffers>& made = owner_->sets_[number_];
       if (!made) made = std::make_unique<Buffers>();
       return *made;
     }
 
    private:
-    friend Turns;
-    Turn(Turns& turns, std::size_t number) : turns_(&turns), number_(number) {}
+    friend BufferSets;
+    BufferSet(BufferSets& owner, std::size_t number) : owner_(&owner), number_(number) {}
 
-    Turns* turns_;
+    BufferSets* owner_;
     std::size_t number_;
   };
 
-  explicit Turns(std::size_t sets) : sets_(sets) {
+  explicit BufferSets(std::size_t sets) : sets_(sets) {
     for (std::size_t k = 0; k < sets; ++k) free_.push_back(k);
   }
 
   // Waits for one. Whoever waits must hold none.
-  Turn take() {
+  BufferSet take() {
     std::unique_lock lock(mutex_);
     freed_.wait(lock, [this] { return !free_.empty(); });
     return next();
   }
   // If there is one.
-  std::optional<Turn> try_take() {
+  std::optional<BufferSet> try_take() {
     const std::scoped_lock lock(mutex_);
     if (free_.empty()) return std::nullopt;
     return next();
@@ -68,7 +68,7 @@ class Turns {
   }
 
  private:
-  Turn next() {
+  BufferSet next() {
     const std::size_t number = free_.back();
     free_.pop_back();
     return {*this, number};

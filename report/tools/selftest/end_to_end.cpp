@@ -1,4 +1,4 @@
-#include "report/tools/selftest/front_door.h"
+#include "report/tools/selftest/end_to_end.h"
 
 #include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"

@@ -1,7 +1,7 @@
 // Which grids stand in the same place between luminaires: those whose points are one or several
 // spacings of the luminaires apart, however these were written, and no others.
 
-#include "calc/scene/grid_trap.h"
+#include "calc/scene/grid_aliasing.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace calc::tests::grid_trap_test {
+namespace calc::tests::grid_aliasing_test {
 namespace {
 
 // From a square of 0.6 m.
@@ -20,8 +20,8 @@ const std::string kPanelIes =
     "1 1000 1 2 1 1 2 0.6 0.6 0\n1 1 12\n0 90\n0\n100 0\n";
 
 // In a room of 12 x 8 x 3 m.
-std::optional<GridTrap> trap(const std::string& luminaires, const std::string& plane,
-                             const std::string& scene = "") {
+std::optional<GridAliasing> trap(const std::string& luminaires, const std::string& plane,
+                                 const std::string& scene = "") {
   MemoryFileReader files = project_files(in_project(
       "<luminaire-type id='other' photometry='spot.ies'/>"
       "<luminaire-type id='panel' photometry='panel.ies'/>"
@@ -48,7 +48,7 @@ std::optional<GridTrap> trap(const std::string& luminaires, const std::string& p
   for (const LightScene& one : loaded.project->scenes) {
     if (one.id == scene) chosen = &one;
   }
-  return grid_trap(*loaded.project, space, *grid, chosen);
+  return grid_aliasing(*loaded.project, space, *grid, chosen);
 }
 
 std::string level(const std::string& count) {
@@ -59,7 +59,7 @@ std::string level(const std::string& count) {
 const std::string kArray =
     "<luminaire-grid id='l' type='spot' origin='0 0 2.9' size='12 8' columns='6' rows='4'/>";
 
-TEST(GridTrap, PointsAsFarApartAsLuminairesHaveOnePlaceBetweenThem) {
+TEST(GridAliasing, PointsAsFarApartAsLuminairesHaveOnePlaceBetweenThem) {
   const auto along_x = trap(kArray, level("6 5"));
   ASSERT_TRUE(along_x);
   EXPECT_EQ(along_x->along, glm::dvec3(1, 0, 0));
@@ -72,14 +72,14 @@ TEST(GridTrap, PointsAsFarApartAsLuminairesHaveOnePlaceBetweenThem) {
 }
 
 // Every second, every third luminaire: the same place all the same.
-TEST(GridTrap, SoHavePointsSeveralSpacingsApart) {
+TEST(GridAliasing, SoHavePointsSeveralSpacingsApart) {
   EXPECT_TRUE(trap(kArray, level("3 5")));
   EXPECT_TRUE(trap(kArray, level("2 5")));
   EXPECT_TRUE(trap(kArray, level("11 2")));
 }
 
 // Half a spacing: two places, whose average has lost the first harmonic of the ripple.
-TEST(GridTrap, TwoAndMorePlacesAreNone) {
+TEST(GridAliasing, TwoAndMorePlacesAreNone) {
   EXPECT_FALSE(trap(kArray, level("12 8")));
   EXPECT_FALSE(trap(kArray, level("18 12")));
   EXPECT_FALSE(trap(kArray, level("4 5"))) << "3 m: one and a half";
@@ -88,7 +88,7 @@ TEST(GridTrap, TwoAndMorePlacesAreNone) {
 }
 
 // Of 6 points the last has drifted by 5/6 of the margin's share of a metre.
-TEST(GridTrap, PlacesMayDriftByLessThanAQuarterOfASpacing) {
+TEST(GridAliasing, PlacesMayDriftByLessThanAQuarterOfASpacing) {
   EXPECT_TRUE(trap(kArray, level("6 5") + " margin='0.29'"));
   EXPECT_FALSE(trap(kArray, level("6 5") + " margin='0.31'"));
 }
@@ -104,7 +104,7 @@ std::string spots(double from_m, double step_m, int count, double y_m,
   return xml;
 }
 
-TEST(GridTrap, LuminairesMayBeWrittenOneByOne) {
+TEST(GridAliasing, LuminairesMayBeWrittenOneByOne) {
   const auto found = trap(spots(1, 2, 6, 4), level("6 5"));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->first_id, "s0-4");
@@ -123,18 +123,18 @@ TEST(GridTrap, LuminairesMayBeWrittenOneByOne) {
 }
 
 // Between points of a desk there is no whole spacing, whatever the luminaires.
-TEST(GridTrap, SmallPlanesAreNone) {
+TEST(GridAliasing, SmallPlanesAreNone) {
   EXPECT_FALSE(trap(kArray, "origin='2.1 1 0.75' u='1.6 0 0' v='0 1.4 0' count='4 4'"));
   EXPECT_FALSE(trap(spots(1, 10, 2, 4), "origin='4 3 0.75' u='2 0 0' v='0 2 0' count='2 2'"));
 }
 
 // Beyond the row's ends points are in other places.
-TEST(GridTrap, TheRowGoesOverTheWholePlane) {
+TEST(GridAliasing, TheRowGoesOverTheWholePlane) {
   EXPECT_FALSE(trap(spots(5, 2, 2, 4), level("6 5")));
   EXPECT_TRUE(trap(spots(3, 2, 4, 4), level("6 5"))) << "one spacing beyond each end";
 }
 
-TEST(GridTrap, ATypeOrALevelInBetweenMakesAnotherRow) {
+TEST(GridAliasing, ATypeOrALevelInBetweenMakesAnotherRow) {
   EXPECT_FALSE(trap(spots(1, 2, 6, 4, "other"), level("6 5")));
   EXPECT_TRUE(trap(spots(1, 2, 6, 4, "other"), level("3 5")));
   EXPECT_TRUE(trap(spots(1, 2, 6, 4, "groups"), level("6 5")));
@@ -142,14 +142,14 @@ TEST(GridTrap, ATypeOrALevelInBetweenMakesAnotherRow) {
   EXPECT_FALSE(trap(spots(1, 2, 6, 4, "groups"), level("6 5"), "dimmed"));
 }
 
-TEST(GridTrap, HalfOfTheFluxIsInSuchRows) {
+TEST(GridAliasing, HalfOfTheFluxIsInSuchRows) {
   const std::string five = spots(0.3, 2.37, 5, 4.5), seven = spots(0.3, 1.87, 7, 4.5);
   EXPECT_TRUE(trap(spots(1, 2, 6, 3) + five, level("6 5")));
   EXPECT_FALSE(trap(spots(1, 2, 6, 3) + seven, level("6 5")));
 }
 
 // 0.6 m apart and 0.55 m above the plane.
-TEST(GridTrap, LinesOfLightHaveNoPlaces) {
+TEST(GridAliasing, LinesOfLightHaveNoPlaces) {
   const auto row = [](const char* type) {
     return fmt::format(
         "<luminaire-grid id='l' type='{}' origin='0 3.7 1.3' size='12 0.6' columns='20' rows='1'/>",
@@ -160,14 +160,14 @@ TEST(GridTrap, LinesOfLightHaveNoPlaces) {
 }
 
 // At half their height nothing of them is seen.
-TEST(GridTrap, LuminairesFarAboveThePlaneAreEven) {
+TEST(GridAliasing, LuminairesFarAboveThePlaneAreEven) {
   const std::string row =
       "<luminaire-grid id='l' type='spot' origin='0 0 2.9' size='12 8' columns='12' rows='1'/>";
   EXPECT_FALSE(trap(row, "height='0.85' count='12 5'")) << "1 m of 2.05 m";
   EXPECT_TRUE(trap(row, "height='1.6' count='12 5'")) << "1 m of 1.3 m";
 }
 
-TEST(GridTrap, OnlyLevelPlanesBeforeTheLuminaires) {
+TEST(GridAliasing, OnlyLevelPlanesBeforeTheLuminaires) {
   const std::string at = "origin='0 0 0.75' u='12 0 0' v='0 8 0' count='6 4'";
   EXPECT_TRUE(trap(kArray, at));
   EXPECT_FALSE(trap(kArray, "origin='0 0 0.75' u='0 8 0' v='12 0 0' count='4 6'")) << "looks down";
@@ -177,7 +177,7 @@ TEST(GridTrap, OnlyLevelPlanesBeforeTheLuminaires) {
 }
 
 // The rows of an array are also those of its diagonals.
-TEST(GridTrap, AlongWhateverWayTheGridGoes) {
+TEST(GridAliasing, AlongWhateverWayTheGridGoes) {
   const auto found = trap(
       "<luminaire-grid id='l' type='spot' origin='0 0 2.9' size='12 8' columns='12' rows='8'/>",
       "origin='5 1 1.6' u='3 3 0' v='-1 1 0' count='3 2'");
@@ -187,4 +187,4 @@ TEST(GridTrap, AlongWhateverWayTheGridGoes) {
 }
 
 }  // namespace
-}  // namespace calc::tests::grid_trap_test
+}  // namespace calc::tests::grid_aliasing_test

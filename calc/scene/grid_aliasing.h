@@ -12,7 +12,7 @@
 
 namespace calc {
 
-struct GridTrap {
+struct GridAliasing {
   glm::dvec3 along{0.0};            // the grid's axis, unit
   double points_m = 0.0;            // spacing of the points along it
   double luminaires_m = 0.0;        // mean spacing of a row of luminaires along it
@@ -40,7 +40,7 @@ struct GridTrap {
 //
 // scene: null, and everything is at full output. Work: luminaires x log(luminaires) + points, and
 // some 10,000 intensities for each kind of row that is a trap.
-std::optional<GridTrap> grid_trap(const Project& project, const Space& space,
-                                  const SensorGrid& grid, const LightScene* scene);
+std::optional<GridAliasing> grid_aliasing(const Project& project, const Space& space,
+                                          const SensorGrid& grid, const LightScene* scene);
 
 }  // namespace calc

@@ -1,4 +1,4 @@
-#include "rules/fitness/fitness.h"
+#include "rules/applicability/applicability.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/names.h"
@@ -9,14 +9,14 @@
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
-#include "rules/fitness/covered_surface.h"
-#include "rules/fitness/lost_points.h"
-#include "rules/fitness/masked_grid.h"
-#include "rules/fitness/obstacles.h"
-#include "rules/fitness/place_in_space.h"
-#include "rules/fitness/room_border.h"
-#include "rules/fitness/route_way.h"
-#include "rules/fitness/zone_contact.h"
+#include "rules/applicability/covered_surface.h"
+#include "rules/applicability/lost_points.h"
+#include "rules/applicability/masked_grid.h"
+#include "rules/applicability/obstacles.h"
+#include "rules/applicability/place_in_space.h"
+#include "rules/applicability/room_border.h"
+#include "rules/applicability/route_way.h"
+#include "rules/applicability/zone_contact.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,7 @@ bool faces(const std::string& orientation, const glm::dvec3& normal) {
 
 class PlaneFit {
  public:
-  explicit PlaneFit(const FitContext& context) : context_(context) {}
+  explicit PlaneFit(const ApplicabilityContext& context) : context_(context) {}
 
   std::vector<Deviation> deviations(const Meant& meant) const {
     std::vector<Deviation> found;
@@ -566,7 +566,7 @@ class PlaneFit {
     return LostPoints{lost().lost - in_obstacles, lost().all - in_obstacles, {}}.share();
   }
 
-  const FitContext& context_;
+  const ApplicabilityContext& context_;
   // Once, not for each requirement of the plane.
   const calc::Message& barred() const {
     if (!barred_) barred_ = barred_words(context_.grid, context_.space);
@@ -586,7 +586,7 @@ class PlaneFit {
 };
 
 // Types of the space's luminaires that state no maintenance factor, in their order.
-std::vector<calc::Message> types_without_factor(const FitContext& context) {
+std::vector<calc::Message> types_without_factor(const ApplicabilityContext& context) {
   std::vector<calc::Message> ids;
   for (const calc::Luminaire& luminaire : context.space.luminaires) {
     const calc::LuminaireType& type = context.project.luminaire_types[luminaire.type];
@@ -597,7 +597,8 @@ std::vector<calc::Message> types_without_factor(const FitContext& context) {
   return ids;
 }
 
-calc::Message maintenance_problem(const FitContext& context, const Requirement& requirement) {
+calc::Message maintenance_problem(const ApplicabilityContext& context,
+                                  const Requirement& requirement) {
   const bool has_no_light = is_of_space(requirement.metric) && !is_of_road(requirement.metric);
   if (requirement.state == LightState::initial || has_no_light) return {};
   const std::vector<calc::Message> ids = types_without_factor(context);
@@ -667,7 +668,7 @@ calc::Message take_statements(const Requirement& requirement, std::string_view t
 
 }  // namespace
 
-calc::Message speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
+calc::Message small_task_words(const calc::CalcPlane& plane, const calc::SensorGrid& grid) {
   constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
   if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
     const double route_m2 = calc::route_length_m(route->line) * route->line.width_m;
@@ -684,7 +685,8 @@ calc::Message speck_words(const calc::CalcPlane& plane, const calc::SensorGrid& 
   return say<Sentence::speck>(std::max(area_m2, 0.0));
 }
 
-void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
+void check_applicability(const ApplicabilityContext& context,
+                         std::vector<Requirement>& requirements) {
   const PlaneFit fit(context);
   for (Requirement& requirement : requirements) {
     const auto is_it = [&](const RulePack& p) { return p.full_id() == requirement.origin.pack; };
@@ -714,7 +716,7 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     if (role != nullptr) {
       const Meant meant{*pack, *check, pack->find_row(requirement.origin.row),
                         *role, *mask,  requirement};
-      append(requirement.note, speck_words(context.plane, context.grid));
+      append(requirement.note, small_task_words(context.plane, context.grid));
       append(requirement.note, fit.doubts(meant));
       requirement.deviations = fit.deviations(meant);
     }

@@ -1,4 +1,4 @@
-#include "rules/fitness/lost_points.h"
+#include "rules/applicability/lost_points.h"
 
 #include "calc/base/sentences.h"
 
