@@ -70,9 +70,10 @@ class BuildingReader {
     const std::string_view unit = root.attribute("lengthUnit").value();
     const std::optional<double> metres = metres_per_length_unit(unit);
     if (!metres) {
-      report(root, fmt::format("lengthUnit is '{}'; allowed: Kilometers, Meters, Centimeters, "
-                               "Millimeters, Miles, Yards, Feet or Inches",
-                               shorten_utf8(unit, 40)));
+      report(root,
+             fmt::format("lengthUnit '{}' is unknown; allowed: Kilometers, Meters, Centimeters, "
+                         "Millimeters, Miles, Yards, Feet or Inches",
+                         shorten_utf8(unit, 40)));
       return std::nullopt;
     }
     metres_per_unit_ = *metres;
@@ -155,7 +156,7 @@ class BuildingReader {
       numbers.push_back(*number * metres_per_unit_);
     }
     if (numbers.size() == 3) return glm::dvec3(numbers[0], numbers[1], numbers[2]);
-    report(point, fmt::format("a point has {} coordinates instead of 3", numbers.size()));
+    report(point, fmt::format("a point has {} coordinates; 3 are needed", numbers.size()));
     return std::nullopt;
   }
 

@@ -184,7 +184,7 @@ class RoomBuilder {
     for (const ConvexPiece& hole : holes) own = cut_out(own, hole);
     const double own_area = area(own);
     if (own.empty()) {
-      return leave_out(opening.line, opening.id, {}, "others have all of its area");
+      return leave_out(opening.line, opening.id, {}, "other openings cover all of its area");
     }
     const double before = area(pieces);
     for (const ConvexPiece& hole : own) pieces = cut_out(pieces, hole);

@@ -109,7 +109,7 @@ std::string_view glb_json(std::string_view bytes, GltfContainer& container, std:
   } else if (const std::uint32_t version = number_at(bytes, 4); version != 2) {
     problem = fmt::format("its version is {}; only version 2 is read", version);
   } else if (const std::uint32_t length = number_at(bytes, 8); length != bytes.size()) {
-    problem = fmt::format("its header says {} bytes, the file has {}", length, bytes.size());
+    problem = fmt::format("its header states {} bytes, the file has {}", length, bytes.size());
   }
   if (!problem.empty()) return {};
   std::string_view json;

@@ -119,7 +119,7 @@ tinygltf::Model load_model(std::string_view bytes, const GltfContainer& containe
                            BufferFiles& files) {
   // Each buffer without a URI is a copy of the GLB's bytes; the standard allows one.
   if (container.buffers > container.buffer_uri.size() + (container.is_binary ? 1 : 0)) {
-    fail("buffers without a URI; only the first one of a GLB may have none");
+    fail("a buffer has no URI; only the first buffer of a GLB may have none");
   }
   tinygltf::TinyGLTF library;
   library.SetImageLoader(ignore_image, nullptr);
@@ -224,11 +224,10 @@ class SceneReader {
     const bool is_short = wanted_.size() <= 100 && known.size() <= 1000;
     diagnostics_.report(
         DiagnosticId::mesh_node, {name_, 0, 0}, shorten_utf8(wanted_, 60),
-        found_ > 1 ? fmt::format("{} nodes of the scene have this name; give the one that is meant "
-                                 "a name of its own",
-                                 found_)
-                   : fmt::format("the scene has no node of this name ({} others){}", known.size(),
-                                 is_short ? suggestion(wanted_, known) : std::string()));
+        found_ > 1
+            ? fmt::format("{} nodes of the scene have this name; rename the node to use", found_)
+            : fmt::format("the scene has no node of this name ({} others){}", known.size(),
+                          is_short ? suggestion(wanted_, known) : std::string()));
     return false;
   }
 
@@ -268,7 +267,7 @@ class SceneReader {
                      const glm::dmat4& world_from_node) {
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) return;  // points and lines
-    if (mode > TINYGLTF_MODE_TRIANGLE_FAN) fail("{}: mode {} is not known", where, mode);
+    if (mode > TINYGLTF_MODE_TRIANGLE_FAN) fail("{}: unknown mode {}", where, mode);
     const auto positions = primitive.attributes.find("POSITION");
     if (positions == primitive.attributes.end()) fail("{} has no POSITION", where);
     const std::vector<double> numbers =
@@ -317,7 +316,7 @@ class SceneReader {
   void add_faces(int mode, const std::vector<std::uint32_t>& corner, const std::string& where) {
     const bool is_list = mode == TINYGLTF_MODE_TRIANGLES;
     if (corner.size() < 3 || (is_list && corner.size() % 3 != 0)) {
-      fail("{} has {} corners, which are no triangles", where, corner.size());
+      fail("{} has {} corners, which do not form triangles", where, corner.size());
     }
     for (std::size_t i = 0; i + 2 < corner.size(); i += is_list ? 3 : 1) {
       std::array<std::uint32_t, 3> face{corner[i], corner[i + 1], corner[i + 2]};

@@ -158,7 +158,7 @@ class PlyReader {
         return true;
       }
     }
-    return broken(fmt::format("the header line '{}' is not understood", shorten_utf8(text, 60)));
+    return broken(fmt::format("unknown header line '{}'", shorten_utf8(text, 60)));
   }
 
   static std::optional<Property> read_property(const std::vector<std::string_view>& words) {
@@ -205,7 +205,7 @@ class PlyReader {
     if (element.count == 0) return true;
     if (least == 0) return broken(fmt::format("element '{}' has no properties", element.name));
     if (element.count > (bytes_.size() - at_) / least) {
-      return broken(fmt::format("its header promises {} of '{}', but only {} bytes follow",
+      return broken(fmt::format("its header states {} of '{}', but only {} bytes follow",
                                 element.count, element.name, bytes_.size() - at_));
     }
     if (element.name == "vertex") return read_vertices(element);
@@ -226,7 +226,7 @@ class PlyReader {
           std::find_if(element.property.begin(), element.property.end(),
                        [&](const Property& p) { return p.name == name && !p.count_type; });
       if (found == element.property.end()) {
-        return broken(fmt::format("its vertices have no number '{}'", name));
+        return broken(fmt::format("its vertices have no property '{}'", name));
       }
       column[axis] = static_cast<std::size_t>(found - element.property.begin());
     }

@@ -102,7 +102,7 @@ class StlText {
     if (state_ == State::loop && is_word(word, "vertex")) return vertex(words);
     if (state_ == State::loop && is_word(word, "endloop")) return go(State::closed_loop);
     if (state_ == State::closed_loop && is_word(word, "endfacet")) return end_facet();
-    return broken(fmt::format("'{}' is not expected here", shorten_utf8(text, 40)));
+    return broken(fmt::format("unexpected '{}'", shorten_utf8(text, 40)));
   }
 
   bool vertex(const std::vector<std::string_view>& words) {
@@ -120,7 +120,7 @@ class StlText {
 
   bool end_facet() {
     if (corner_.size() != 3) {
-      return broken(fmt::format("a facet has {} corners instead of 3", corner_.size()));
+      return broken(fmt::format("a facet has {} corners; 3 are needed", corner_.size()));
     }
     return builder_.add_face(corner_, facet_line_) && go(State::solid);
   }

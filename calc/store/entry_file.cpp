@@ -51,14 +51,14 @@ ParsedEntry parse_entry(std::string_view file) {
   if (file.empty()) return unusable_entry("it is empty");
   if (file.size() < sizeof header + kHashBytes) return unusable_entry("it is too short");
   std::memcpy(&header, file.data(), sizeof header);
-  if (!begins_as_entry(file)) return unusable_entry("it is no entry of a store");
+  if (!begins_as_entry(file)) return unusable_entry("it is not a store entry");
   if (header.format != kEntryFormat) {
     return unusable_entry(
-        fmt::format("it is of format {}; this program knows {}", header.format, kEntryFormat));
+        fmt::format("its format is {}; this program reads {}", header.format, kEntryFormat));
   }
   const std::size_t rest = file.size() - sizeof header - kHashBytes;
   if (header.key_bytes > rest || header.bytes != rest - header.key_bytes) {
-    return unusable_entry("its length is not what it says");
+    return unusable_entry("its length differs from the stated length");
   }
   const std::size_t hashed = file.size() - kHashBytes;
   if (sha256(file.substr(0, hashed)) != file.substr(hashed)) {

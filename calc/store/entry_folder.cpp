@@ -95,7 +95,7 @@ std::string problem_with_store(const std::string& folder) {
   const fs::file_status state = fs::status(folder, failure);
   if (state.type() == fs::file_type::not_found) return "";
   if (!fs::is_directory(state)) {
-    return fmt::format("'{}' is not a folder; a store is one, or a path where one can be made",
+    return fmt::format("'{}' is not a folder; a store is a folder, or a path where one can be made",
                        folder);
   }
   if (is_marked(folder)) return "";
@@ -109,8 +109,8 @@ std::string problem_with_store(const std::string& folder) {
   return is_empty || is_marked(folder)
              ? ""
              : fmt::format(
-                   "'{}' is no store: it has files, but no {} of luxgate; allowed are a "
-                   "store, an empty folder or a new path",
+                   "'{}' is not a store: it has files, but no {} of luxgate; allowed are a store, "
+                   "an empty folder or a new path",
                    folder, kStoreMark);
 }
 
@@ -139,13 +139,13 @@ std::optional<std::string> EntryFolder::read(std::string_view key, std::size_t m
   if (!S_ISREG(state.st_mode)) return unusable("it is not a file");
   const auto size = static_cast<std::size_t>(state.st_size);
   if (size > entry_file_bytes(key.size(), most_bytes)) {
-    return unusable(fmt::format("it has {} bytes, which is too many", size));
+    return unusable(fmt::format("its size of {} bytes is too large", size));
   }
   std::string bytes(size, '\0');
-  if (file.read(bytes.data(), size) != size) return unusable("it cannot be read whole");
+  if (file.read(bytes.data(), size) != size) return unusable("it cannot be read completely");
   const ParsedEntry entry = parse_entry(bytes);
   if (!entry.problem.empty()) return unusable(entry.problem);
-  if (entry.key != key) return unusable("it is of another key");
+  if (entry.key != key) return unusable("it has another key");
   note_use(file, state);
   return std::string(entry.bytes);
 }

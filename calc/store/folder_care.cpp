@@ -93,9 +93,10 @@ std::string read_file(const std::string& path, std::size_t most_bytes, std::stri
   if (fstat(file.number(), &state) != 0) return std::generic_category().message(errno);
   if (!S_ISREG(state.st_mode)) return "it is not a file";
   const auto size = static_cast<std::uintmax_t>(state.st_size);
-  if (size > kMostFileBytes) return fmt::format("it has {} bytes, which is too many", size);
+  if (size > kMostFileBytes) return fmt::format("its size of {} bytes is too large", size);
   bytes.resize(std::min<std::size_t>(size, most_bytes));
-  return file.read(bytes.data(), bytes.size()) == bytes.size() ? "" : "it cannot be read whole";
+  return file.read(bytes.data(), bytes.size()) == bytes.size() ? ""
+                                                               : "it cannot be read completely";
 }
 
 std::string problem_with_entry(const std::string& folder, const Found& found) {
@@ -105,7 +106,7 @@ std::string problem_with_entry(const std::string& folder, const Found& found) {
   const ParsedEntry entry = parse_entry(bytes);
   if (!entry.problem.empty()) return entry.problem;
   const EntryPlace place = place_of_key(entry.key);
-  return place.folder + "/" + place.file == found.place ? "" : "it is of another key";
+  return place.folder + "/" + place.file == found.place ? "" : "it has another key";
 }
 
 // Damaged ones, too: all that was an entry once, but nothing that another program wrote.

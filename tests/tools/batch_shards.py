@@ -191,7 +191,7 @@ def resumed():
     (WORK / "resumed" / ".luxgate-resume").mkdir()
     (WORK / "resumed" / ".luxgate-resume" / "mine.txt").write_text("not luxgate's")
     run = luxgate(*words)
-    expect(run.returncode == 2 and "is no store" in run.stderr, f"resume in somebody's folder: {run.returncode}, {run.stderr}")
+    expect(run.returncode == 2 and "is not a store" in run.stderr, f"resume in somebody's folder: {run.returncode}, {run.stderr}")
     expect((WORK / "resumed" / ".luxgate-resume" / "mine.txt").exists(), "resume: somebody's file is gone")
 
 

@@ -52,7 +52,7 @@ if(NOT one STREQUAL two)
 endif()
 
 run(2 check project.xml --vpl project.xml)
-expect("project.xml: error[vertex-cache-unreadable]: this file of light vertices cannot be used: it is no PLY file")
+expect("project.xml: error[vertex-cache-unreadable]: this file of light vertices cannot be used: it is not a PLY file")
 run(2 check project.xml --vpl nothing.ply)
 expect("nothing.ply")
 run(0 vpl project.xml -o one.ply --paths 64 --replicates 1)

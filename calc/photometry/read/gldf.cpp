@@ -78,8 +78,8 @@ class GldfReader {
       } else if (fitting.equipment_flux_lm + fitting.equipment_power_w > 0.0 &&
                  !equipment.insert(fitting.equipment_id).second) {
         problem = fmt::format(
-            "'{}' has its equipment '{}' in common with another one, and whether flux and power "
-            "are those of one or of all is not said",
+            "'{}' shares its equipment '{}' with another emitter, and product.xml does not say "
+            "whether flux and power are those of one emitter or of all",
             light.id(), quotable(fitting.equipment_id));
       }
       if (problem.empty()) continue;
@@ -196,11 +196,12 @@ class GldfReader {
     const bool is_products = gear_w > 0.0 || is_other_light || lamps_w > file_w;
     const double stated_w = gear_w > 0.0 ? gear_w : lamps_w;
     if (file_w > 0.0 && !same_value(stated_w, file_w)) {
-      diagnostics_.report(DiagnosticId::gldf_value, fitting.where, "the power (W)", stated_w,
-                          file_w,
-                          is_products ? "product.xml counts"
-                                      : "it is that of the light sources alone; the photometry "
-                                        "file's, which is higher, was kept, 'power-w' sets it");
+      diagnostics_.report(
+          DiagnosticId::gldf_value, fitting.where, "the power (W)", stated_w, file_w,
+          is_products ? "product.xml counts"
+                      : "the value of product.xml is the power of the light sources alone. The "
+                        "higher one, of the photometry file, was kept; set it by "
+                        "'power-w'");
     }
     if (!is_products) return;
     source.input_power_w = stated_w;
@@ -215,23 +216,23 @@ class GldfReader {
     const bool is_absolute = lamps_lm == 0.0;
     const double file_lm = is_absolute ? web.flux_lm() : lamps_lm;
     double stated = fitting.lamps_flux_lm;
-    std::string_view doubt = "that of single lamps, whatever their gear does to it";
+    std::string_view doubt = "the flux of single lamps without the effect of their gear";
     if (fitting.fixed_flux_lm > 0.0) {
       stated = fitting.fixed_flux_lm;
       const bool is_full = std::abs(web.flux_lm() - file_lm) <= kFullOutput * file_lm;
       if (!is_full && same_value(stated, web.flux_lm())) return 1.0;
-      doubt = is_full ? "" : "perhaps of the lamps, perhaps of the luminaire";
+      doubt = is_full ? "" : "the flux of the lamps or of the luminaire (not known which)";
     } else if (fitting.equipment_flux_lm > 0.0) {
       stated = fitting.equipment_flux_lm;
-      doubt = is_absolute ? "that of the lamps, which the photometry file does not state" : "";
+      doubt = is_absolute ? "the flux of the lamps, which the photometry file does not state" : "";
     }
     if (stated == 0.0 || same_value(stated, file_lm)) return 1.0;
     diagnostics_.report(
         DiagnosticId::gldf_value, fitting.where, "the luminous flux (lm)", stated, file_lm,
-        doubt.empty()
-            ? "the light was scaled to product.xml"
-            : fmt::format("it is {}; the photometry file's light was kept, 'flux-lm' sets it",
-                          doubt));
+        doubt.empty() ? "the light was scaled to product.xml"
+                      : fmt::format("the value of product.xml is {}. The light of the photometry "
+                                    "file was kept; set it by 'flux-lm'",
+                                    doubt));
     if (!doubt.empty()) return 1.0;
     source.applied_factors += fmt::format(" x GLDF {} lm / {:.6g} lm", stated, file_lm);
     if (!is_absolute) source.rated_lamp_flux_lm = stated;

@@ -72,7 +72,7 @@ class Chooser {
         diagnostics_.report(
             DiagnosticId::gldf_together, place_of_choice(options_, name_),
             "'" + quotable(options_.emitter) + "'",
-            fmt::format("'{}' is there twice, and its fittings are alternatives", emitter_id_),
+            fmt::format("'{}' is named twice, and its fittings are alternatives", emitter_id_),
             fmt::format("emitter=\"{}\", ...", list_.front()));
         return std::nullopt;
       }
@@ -87,7 +87,7 @@ class Chooser {
           DiagnosticId::gldf_together, place_of_choice(options_, name_),
           "'" + quotable(options_.emitter) + "'",
           fmt::format("'{}' has several channels, which are not read", channels_.front()->id),
-          "that one needs a photometry file of its own");
+          "use a separate photometry file for that emitter");
       return std::nullopt;
     }
     std::vector<GldfLight> lights;

@@ -38,7 +38,7 @@ class PlaceReader {
   std::optional<EmitterPlace> place(const GldfLight& light, std::string& reason) {
     const std::vector<const GldfPlace*> places = places_in_models(light);
     if (places.empty()) {
-      reason = "the product names no model of the luminaire for them";
+      reason = "product.xml names no model of the luminaire for them";
       return std::nullopt;
     }
     const ModelPlaces* model = read_model(places.front()->geometry_id, reason);
@@ -72,13 +72,13 @@ class PlaceReader {
     if (const auto known = models_.find(geometry_id); known != models_.end()) return &known->second;
     const GldfFile* file = l3d_file(*geometry(geometry_id));
     if (file == nullptr) {
-      reason = "the luminaire's model is no L3D file";
+      reason = "the luminaire's model is not an L3D file";
       return nullptr;
     }
     std::string entry = "geo/" + file->text;
     if (!archive_.has(entry) && archive_.has(file->text)) entry = file->text;
     if (file->is_url || !archive_.has(entry)) {
-      reason = "the luminaire's model is not in the file";
+      reason = "the luminaire's model is not in the GLDF file";
       return nullptr;
     }
     const std::optional<std::string> bytes = archive_.read(entry);
@@ -116,8 +116,8 @@ bool is_at_one_place(const GldfLight& light, const std::vector<GldfLight>& light
   }
   diagnostics.report(
       DiagnosticId::gldf_together, light.emitter->where, ids_of(lights),
-      fmt::format("'{}' is at {} places ({}), and whether each of them gives its light or all of "
-                  "them together is not said",
+      fmt::format("'{}' is at {} places ({}), and product.xml does not say whether each place or "
+                  "all places together give its light",
                   light.id(), places.size(), object_names(places)),
       as_single_luminaires(lights));
   return false;

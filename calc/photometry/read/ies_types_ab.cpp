@@ -134,7 +134,7 @@ bool reaches_zero(const std::vector<double>& deg) {
 FileTable table_of_type_ab(const TypeAbTable& file, std::string& problem) {
   const bool is_b = file.type == Lm63Type::b;
   if (!reaches_zero(file.vertical_deg) || !reaches_zero(file.horizontal_deg)) {
-    problem = "angles that do not hold 0";
+    problem = "angles that do not include 0";
     return {};
   }
   if (file.horizontal_deg.size() == 1) {

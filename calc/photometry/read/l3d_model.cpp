@@ -25,7 +25,7 @@ double coordinate(const XmlElement& element, const char* name, double most) {
   const std::string text = attribute_of(element, name);
   const std::optional<double> value = parse_number(text);
   if (value && std::abs(*value) <= most) return *value;
-  throw BadModel(fmt::format("line {}: {}=\"{}\" of <{}> is no number up to {:g}",
+  throw BadModel(fmt::format("line {}: {}=\"{}\" of <{}> is not a number up to {:g}",
                              element.where.line, name, text, element.name, most));
 }
 

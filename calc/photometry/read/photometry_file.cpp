@@ -65,7 +65,7 @@ bool is_lm63(std::string_view text) {
 
 std::string what_it_is(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
-  if (looks_like_zip(text)) return "it is a ZIP archive inside another one";
+  if (looks_like_zip(text)) return "it is a ZIP archive inside another ZIP archive";
   return "no TILT= line, and lines 2 to 4 are not the three counts of EULUMDAT";
 }
 

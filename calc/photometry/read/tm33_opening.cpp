@@ -117,7 +117,7 @@ class OpeningReader {
     opening.height_m = bounds_.height * kMetresPerMillimetre;
     if (bounds_.flat_areas + bounds_.sides > 1) {
       diagnostics_.report(DiagnosticId::photometry_opening_shape, where_, "emission areas",
-                          fmt::format("{} areas, of them {} on the sides",
+                          fmt::format("{} areas, {} of these on the sides",
                                       bounds_.flat_areas + bounds_.sides, bounds_.sides));
     }
     const bool is_disk = bounds_.circles == 1 && bounds_.flat_areas == 1;

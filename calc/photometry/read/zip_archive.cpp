@@ -70,7 +70,7 @@ struct ZipArchive::Contents {
       const char* text = zip_get_name(handle.get(), i, ZIP_FL_ENC_GUESS);
       const std::string entry = text == nullptr ? "" : text;
       std::string_view reason = unsafe_name_reason(entry);
-      if (reason.empty() && !index_of.try_emplace(entry, i).second) reason = "is there twice";
+      if (reason.empty() && !index_of.try_emplace(entry, i).second) reason = "occurs twice";
       if (!reason.empty()) {
         diagnostics->report(DiagnosticId::archive_name, where(), quotable(entry), reason);
         return false;
@@ -92,8 +92,8 @@ struct ZipArchive::Contents {
     diagnostics->report(
         DiagnosticId::archive_size, where(),
         fmt::format("'{}' unpacks to more than {}", quotable(entry), in_bytes(most)),
-        fmt::format("{} a file, {} in all, {} times the archive", in_bytes(limits.file_bytes),
-                    in_bytes(limits.total_bytes), limits.ratio));
+        fmt::format("{} for each file, {} in all, {} times the size of the archive",
+                    in_bytes(limits.file_bytes), in_bytes(limits.total_bytes), limits.ratio));
     return false;
   }
 

@@ -148,7 +148,7 @@ class HeaderReader {
 
   std::string_view fail(std::string_view expected, std::string_view found) {
     if (problem_.empty()) {
-      problem_ = fmt::format("its header should go on with '{}', found '{}'", expected,
+      problem_ = fmt::format("its header must continue with '{}', found '{}'", expected,
                              one_line(found.substr(0, 60)));
     }
     return {};
@@ -180,7 +180,7 @@ std::string read_batches(HeaderReader& header, VertexCache& cache,
       if (batch.replicate != static_cast<std::uint64_t>(r) || batch.first != first ||
           batch.last != last || !(batch.absorbed_lm >= 0.0) || !std::isfinite(batch.absorbed_lm) ||
           !(batch.escaped_lm >= 0.0) || !std::isfinite(batch.escaped_lm)) {
-        return fmt::format("its batch of paths {} to {} of replicate {} is not what it should be",
+        return fmt::format("its batch of paths {} to {} of replicate {} is not the expected one",
                            first, last, r);
       }
       first = last;
@@ -213,8 +213,8 @@ std::string read_vertices(std::string_view bytes, const std::vector<std::uint64_
                             std::abs(glm::dot(v.normal, v.normal) - 1.0f) < 1e-3f &&
                             std::isfinite(v.position_m.x + v.position_m.y + v.position_m.z);
       if (!is_sound) {
-        return fmt::format("vertex {} of replicate {} has values that no light vertex has", k,
-                           batch.replicate);
+        return fmt::format("vertex {} of replicate {} has values that a light vertex cannot have",
+                           k, batch.replicate);
       }
       batch.vertices.push_back(v);
       batch.origins.push_back({path, bounce - 1});
@@ -224,9 +224,9 @@ std::string read_vertices(std::string_view bytes, const std::vector<std::uint64_
 }
 
 std::string read_ply(std::string_view bytes, VertexCache& cache) {
-  if (!bytes.starts_with(kAnyPly)) return "it is no PLY file";
+  if (!bytes.starts_with(kAnyPly)) return "it is not a PLY file";
   if (!bytes.starts_with(kStart)) {
-    return "it is a PLY file, but no light vertices of this version of luxgate";
+    return "it is a PLY file, but it does not hold light vertices of this version of luxgate";
   }
   HeaderReader header(bytes.substr(kStart.size()));
   cache.made_by = header.text("comment made by ");
@@ -261,7 +261,7 @@ std::string read_ply(std::string_view bytes, VertexCache& cache) {
         "changed",
         present, vertices, static_cast<double>(vertices) * kVertexBytes);
   }
-  if (checksum(before, after) != stated) return "its checksum does not fit: it was changed";
+  if (checksum(before, after) != stated) return "its checksum is wrong: the file was changed";
   std::uint64_t sum = 0;
   for (const std::uint64_t count : counts) {
     if (count > vertices) return "its batches have more vertices than the file";

@@ -214,14 +214,15 @@ TEST(Gbxml, UnknownSpacesAndEmptyOnesAreErrors) {
 
 TEST(Gbxml, BrokenFilesAreErrorsAtTheirLine) {
   EXPECT_EQ(room_of(with(two_rooms(), "Meters", "Ells")).messages,
-            "b.xml:3: error[gbxml-broken]: gbXML file: lengthUnit is 'Ells'; allowed: Kilometers, "
+            "b.xml:3: error[gbxml-broken]: gbXML file: lengthUnit 'Ells' is unknown; allowed: "
+            "Kilometers, "
             "Meters, Centimeters, Millimeters, Miles, Yards, Feet or Inches");
   EXPECT_NE(room_of(with(two_rooms(), "<Coordinate>4</Coordinate>", "<Coordinate>nan</Coordinate>"))
                 .messages.find("error[gbxml-broken]: gbXML file: the coordinate 'nan' is not a "
                                "number up to 1e+09 m"),
             std::string::npos);
   EXPECT_NE(room_of(with(two_rooms(), "<Coordinate>4</Coordinate>", ""))
-                .messages.find("a point has 2 coordinates instead of 3"),
+                .messages.find("a point has 2 coordinates; 3 are needed"),
             std::string::npos);
   EXPECT_FALSE(room_of(with(two_rooms(), "</Campus>", "")).room);
 }

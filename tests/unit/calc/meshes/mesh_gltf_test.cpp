@@ -249,8 +249,9 @@ TEST(GltfMesh, BrokenFramesOfGlbAreErrors) {
   EXPECT_EQ(parse(longer, "t.glb").messages,
             "t.glb: error[mesh-broken]: glTF file: chunk 1 does not fit into the file");
   EXPECT_EQ(parse(good + "more", "t.glb").messages,
-            "t.glb: error[mesh-broken]: glTF file: its header says " + std::to_string(good.size()) +
-                " bytes, the file has " + std::to_string(good.size() + 4));
+            "t.glb: error[mesh-broken]: glTF file: its header states " +
+                std::to_string(good.size()) + " bytes, the file has " +
+                std::to_string(good.size() + 4));
   std::string old = good;
   old.replace(4, 4, raw(std::uint32_t{1}));
   EXPECT_EQ(parse(old, "t.glb").messages,
@@ -261,7 +262,7 @@ TEST(GltfMesh, ABufferWithoutUriIsTheGlbsOwnAndOnlyOnce) {
   const std::string json = with(kSquareGltf, R"({"uri":"tile.bin","byteLength":60})",
                                 R"({"byteLength":60},{"byteLength":60})");
   EXPECT_EQ(parse(glb(json, square_bytes()), "t.glb").messages,
-            "t.glb: error[mesh-broken]: glTF file: buffers without a URI; only the first one of a "
+            "t.glb: error[mesh-broken]: glTF file: a buffer has no URI; only the first buffer of a "
             "GLB may have none");
 }
 

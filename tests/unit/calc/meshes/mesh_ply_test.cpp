@@ -62,7 +62,7 @@ TEST(PlyMesh, ConcavePolygonsKeepTheirArea) {
 
 TEST(PlyMesh, CountsWithoutDataAreRefused) {
   EXPECT_EQ(parse(with(kSquarePlyText, "vertex 4", "vertex 900000000000"), "t.ply").messages,
-            "t.ply:12: error[mesh-broken]: PLY file: its header promises 900000000000 of 'vertex', "
+            "t.ply:12: error[mesh-broken]: PLY file: its header states 900000000000 of 'vertex', "
             "but only 50 bytes follow");
   EXPECT_EQ(parse(with(kSquarePlyText, "4 0 1 2 3", "4000000000 0 1 2 3"), "t.ply").messages,
             "t.ply:16: error[mesh-broken]: PLY file: a list 'vertex_indices' of 4000000000 "
@@ -93,10 +93,9 @@ TEST(PlyMesh, NumbersThatAreNotFiniteAreErrors) {
 
 TEST(PlyMesh, HeadersThatMakeNoSenseAreRefused) {
   EXPECT_EQ(parse(with(kSquarePlyText, "ascii 1.0", "ascii 2.0"), "t.ply").messages,
-            "t.ply:2: error[mesh-broken]: PLY file: the header line 'format ascii 2.0' is not "
-            "understood");
+            "t.ply:2: error[mesh-broken]: PLY file: unknown header line 'format ascii 2.0'");
   EXPECT_EQ(parse(with(kSquarePlyText, "float y", "float w"), "t.ply").messages,
-            "t.ply:12: error[mesh-broken]: PLY file: its vertices have no number 'y'");
+            "t.ply:12: error[mesh-broken]: PLY file: its vertices have no property 'y'");
   EXPECT_EQ(parse(with(kSquarePlyText, "vertex_indices", "corners"), "t.ply").messages,
             "t.ply:15: error[mesh-broken]: PLY file: its faces have no list of whole numbers "
             "'vertex_indices'");
@@ -104,8 +103,7 @@ TEST(PlyMesh, HeadersThatMakeNoSenseAreRefused) {
             "t.ply:11: error[mesh-broken]: PLY file: triangle strips are not read; export the mesh "
             "with faces");
   EXPECT_EQ(parse(with(kSquarePlyText, "end_header\n", ""), "t.ply").messages,
-            "t.ply:11: error[mesh-broken]: PLY file: the header line '0 0 0 255' is not "
-            "understood");
+            "t.ply:11: error[mesh-broken]: PLY file: unknown header line '0 0 0 255'");
 }
 
 TEST(PlyMesh, AnyCutOfAFileEndsWell) {

@@ -77,9 +77,9 @@ TEST(StlMesh, CoordinatesThatAreNotFiniteAreErrors) {
 
 TEST(StlMesh, TextWithWrongStatementsIsRefusedAtItsLine) {
   EXPECT_EQ(parse(with(kSquareStlText, "   vertex 2 2 0\n", ""), "t.stl").messages,
-            "t.stl:7: error[mesh-broken]: STL file: a facet has 2 corners instead of 3");
+            "t.stl:7: error[mesh-broken]: STL file: a facet has 2 corners; 3 are needed");
   EXPECT_EQ(parse(with(kSquareStlText, "outer loop", "outer ring"), "t.stl").messages,
-            "t.stl:3: error[mesh-broken]: STL file: 'outer ring' is not expected here");
+            "t.stl:3: error[mesh-broken]: STL file: unexpected 'outer ring'");
   EXPECT_EQ(parse(with(kSquareStlText, "endsolid tile one\n", ""), "t.stl").messages,
             "t.stl:15: error[mesh-broken]: STL file: it ends within a solid");
   EXPECT_EQ(parse("solid nothing\nendsolid\n", "t.stl").messages,

@@ -89,11 +89,11 @@ TEST_F(Store, DamagedEntriesAreNotUsedAndAreReplaced) {
               HasSubstr("its length"));
   EXPECT_THAT(why_unusable_after(edit([](std::string& b) { b += '\0'; })), HasSubstr("its length"));
   EXPECT_THAT(why_unusable_after(edit([](std::string& b) { b += std::string(2 * kMost, ' '); })),
-              HasSubstr("too many"));
+              HasSubstr("too large"));
   EXPECT_THAT(why_unusable_after(edit([](std::string& b) { b[0] = 'l'; })),
-              HasSubstr("no entry of a store"));
+              HasSubstr("not a store entry"));
   EXPECT_THAT(why_unusable_after(edit([](std::string& b) { b[8] = 2; })),
-              HasSubstr("it is of format 2; this program knows 1"));
+              HasSubstr("its format is 2; this program reads 1"));
   EXPECT_THAT(why_unusable_after([](const fs::path& file) {
                 fs::remove(file);
                 fs::create_directory(file);
@@ -133,7 +133,7 @@ TEST_F(Store, LengthsAreNotBelieved) {
     file.resize(file.size() - 32);
     file[at] = '\xff';
     file += calc::sha256(file);
-    EXPECT_EQ(calc::parse_entry(file).problem, "its length is not what it says") << at;
+    EXPECT_EQ(calc::parse_entry(file).problem, "its length differs from the stated length") << at;
   }
 }
 
@@ -166,7 +166,7 @@ TEST_F(Store, IsAFolderOfItsOwn) {
   put_bytes(scratch.path() / "file", "");
   EXPECT_THAT(calc::problem_with_store((scratch.path() / "file").string()),
               HasSubstr("is not a folder"));
-  EXPECT_THAT(calc::problem_with_store(scratch.path().string()), HasSubstr("is no store"));
+  EXPECT_THAT(calc::problem_with_store(scratch.path().string()), HasSubstr("is not a store"));
   // Another process is just about to mark it.
   fs::create_directory(scratch.path() / "new");
   put_bytes(scratch.path() / "new" / ".new-0123", "");
@@ -203,7 +203,7 @@ TEST_F(Store, VerifyNamesWhatIsDamaged) {
     return fs::relative(file_of(key), path).string();
   };
   EXPECT_EQ(damaged[place("key 3")], "it is empty");
-  EXPECT_EQ(damaged[place("key 4")], "it is of another key");
+  EXPECT_EQ(damaged[place("key 4")], "it has another key");
 }
 
 TEST_F(Store, PruneTakesWhatWasUnusedForLongest) {

@@ -112,7 +112,7 @@ TEST(GldfChoice, EmittersAreTakenTogetherOnDemand) {
   EXPECT_EQ(choose(sample, "b", "e1 e4#2"), "b/e1/p1 b/e4/p2");
   EXPECT_EQ(choose(sample, "a", "e2 e1"), "a/e2/p2 a/e1/p1");
   EXPECT_THAT(choose(sample, "a", "e1 e4#1"), HasSubstr("variant 'a' has no light emitter 'e4'"));
-  EXPECT_THAT(choose(sample, "b", "e4#1 e4#2"), HasSubstr("'e4' is there twice"));
+  EXPECT_THAT(choose(sample, "b", "e4#1 e4#2"), HasSubstr("'e4' is named twice"));
   // An id goes before the word.
   sample.emitters = emitter("all", "p2") + emitter("e1", "p1");
   sample.variants = variant("a", {"e1", "all"});

@@ -99,8 +99,10 @@ TEST(Gldf, FixedFluxThatMayMeanTwoThingsIsNotApplied) {
   };
   EXPECT_EQ(with_flux(1000), "");  // of the lamps
   EXPECT_EQ(with_flux(500), "");   // of the luminaire
-  EXPECT_THAT(with_flux(800), HasSubstr("it is perhaps of the lamps, perhaps of the luminaire; the "
-                                        "photometry file's light was kept"));
+  EXPECT_THAT(with_flux(800),
+              HasSubstr("the value of product.xml is the flux of the lamps or of the luminaire "
+                        "(not known which). The light of the photometry file was "
+                        "kept"));
 }
 
 TEST(Gldf, EquipmentFluxReplacesThatOfTheLamps) {
@@ -140,8 +142,8 @@ TEST(Gldf, EquipmentFluxReplacesThatOfTheLamps) {
       "</Equipment>";
   const Parsed lamps_only = parse(gldf_bytes(sample, ldt));
   EXPECT_NEAR(lamps_only.web->flux_lm(), 500.0, 1.5);
-  EXPECT_THAT(lamps_only.messages, HasSubstr("(lm) as 300, the photometry file as 1000; it is that "
-                                             "of single lamps"));
+  EXPECT_THAT(lamps_only.messages, HasSubstr("(lm) as 300, the photometry file as 1000; the value "
+                                             "of product.xml is the flux of single lamps"));
 }
 
 // The file's 10 W are for its 1000 lm.
@@ -177,7 +179,7 @@ TEST(Gldf, PowerOfALightSourceAloneIsNotTakenForLess) {
   sample.emitters = fixed_emitter("");
   const Parsed lower = parse(gldf_bytes(sample));
   EXPECT_EQ(lower.web->source().input_power_w, 10.0);
-  EXPECT_THAT(lower.messages, HasSubstr("which is higher, was kept"));
+  EXPECT_THAT(lower.messages, HasSubstr("The higher one, of the photometry file, was kept"));
   LdtSample ldt;
   ldt.lamp_set_lines[5] = "0";
   EXPECT_EQ(parse(gldf_bytes(sample, ldt)).web->source().input_power_w, 8.0);

@@ -173,13 +173,13 @@ TEST(GldfTogether, PlacesThatAreNotKnownAreSaid) {
   EXPECT_THAT(reason(two_emitters(), l3d("over")), HasSubstr("no emitting object 'up'"));
   GldfSample sample = two_emitters();
   sample.files.replace(sample.files.find("geo/l3d"), 7, "geo/r3d");
-  EXPECT_THAT(reason(sample, l3d()), HasSubstr("the luminaire's model is no L3D file"));
+  EXPECT_THAT(reason(sample, l3d()), HasSubstr("the luminaire's model is not an L3D file"));
   sample.variants =
       "<Variant id='v1'><EmitterReference emitterId='e1'/><EmitterReference emitterId='e2'/>"
       "</Variant>";
   EXPECT_THAT(reason(sample, l3d()),
-              HasSubstr("warning[gldf-places]: where the emitters 'e1', 'e2' are is not known: the "
-                        "product names no model"));
+              HasSubstr("warning[gldf-places]: where the emitters 'e1', 'e2' are is not known: "
+                        "product.xml names no model"));
 }
 
 TEST(GldfTogether, WhatNobodySaysIsRefused) {
@@ -206,7 +206,8 @@ TEST(GldfTogether, WhatNobodySaysIsRefused) {
            "equipmentId='q'/></ChangeableLightEmitter></Emitter>";
   };
   sample.emitters = changeable("e1") + changeable("e2");
-  EXPECT_THAT(together(gldf(sample)).messages, HasSubstr("its equipment 'q' in common"));
+  EXPECT_THAT(together(gldf(sample)).messages,
+              HasSubstr("shares its equipment 'q' with another emitter"));
 }
 
 TEST(GldfTogether, OneLightIsWantedByOthers) {

@@ -202,7 +202,7 @@ TEST(Lm63TypesAB, WhatMakesNoSenseIsRefused) {
   sample.c_deg = {0};
   EXPECT_THAT(parse(sample).messages, HasSubstr("type A with a single horizontal angle"));
   sample.c_deg = {10, 20};
-  EXPECT_THAT(parse(sample).messages, HasSubstr("angles that do not hold 0"));
+  EXPECT_THAT(parse(sample).messages, HasSubstr("angles that do not include 0"));
   sample.c_deg = {0, 95};
   EXPECT_THAT(parse(sample).messages, HasSubstr("horizontal angle is 95; allowed: -90 to 90"));
 }

@@ -126,8 +126,9 @@ TEST(PhotometryFile, Utf16IsRead) {
     EXPECT_FALSE(diagnostics.has_errors());
   }
   EXPECT_EQ(messages(as_utf16(test_support::ies_text({})) + "x"),
-            "x: error[photometry-encoding]: the encoding cannot be read: its UTF-16 ends within a "
-            "character, or has half of one; readable are UTF-8, UTF-16 and Windows-1252\n");
+            "x: error[photometry-encoding]: the encoding cannot be read: the UTF-16 text has an "
+            "incomplete "
+            "character; readable are UTF-8, UTF-16 and Windows-1252\n");
 }
 
 TEST(PhotometryFile, OtherKindsOfFilesAreNamed) {

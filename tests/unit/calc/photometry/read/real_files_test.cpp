@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Outcome{"gldf/gldfnet__GldfWithInvalidRoot.gldf", 0, "error[gldf-content-type]"},
         Outcome{"gldf/gldfnet__GldfWithMissingProduct.gldf", 0, "has no 'product.xml'"},
         Outcome{"gldf/gldfrs__Just_URLs.gldf", 0, "error[gldf-url]"},
-        Outcome{"gldf/gldfrs__Philips_SP542P_0.9_DEMO.gldf", 6600, "light was kept"},
+        Outcome{"gldf/gldfrs__Philips_SP542P_0.9_DEMO.gldf", 6600, "photometry file was kept"},
         Outcome{"gldf/gldfrs__full_demo.gldf", 0, "choose one with 'variant'"},
         Outcome{"gldf/gldfrs__full_demo.gldf", 0, "emitter01#1", "lui_k30x60", ""},
         Outcome{"gldf/gldfrs__full_demo.gldf", 810, "", "lui_zoom_max", ""},

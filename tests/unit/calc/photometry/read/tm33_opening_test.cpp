@@ -49,7 +49,7 @@ TEST(Tm33Opening, EmissionAreaGoesBeforeTheHousing) {
 
 TEST(Tm33Opening, SeveralAreasBecomeTheirBounds) {
   const Opening found = read("", bottom(area(100, -300, 100, 0) + area(100, 300, 100, 50)));
-  EXPECT_THAT(found.messages, HasSubstr("the opening 'emission areas' is 2 areas, of them 0 on "
+  EXPECT_THAT(found.messages, HasSubstr("the opening 'emission areas' is 2 areas, 0 of these on "
                                         "the sides; its bounding box is used"));
   EXPECT_DOUBLE_EQ(found.opening->along_c90_m, 0.7);
   EXPECT_DOUBLE_EQ(found.opening->along_c0_m, 0.15);
@@ -60,7 +60,7 @@ TEST(Tm33Opening, LuminousSidesGiveAHeight) {
       kHousing, "<EmissionAreas><BottomFace>" + area(500, 0, 100, 0) +
                     "</BottomFace><C90Face><C90Area><Width>100</Width><Height>40</Height></C90Area>"
                     "</C90Face></EmissionAreas>");
-  EXPECT_THAT(found.messages, HasSubstr("2 areas, of them 1 on the sides"));
+  EXPECT_THAT(found.messages, HasSubstr("2 areas, 1 of these on the sides"));
   EXPECT_DOUBLE_EQ(found.opening->height_m, 0.04);
   EXPECT_DOUBLE_EQ(found.opening->along_c90_m, 0.5);
 }

@@ -83,7 +83,7 @@ TEST(ZipArchive, RefusesNamesThatLeaveTheArchive) {
 TEST(ZipArchive, RefusesANameThatIsThereTwice) {
   const std::string archive = zip_bytes({{"product.xml", "1"}, {"product.xmk", "2"}});
   EXPECT_THAT(messages(with_bytes_replaced(archive, "product.xmk", "product.xml"), "product.xml"),
-              HasSubstr("'product.xml', which is there twice"));
+              HasSubstr("'product.xml', which occurs twice"));
 }
 
 TEST(ZipArchive, RefusesBombs) {
@@ -121,8 +121,8 @@ TEST(ZipArchive, AllFilesTogetherAreLimited) {
   EXPECT_TRUE(archive->read("a"));
   EXPECT_FALSE(archive->read("b"));
   EXPECT_EQ(diagnostics_text(diagnostics),
-            "a.gldf: error[archive-size]: 'b' unpacks to more than 400 bytes; allowed: 64 MiB a "
-            "file, 1000 bytes in all, 200 times the archive\n");
+            "a.gldf: error[archive-size]: 'b' unpacks to more than 400 bytes; allowed: 64 MiB for "
+            "each file, 1000 bytes in all, 200 times the size of the archive\n");
 }
 
 TEST(ZipArchive, EntriesAreLimited) {

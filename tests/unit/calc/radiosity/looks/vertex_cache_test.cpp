@@ -180,23 +180,24 @@ TEST_F(VertexCacheFile, ResultsAreTheSameToTheBit) {
 
 TEST_F(VertexCacheFile, RefusesWhatIsNotOne) {
   EXPECT_EQ(problem_after([](std::string&) {}), "");
-  EXPECT_THAT(problem_after([](std::string& b) { b = ""; }), HasSubstr("no PLY file"));
-  EXPECT_THAT(problem_after([](std::string& b) { b = "solid x"; }), HasSubstr("no PLY file"));
+  EXPECT_THAT(problem_after([](std::string& b) { b = ""; }), HasSubstr("not a PLY file"));
+  EXPECT_THAT(problem_after([](std::string& b) { b = "solid x"; }), HasSubstr("not a PLY file"));
   EXPECT_THAT(problem_after([](std::string& b) {
                 b = "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n";
               }),
-              HasSubstr("no light vertices of this version"));
+              HasSubstr("does not hold light vertices of this version"));
   EXPECT_THAT(
       problem_after([](std::string& b) { replace(b, "light vertices 1", "light vertices 2"); }),
-      HasSubstr("no light vertices of this version"));
+      HasSubstr("does not hold light vertices of this version"));
 }
 
 TEST_F(VertexCacheFile, RefusesAnotherLength) {
   EXPECT_THAT(problem_after([](std::string& b) { b.pop_back(); }), HasSubstr("cut off or changed"));
   EXPECT_THAT(problem_after([](std::string& b) { b += 'x'; }), HasSubstr("cut off or changed"));
   EXPECT_THAT(problem_after([](std::string& b) { b.resize(b.find("end_header")); }),
-              HasSubstr("should go on with 'end_header'"));
-  EXPECT_THAT(problem_after([](std::string& b) { b.resize(200); }), HasSubstr("should go on with"));
+              HasSubstr("must continue with 'end_header'"));
+  EXPECT_THAT(problem_after([](std::string& b) { b.resize(200); }),
+              HasSubstr("must continue with"));
   EXPECT_THAT(problem_after([](std::string& b) {
                 const std::size_t at = b.find("element vertex ") + 15;
                 b.replace(at, b.find('\n', at) - at, "18446744073709551615");
@@ -220,15 +221,15 @@ TEST_F(VertexCacheFile, RefusesEveryEdit) {
                 ASSERT_LT(letter, at + 16);
                 b[letter] = static_cast<char>(b[letter] - 'a' + 'A');
               }),
-              HasSubstr("should go on with"));
+              HasSubstr("must continue with"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "replicates 4", "replicates 3"); }),
-              HasSubstr("should go on with"));
+              HasSubstr("must continue with"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "replicates 4", "replicates 0"); }),
               HasSubstr("not allowed"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "replicate 256", "replicate 257"); }),
               HasSubstr("not allowed"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "batch 0 0 64", "batch 0 0 65"); }),
-              HasSubstr("not what it should be"));
+              HasSubstr("not the expected one"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "seed 9", "seed nine"); }),
               HasSubstr("'comment seed '"));
   EXPECT_THAT(
