@@ -63,8 +63,9 @@ CsvCell CsvReader::read_cell() {
   const std::string_view begin = rest_;
   for (; !is_at_line_end() && !is_at(',') && !problem_; take()) {
     if (is_at('"') || (is_quoted && !is_at_blank())) {
-      problem_ = {is_quoted ? cell.place : here_,
-                  "quotes enclose a whole cell, and a quote in it is doubled"};
+      problem_ = {
+          is_quoted ? cell.place : here_,
+          "misplaced quote; enclose the whole cell in quotes and write a quote in it twice"};
     }
   }
   cell.text += begin.substr(0, begin.size() - rest_.size());

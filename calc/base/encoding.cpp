@@ -27,7 +27,7 @@ class Utf16Reader {
     while (at_ < bytes_.size()) {
       const std::optional<char32_t> code = next();
       if (!code) {
-        text.problem = "its UTF-16 ends within a character, or has half of one";
+        text.problem = "the UTF-16 text has an incomplete character";
         return text;
       }
       text.utf8 += utf8_from_code_point(*code);
@@ -82,7 +82,7 @@ TextEncoding encoding_of(std::string_view bytes) {
 DecodedText decoded_text(std::string bytes) {
   const TextEncoding encoding = encoding_of(bytes);
   if (encoding == TextEncoding::utf8) return {std::move(bytes), ""};
-  if (encoding == TextEncoding::utf32) return {"", "its bytes are UTF-32"};
+  if (encoding == TextEncoding::utf32) return {"", "the file is UTF-32"};
   return from_utf16(bytes, encoding);
 }
 

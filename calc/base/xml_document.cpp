@@ -207,9 +207,10 @@ class TreeBuilder {
         text += *resolved;
         i = end;
       } else {
-        syntax_error(raw.data() + i,
-                     "'&' begins an unknown reference; allowed: &amp; &lt; &gt; &quot; &apos; and "
-                     "&#number;, a plain '&' is written &amp;");
+        syntax_error(
+            raw.data() + i,
+            "unknown reference after '&'; allowed: &amp; &lt; &gt; &quot; &apos; and &#number;. "
+            "Write a plain '&' as &amp;");
       }
     }
     return text;
@@ -252,7 +253,9 @@ class TreeBuilder {
   void check_declaration(const pugi::xml_node& node) {
     const SourceLocation where = locator_.at(node.name() - 2);
     if (where.line != 1 || where.column != 1) {
-      syntax_error(node.name() - 2, "the XML declaration must stand at the very beginning");
+      syntax_error(
+          node.name() - 2,
+          "the XML declaration is not at the start of the file; move it to line 1, column 1");
     }
   }
 
@@ -270,7 +273,7 @@ std::string_view syntax_problem(const pugi::xml_parse_result& result) {
     case pugi::status_end_element_mismatch:
       return "start and end tags do not match, or an element is not closed";
     case pugi::status_bad_attribute:
-      return "an attribute is written as name=\"value\"";
+      return "malformed attribute; write it as name=\"value\"";
     case pugi::status_unrecognized_tag:
       return "'<' does not begin a tag here";
     default:
@@ -284,7 +287,7 @@ bool check_characters(std::string_view bytes, Locator& locator, Diagnostics& dia
     const auto code = static_cast<unsigned char>(bytes[i]);
     if (code >= 0x20 || code == '\t' || code == '\n' || code == '\r') continue;
     diagnostics.report(DiagnosticId::xml_syntax, locator.at(i),
-                       fmt::format("control character 0x{:02X}", code));
+                       fmt::format("control character 0x{:02X} is not allowed; remove it", code));
     return false;
   }
   return true;

@@ -73,20 +73,21 @@ SourceLocation place_at(std::string_view text, std::size_t offset, const std::st
 std::string contradiction(const Declaration& declaration, TextEncoding encoding, bool has_mark) {
   const bool is_utf16 = encoding != TextEncoding::utf8;
   const auto says = [&](std::string_view truth) {
-    return fmt::format("it declares '{}', but {}; correct one of them", declaration.written, truth);
+    return fmt::format("the declaration says '{}', but {}; correct one of them",
+                       declaration.written, truth);
   };
   switch (declaration.declared) {
     case Declared::nothing:
       return "";
     case Declared::unknown:
-      return fmt::format("it declares '{}'", declaration.written);
+      return fmt::format("the declaration says '{}'", declaration.written);
     case Declared::utf16:
-      return is_utf16 ? "" : says("its bytes are not UTF-16");
+      return is_utf16 ? "" : says("the file is not UTF-16");
     case Declared::utf8:
-      return is_utf16 ? says("its bytes are UTF-16") : "";
+      return is_utf16 ? says("the file is UTF-16") : "";
     default:
-      if (is_utf16) return says("its bytes are UTF-16");
-      return has_mark ? says("it begins with the byte order mark of UTF-8") : "";
+      if (is_utf16) return says("the file is UTF-16");
+      return has_mark ? says("the file begins with the byte order mark of UTF-8") : "";
   }
 }
 
@@ -113,7 +114,7 @@ std::optional<std::string> decoded_xml(std::string bytes, const std::string& nam
   if (declaration.declared == Declared::windows_1252) return utf8_from_windows_1252(text.utf8);
   if (const auto bad = first_invalid_utf8(text.utf8)) {
     return refuse(place_at(text.utf8, *bad, name),
-                  fmt::format("byte {} (0x{:02X}) is not valid there", *bad + 1,
+                  fmt::format("byte {} (0x{:02X}) is not valid UTF-8", *bad + 1,
                               static_cast<unsigned char>(text.utf8[*bad])));
   }
   return std::move(text.utf8);

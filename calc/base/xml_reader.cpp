@@ -156,7 +156,7 @@ std::vector<std::string> ElementReader::ids(std::string_view name, std::size_t m
   const std::vector<std::string_view> words = split_words(attribute->value);
   if (words.empty() || words.size() > most) {
     report(DiagnosticId::wrong_number_count, attribute->where, name, element_.name,
-           fmt::format("1 to {} words like ids", most), words.size());
+           fmt::format("1 to {} ids separated by blanks", most), words.size());
     return {};
   }
   for (const std::string_view word : words) {

@@ -87,7 +87,7 @@ std::optional<ReadProject> read_project(const FileReader& files, const std::stri
   if (!check_file_kind(*bytes, path, FileUse::project, diagnostics, looks_like_xml(*bytes))) {
     return std::nullopt;
   }
-  if (!project_files.take(xml_bytes(*bytes), {path, 0, 0}, "its elements take")) {
+  if (!project_files.take(xml_bytes(*bytes), {path, 0, 0}, "the elements of the project take")) {
     return std::nullopt;
   }
   // Of a foreign file nothing is said but that.

@@ -58,13 +58,12 @@ std::string corner_fault(const RouteLine& line) {
   for (std::size_t i = 0; i + 1 < line.corner_m.size(); ++i) {
     const glm::dvec3 step_m = line.corner_m[i + 1] - line.corner_m[i];
     if (glm::length(step_m) <= kSame_m) {
-      return fmt::format("corners {} and {} are one point; each corner is given once", i + 1,
+      return fmt::format("corners {} and {} are the same point; give each corner once", i + 1,
                          i + 2);
     }
     if (glm::length(glm::dvec2(step_m)) <= kSame_m) {
       return fmt::format(
-          "corner {} is straight above or below corner {}; a leg must have a horizontal length, "
-          "as nobody walks upright",
+          "corner {} is straight above or below corner {}; a leg must have a horizontal length",
           i + 2, i + 1);
     }
   }
@@ -76,8 +75,8 @@ std::string turn_fault(const std::vector<RouteLeg>& legs) {
     const double turn = turn_deg(legs[i].along, legs[i + 1].along);
     if (turn <= kSharpestTurn_deg * (1.0 + kRelative)) continue;
     return fmt::format(
-        "the line turns by {:.4g} degrees at corner {}; at most {:g} are allowed: "
-        "make two corners of it",
+        "the line turns by {:.4g} degrees at corner {}; at most {:g} degrees are allowed. "
+        "Replace it by two corners",
         turn, i + 2, kSharpestTurn_deg);
   }
   return {};
@@ -156,9 +155,9 @@ std::string overlap_fault(const std::vector<RouteLeg>& legs, double width_m) {
       const std::vector<glm::dvec2> part = common_part(legs[i], legs[k], width_m);
       if (part.empty() || has_headroom(part, legs[i], legs[k])) continue;
       return fmt::format(
-          "the legs from corner {} to {} and from corner {} to {} lie on each other at "
-          "({:.4g}, {:.4g}) m; the route must not cross itself, nor its width cover it twice, "
-          "unless one part is {:g} m above the other",
+          "the legs from corner {} to {} and from corner {} to {} overlap at ({:.4g}, {:.4g}) m; "
+          "with its width the route must not overlap itself, unless one part is {:g} m above the "
+          "other",
           i + 1, i + 2, k + 1, k + 2, part[0].x, part[0].y, kLeastHeadroom_m);
     }
   }
@@ -177,7 +176,7 @@ glm::dvec3 RouteLeg::point_m(double along_m, double offset_m) const {
 }
 
 std::string route_fault(const RouteLine& line) {
-  if (line.corner_m.size() < 2) return "a line has 2 corners or more";
+  if (line.corner_m.size() < 2) return "the line has fewer than 2 corners";
   std::string fault = corner_fault(line);
   if (!fault.empty()) return fault;
   const std::vector<RouteLeg> legs = legs_of(line);

@@ -76,7 +76,7 @@ refused = [("points.xml", (), "takes 40000000 calculation points; at most 100000
            ("boxes.xml", ("--limit", "objects=1M", "--limit", "triangles=1M"), "triangles; at most 1000000 are allowed, see --limit triangles"),
            ("boxes.xml", ("--limit", "objects=1M", "--limit", "memory=200M"), "GiB of memory; at most 200 MiB are allowed"),
            ("luminaires.xml", ("--limit", "objects=1M", "--limit", "memory=512M"), "of memory; at most 512 MiB are allowed"),
-           ("elements.xml", ("--limit", "objects=1M", "--limit", "memory=128M"), "its elements take"),
+           ("elements.xml", ("--limit", "objects=1M", "--limit", "memory=128M"), "the elements of the project take"),
            ("good.xml", ("--limit", "points=3"), "takes 4 calculation points; at most 3 are allowed")]
 for name, words, said in refused:
     others = () if name == "good.xml" else ("good.xml",)

@@ -256,7 +256,7 @@ judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_6
 # What the listed file takes from another one: the factors of a tilt multiply its light.
 tilted = ies.replace(b"TILT=NONE", b"TILT=own.tilt")
 with_tilt = change(only, (hashed, hashlib.sha256(tilted).hexdigest()))
-for ending, code, said in ((".tilt", 2, "'photometry/own.tilt' is not among the photometry files that are allowed"), (".csv", 2, "whose name is one of a mesh, a table or an XML file")):
+for ending, code, said in ((".tilt", 2, "'photometry/own.tilt' is not among the photometry files that are allowed"), (".csv", 2, "whose name is that of a mesh, a table or an XML file")):
     put(whole)
     (WORK / "zone-policy.xml").write_text(change(with_tilt, (hashlib.sha256(tilted).hexdigest(), hashlib.sha256(tilted.replace(b".tilt", ending.encode())).hexdigest())))
     (WORK / "design" / "photometry" / "lambert_panel_600.ies").write_bytes(tilted.replace(b".tilt", ending.encode()))

@@ -32,14 +32,14 @@ void refuse(ElementReader& reader, std::string_view attribute, const std::string
 
 void refuse_point(ElementReader& reader) {
   reader.report(DiagnosticId::missing_form, reader.where(), "housing",
-                "photometry with a luminous opening, which this one has not, or which "
-                "opening=\"point\" leaves out");
+                "photometry with a luminous opening; this photometry has none, or "
+                "opening=\"point\" leaves it out");
 }
 
 std::string backwards_words(double share) {
   return fmt::format(
-      "none: {:.2g} % of the light goes backwards and would be lost in the housing; "
-      "the face alone takes up light on both sides",
+      "no value: {:.2g} % of the light goes backwards and would be lost in the housing. "
+      "Without this attribute the face alone takes up light, on both sides",
       100.0 * share);
 }
 
@@ -71,8 +71,8 @@ void check_housing(ElementReader& reader, const HousedOpening& housed, const Hou
   if (opening.is_body()) {
     for (const std::string_view attribute : {"depth", "size", "dimensions"}) {
       if (!reader.has(attribute)) continue;
-      refuse_size(attribute, "none: the opening of this photometry is a body of its own, " +
-                                 size_words(opening));
+      refuse_size(attribute,
+                  "no value: the opening of this photometry is a body, " + size_words(opening));
     }
     return;
   }
@@ -109,49 +109,49 @@ void check_common_housing(ElementReader& reader, const std::vector<PlacedWeb>& l
     const std::string& emitter = light[i].emitter;
     if (opening.shape == OpeningShape::point) {
       return need(
-          fmt::format("photometry with a luminous opening, which emitter '{}' has not, or "
-                      "which opening=\"point\" leaves out",
+          fmt::format("photometry with a luminous opening; emitter '{}' has none, or "
+                      "opening=\"point\" leaves it out",
                       emitter));
     }
     if (opening.is_body()) {
       return need(
-          fmt::format("flat luminous openings, where a luminaire has several emitters: that of "
-                      "emitter '{}' is a body of its own, {}",
+          fmt::format("flat luminous openings for a luminaire of several emitters; the opening of "
+                      "emitter '{}' is a body, {}",
                       emitter, size_words(opening)));
     }
     const double backwards = openings[i].backward_share;
     if ((mesh != nullptr || housing.depth_m > 0.0) && backwards > kNoBackwardLight) {
       return refuse(reader, attribute,
-                    fmt::format("none: {:.2g} % of the light of emitter '{}' goes backwards and "
-                                "would be lost in the housing; the faces alone take up light on "
-                                "both sides",
+                    fmt::format("no value: {:.2g} % of the light of emitter '{}' goes backwards "
+                                "and would be lost in the housing. Without this attribute the "
+                                "faces alone take up light, on both sides",
                                 100.0 * backwards, emitter));
     }
   }
   const HousingBox reach = reach_of(openings);
   const glm::dvec3 size_m = reach.upper_m - reach.lower_m;
   if (is_smaller(housing, size_m.x, size_m.y)) {
-    return refuse(reader, "size",
-                  fmt::format("at least what the luminous openings take up together, {:.4g} x "
-                              "{:.4g} m",
-                              size_m.x, size_m.y));
+    return refuse(
+        reader, "size",
+        fmt::format("at least the size of all luminous openings together, {:.4g} x {:.4g} m",
+                    size_m.x, size_m.y));
   }
   const std::optional<HiddenOpening> hidden = hidden_opening(openings, housing, mesh);
   if (!hidden) return;
   const std::string& emitter = light[hidden->emitter].emitter;
   if (hidden->face) {
     return need(
-        fmt::format("luminous openings none of which stands in the light of another: the "
-                    "face of emitter '{}' would reach {:.3g} m into that of emitter '{}'",
+        fmt::format("luminous openings that do not block each other's light; the face of "
+                    "emitter '{}' would reach {:.3g} m into the light of emitter '{}'",
                     light[*hidden->face].emitter, hidden->before_m, emitter));
   }
-  refuse(reader, attribute,
-         fmt::format("{} before one of them: it would reach {:.3g} m into the light of emitter "
-                     "'{}'",
-                     mesh != nullptr
-                         ? "a mesh behind all openings, no part of which stands"
-                         : "none, or one with which the box around all openings does not stand",
-                     hidden->before_m, emitter));
+  refuse(
+      reader, attribute,
+      fmt::format("{}; it would reach {:.3g} m into the light of emitter '{}'",
+                  mesh != nullptr
+                      ? "a mesh with all of its parts behind all openings"
+                      : "no value, or a box around all openings that is in front of none of them",
+                  hidden->before_m, emitter));
 }
 
 // The same of one emitter with a mesh.
@@ -163,10 +163,10 @@ void check_mesh(ElementReader& reader, const HousedOpening& housed, const Housin
     const std::optional<glm::dvec3> outside = corner_outside(opening, mesh);
     if (!outside) return;
     return refuse(reader, "file",
-                  fmt::format("surfaces within the luminous opening, which is a body of {}, and 1 "
-                              "mm or a tenth of its half size off its surface: a corner is at "
-                              "({:.4g}, {:.4g}, {:.4g}) m from its centre, along C0, C90 and "
-                              "backwards",
+                  fmt::format("surfaces inside the luminous opening, which is a body of {}, and "
+                              "1 mm or a tenth of its half size away from its surface. A corner "
+                              "is at ({:.4g}, {:.4g}, {:.4g}) m from its centre, along C0, C90 "
+                              "and backwards",
                               size_words(opening), outside->x, outside->y, outside->z));
   }
   if (housed.backward_share > kNoBackwardLight) {
@@ -174,24 +174,25 @@ void check_mesh(ElementReader& reader, const HousedOpening& housed, const Housin
   }
   const std::optional<HiddenOpening> hidden = hidden_opening({housed}, housing, &mesh);
   if (!hidden) return;
-  refuse(reader, "file",
-         fmt::format("surfaces behind the luminous opening: a corner lies {:.3g} m before it and "
-                     "would hide its light. z is 0 there and points backwards, up for a luminaire "
-                     "that shines down",
-                     hidden->before_m));
+  refuse(
+      reader, "file",
+      fmt::format("surfaces behind the luminous opening; a corner is {:.3g} m in front of it and "
+                  "would block its light. z is 0 at the opening and points backwards (up for a "
+                  "luminaire that shines down)",
+                  hidden->before_m));
 }
 
 // A box, of whose size nobody but the project knows: each emitter has a file of its own.
 void read_common_size(const ProjectContext& context, ElementReader& reader, Housing& housing) {
   if (reader.has("dimensions")) {
     reader.report(DiagnosticId::missing_form, reader.where("dimensions"), "housing",
-                  "'depth' in place of 'dimensions', where a luminaire has several emitters: each "
-                  "has photometry of its own");
+                  "'depth' instead of 'dimensions' for a luminaire of several emitters: each "
+                  "emitter has its own photometry");
     return;
   }
   if (reader.has("size") && !reader.has("depth")) {
     reader.report(DiagnosticId::missing_form, reader.where("size"), "housing",
-                  "'depth' with 'size', where a luminaire has several emitters: their faces have "
+                  "'depth' beside 'size' for a luminaire of several emitters: their faces have "
                   "the size of the openings");
     return;
   }
@@ -233,7 +234,7 @@ std::optional<HousingMesh> read_housing_mesh(ProjectContext& context, ElementRea
   constexpr double kVertex = 24.0, kTriangle = 12.0;  // bytes
   const double bytes = kVertex * static_cast<double>(placed->vertex_m.size()) +
                        kTriangle * static_cast<double>(placed->mesh->triangle.size());
-  if (!context.files.take(bytes, reader.where("file"), "housings of meshes take")) {
+  if (!context.files.take(bytes, reader.where("file"), "the meshes of housings take")) {
     return std::nullopt;
   }
   Body body;
@@ -274,7 +275,7 @@ std::optional<Housing> read_one_housing(ProjectContext& context, ElementReader& 
     for (const std::string_view attribute : kOfTheMesh) {
       if (!reader.has(attribute)) continue;
       reader.report(DiagnosticId::missing_form, reader.where(attribute), "housing",
-                    fmt::format("'file' with '{}', which is about a mesh", attribute));
+                    fmt::format("'file' beside '{}', which describes a mesh file", attribute));
     }
     if (light.size() > 1) {
       read_common_size(context, reader, housing);
@@ -306,7 +307,7 @@ void read_housing(ProjectContext& context, const XmlElement& element,
     reader.allow(kHousingElement);
     if (type.housing) {
       reader.report(DiagnosticId::missing_form, reader.where(), element.name,
-                    "one <housing> at most");
+                    "at most one <housing>");
       continue;
     }
     std::optional<HousingMesh> mesh;

@@ -166,7 +166,7 @@ std::vector<Luminaire> read_luminaire_list(ProjectContext& context, ElementReade
     if (!type) {
       reader.report(
           DiagnosticId::luminaire_list_line, luminaire.where,
-          fmt::format("there is no luminaire type '{}'{}", shorten_utf8(entry.type, 60),
+          fmt::format("unknown luminaire type '{}'{}", shorten_utf8(entry.type, 60),
                       suggestion(shorten_utf8(entry.type, 60), context.luminaire_types.ids())));
       return {};
     }

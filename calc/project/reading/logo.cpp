@@ -52,13 +52,13 @@ std::string header_problem(std::string_view header) {
   }
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(header[i]); };
   const bool is_known = is_known_colour(byte(8), byte(9)) && byte(10) == 0 && byte(11) == 0;
-  return is_known && byte(12) <= 1 ? "" : "its header is none of a PNG";
+  return is_known && byte(12) <= 1 ? "" : "its PNG header is not valid";
 }
 
 std::string png_problem(std::string_view bytes) {
   constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
   constexpr std::size_t kHeader = 13, kAround = 12;  // length, name and checksum of a chunk
-  if (!bytes.starts_with(kSignature)) return "its name ends with .png, but it is no PNG";
+  if (!bytes.starts_with(kSignature)) return "its name ends with .png, but it is not a PNG file";
   bytes.remove_prefix(kSignature.size());
   bool is_first = true, has_pixels = false;
   while (bytes.size() >= kAround) {
@@ -74,9 +74,9 @@ std::string png_problem(std::string_view bytes) {
     is_first = false;
     has_pixels = has_pixels || name == "IDAT";
     bytes.remove_prefix(length + kAround);
-    if (name == "IEND") return bytes.empty() && has_pixels ? "" : "it is no whole PNG";
+    if (name == "IEND") return bytes.empty() && has_pixels ? "" : "it is not a complete PNG file";
   }
-  return "it is no whole PNG";
+  return "it is not a complete PNG file";
 }
 
 // --- SVG ----------------------------------------------------------------------------------------
@@ -109,7 +109,7 @@ class SvgCheck {
     }
     walk(root);
     if (problem_.empty() && drawn_by(root) > kMostDrawn) {
-      problem_ = fmt::format("parts that use each other make more than {} shapes of it",
+      problem_ = fmt::format("its parts use each other and draw more than {} shapes",
                              static_cast<int>(kMostDrawn));
     }
     return problem_;
@@ -126,7 +126,7 @@ class SvgCheck {
     for (std::size_t at = lower.find("url("); at != lower.npos; at = lower.find("url(", at + 1)) {
       const std::size_t target = lower.find_first_not_of(" '\"", at + 4);
       if (target == lower.npos || lower[target] != '#') {
-        fail(element, "'url(' may name a part of the same file only, url(#id)");
+        fail(element, "'url(' may refer to the same file only, as url(#id)");
         return;
       }
       const std::size_t end = lower.find_first_of(" '\")", target);
@@ -143,10 +143,11 @@ class SvgCheck {
   void check_attribute(const XmlElement& element, const XmlAttribute& attribute) {
     const std::string name = ascii_lowered(without_prefix(attribute.name));
     if (name.starts_with("on")) {
-      fail(element, fmt::format("'{}': what acts is not allowed", printable(attribute.name)));
+      fail(element, fmt::format("'{}' is not allowed: a logo must not react to events",
+                                printable(attribute.name)));
     } else if (name == "href" || name == "src" || attribute.name == "xml:base") {
       if (!attribute.value.starts_with('#') || name != "href") {
-        fail(element, fmt::format("'{}' may name a part of the same file only, #id",
+        fail(element, fmt::format("'{}' may refer to the same file only, as #id",
                                   printable(attribute.name)));
       }
       uses_[&element].push_back(
@@ -157,7 +158,7 @@ class SvgCheck {
                               attribute.value == kSvgNamespace;
       if (is_foreign) drawing_prefixes_.insert(attribute.name.substr(6));
     } else if (attribute.name == "xmlns" && attribute.value != kSvgNamespace) {
-      fail(element, "'xmlns' may be that of SVG only");
+      fail(element, fmt::format("'xmlns' must be \"{}\"", kSvgNamespace));
     }
     check_text(element, attribute.value, name == "style");
   }
@@ -202,7 +203,7 @@ std::string svg_problem(std::string_view bytes) {
   if (first_invalid_utf8(bytes) || bytes.find('\0') != bytes.npos) return "it is not UTF-8";
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.rfind("<?") != text.npos && (text.rfind("<?") > 0 || !text.starts_with("<?xml "))) {
-    return "'<?' is allowed at its begin only, as '<?xml ...?>'";
+    return "'<?' is allowed at the start of the file only, as '<?xml ...?>'";
   }
   Diagnostics diagnostics;
   const std::optional<XmlElement> root =

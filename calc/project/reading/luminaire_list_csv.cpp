@@ -61,19 +61,20 @@ class ListReader {
     columns_ = CsvColumns(header, kNames, name_in_metres);
     if (!columns_.unknown().empty()) {
       const std::string found = shorten_utf8(columns_.unknown()[0], 40);
-      throw BadLine{"found '" + found + "'" + suggestion(found, {kNames.begin(), kNames.end()})};
+      throw BadLine{"unknown column '" + found + "'" +
+                    suggestion(found, {kNames.begin(), kNames.end()})};
     }
     if (!columns_.doubled().empty()) {
-      throw BadLine{fmt::format("'{}' is there twice", columns_.doubled())};
+      throw BadLine{fmt::format("column '{}' is given twice", columns_.doubled())};
     }
     for (std::size_t c = 0; c < kRequired; ++c) {
-      if (!columns_.has(c)) throw BadLine{fmt::format("'{}' is missing", kNames[c])};
+      if (!columns_.has(c)) throw BadLine{fmt::format("column '{}' is missing", kNames[c])};
     }
     for (const Column first : {kAxisX, kAimX}) {
       for (std::size_t c = first; c < first + 3u; ++c) {
         if (columns_.has(c) != columns_.has(first)) {
-          throw BadLine{fmt::format("of {}, {} and {} only some are there", kNames[first],
-                                    kNames[first + 1u], kNames[first + 2u])};
+          throw BadLine{fmt::format("columns '{}', '{}' and '{}' must be given together",
+                                    kNames[first], kNames[first + 1u], kNames[first + 2u])};
         }
       }
     }
@@ -101,12 +102,14 @@ class ListReader {
     entry.axis = optional_vector(kAxisX);
     entry.aim_m = optional_vector(kAimX);
     if (entry.aim_m) *entry.aim_m *= metres_;
-    if (entry.axis && entry.aim_m) throw BadLine{"it has both an axis and an aim"};
+    if (entry.axis && entry.aim_m) {
+      throw BadLine{"the luminaire has both an axis and an aim; give only one of them"};
+    }
     if (entry.axis && glm::length(*entry.axis) < kShortestAim) {
-      throw BadLine{"the axis is zero"};
+      throw BadLine{"the axis is zero; it must be a direction"};
     }
     if (entry.aim_m && glm::distance(*entry.aim_m, entry.position_m) < kShortestAim) {
-      throw BadLine{"the aim is the luminaire's own position"};
+      throw BadLine{"the aim is the luminaire's own position; it must be another point"};
     }
     if (!cell(kRotation).empty()) entry.rotation_rad = radians_from_degrees(number_in(kRotation));
     const auto [first, is_new] = line_of_name_.try_emplace(entry.name, entry.line);
@@ -124,7 +127,7 @@ class ListReader {
       const std::optional<double> metres = length_column(cell.text).metres;
       if (!metres) continue;
       if (!first.empty() && *metres != metres_) {
-        throw BadLine{fmt::format("'{}' and '{}' are in different units", first, cell.text)};
+        throw BadLine{fmt::format("columns '{}' and '{}' have different units", first, cell.text)};
       }
       first = cell.text;
       metres_ = *metres;

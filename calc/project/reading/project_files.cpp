@@ -117,7 +117,8 @@ std::optional<std::string> ProjectFiles::read(const std::string& key, const std:
 
 bool ProjectFiles::take_file(std::string_view bytes, double factor, const SourceLocation& named_at,
                              const std::string& path) {
-  return take(factor * static_cast<double>(bytes.size()), named_at, "with '" + path + "' it takes");
+  return take(factor * static_cast<double>(bytes.size()), named_at,
+              "'" + path + "' brings the project to");
 }
 
 const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& light,
@@ -131,10 +132,11 @@ const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& l
   options.read_companion = [&](const std::string& file_name) -> std::optional<std::string> {
     is_alone = false;
     if (is_named_as_other_than_photometry(file_name)) {
-      diagnostics_.report(DiagnosticId::file_of_other_kind, named_at,
-                          fmt::format("'{}' names '{}', whose name is one of a mesh, a table or an "
-                                      "XML file, and not of photometry",
-                                      full_path(key), file_name));
+      diagnostics_.report(
+          DiagnosticId::file_of_other_kind, named_at,
+          fmt::format("'{}' refers to '{}', whose name is that of a mesh, a table or an XML "
+                      "file; a photometry file is needed",
+                      full_path(key), file_name));
       return std::nullopt;
     }
     const std::size_t slash = key.rfind('/');
@@ -168,7 +170,7 @@ std::vector<PlacedWeb> ProjectFiles::light(const std::string& path, const WebUse
   for (const EmitterLight& emitter : light->emitters) {
     const PhotometricWeb shaped = use.as_point ? without_opening(emitter.web) : emitter.web;
     PhotometricWeb web = use.is_cubic ? hermite_refined(shaped) : shaped;
-    if (!take(web_bytes(web), named_at, "with the photometry of '" + path + "' it takes")) {
+    if (!take(web_bytes(web), named_at, "the photometry of '" + path + "' brings the project to")) {
       entry->second.clear();
       return {};
     }

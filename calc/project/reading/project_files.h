@@ -52,7 +52,8 @@ class ProjectFiles {
                const Budget& budget);
 
   // Counts so many bytes, as estimated, that stay until everything is read. False, and an error,
-  // where they are too many: what takes so much must not be made then. what: "its elements take".
+  // where they are too many: what takes so much must not be made then. what: "the elements of the
+  // project take".
   bool take(double bytes, const SourceLocation& where, std::string_view what);
   double taken_bytes() const { return taken_bytes_; }
 

@@ -62,12 +62,13 @@ std::vector<std::size_t> read_rooms(ProjectContext& context, ElementReader& read
   const std::vector<std::string_view> patterns = split_words(given);
   if (patterns.empty()) {
     reader.report(DiagnosticId::missing_form, reader.where("rooms"), "building",
-                  "the id of a room in 'rooms', or no 'rooms', which means all of them");
+                  "the id of a room in 'rooms'; leave out 'rooms' for all rooms");
   }
   // Stands for the time, too, which many patterns for many rooms take.
   constexpr double kComparison = 64.0;
   const auto comparisons = static_cast<double>(patterns.size() * spaces.size());
-  if (!context.files.take(kComparison * comparisons, reader.where(), "patterns of rooms take")) {
+  if (!context.files.take(kComparison * comparisons, reader.where(),
+                          "the patterns in 'rooms' take")) {
     return {};
   }
   std::set<std::string_view> seen;
@@ -78,7 +79,7 @@ std::vector<std::size_t> read_rooms(ProjectContext& context, ElementReader& read
                                rooms_of(context.project));
     } else {
       reader.report(DiagnosticId::missing_form, reader.where(), "building",
-                    "a room in the project that it is about");
+                    "at least one room in the project");
     }
   }
   return {rooms.begin(), rooms.end()};
@@ -106,10 +107,10 @@ void read_buildings(ProjectContext& context, const XmlElement& root) {
     // Each of its rooms has a line in each of its findings, in every format.
     constexpr double kLine = 4096.0;
     const auto lines = static_cast<double>(building.rooms.size() * building.requirements.size());
-    if (!context.files.take(kLine * lines, child.where, "the rooms of its buildings take")) return;
+    if (!context.files.take(kLine * lines, child.where, "the rooms of the buildings take")) return;
     if (building.requirements.empty()) {
       reader.report(DiagnosticId::missing_form, reader.where(), "building",
-                    "a <require> that says what its rooms must meet together");
+                    "a <require> that all of its rooms together must meet");
     }
     context.project.buildings.push_back(std::move(building));
   }

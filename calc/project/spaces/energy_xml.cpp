@@ -57,7 +57,7 @@ EnergyUse read_use(const XmlElement& element, const GroupNames& groups, Diagnost
   if (reader.ok() && !(sum_h > 0.0 && sum_h <= kYear_h)) {
     reader.report(DiagnosticId::number_out_of_range, reader.where("night-hours"), "night-hours",
                   "energy", reader.text("night-hours"),
-                  "hours that make, with those by day, more than 0 and at most the 8760 of a year");
+                  "hours that with 'day-hours' add up to more than 0 and at most 8760, one year");
   }
   IdTable seen("dimming group");
   for (const XmlElement& child : element.children) {

@@ -188,9 +188,9 @@ class MeshRoomReader {
     const bool is_small = box_volume(largest) <= kMostOfRoom * box_volume(open_.shell.bounds);
     if (is_in_open && is_small) return closed_.size();
     if (has_open() && !holds_open) {
-      return refuse("a closed shell and open surfaces that reach beyond it");
+      return refuse("it has a closed shell, and open surfaces reach beyond the shell");
     }
-    return refuse(fmt::format("{} closed shells stand side by side", beside.size() + 1));
+    return refuse(fmt::format("{} closed shells are side by side", beside.size() + 1));
   }
 
   std::optional<std::size_t> choose_largest() {
@@ -204,20 +204,20 @@ class MeshRoomReader {
           room.shell.faces == FacesLook::outward && inner.shell.faces == FacesLook::inward;
       if (!is_large && !is_hollow) continue;
       return refuse(fmt::format(
-          "shell {} lies in shell 1 and {}, so that it may be a solid in the room, or a room "
+          "shell {} is inside shell 1 and {}; it may be a solid in the room, or the room "
           "within thick walls",
           i + 1,
-          is_hollow ? "its faces look the other way"
+          is_hollow ? "has faces that look the other way"
           : box_volume(inner.shell.bounds) > kMostOfRoom * box_volume(room.shell.bounds)
               ? "fills most of it"
-              : "fills most of it together with the larger ones"));
+              : "fills most of it together with larger shells"));
     }
     if (has_open() &&
         box_volume(open_.shell.bounds) > kMostOfRoom * box_volume(room.shell.bounds) &&
         encloses_something(open_.body.vertex_m, open_.body.triangle)) {
       return refuse(
-          "open surfaces in shell 1 enclose most of it, so that they may be the room "
-          "within thick walls");
+          "open surfaces in shell 1 enclose most of it; they may be the room within thick "
+          "walls");
     }
     return std::size_t{0};
   }
@@ -240,9 +240,9 @@ class MeshRoomReader {
                            size.x, size.y, size.z);
     }
     if (closed_.size() > kMostListed) {
-      words += fmt::format("up to {}, smaller ones, ", closed_.size());
+      words += fmt::format("smaller ones up to {}, ", closed_.size());
     }
-    return words + "or \"all\" (the room is what lies between all surfaces, such as thick walls)";
+    return words + "or \"all\" (the room is the space between all surfaces, such as thick walls)";
   }
 
   // The room is between the solids.
@@ -272,8 +272,8 @@ class MeshRoomReader {
     if (!encloses_something(open_.body.vertex_m, open_.body.triangle)) return refuse_sheet();
     if (open.count == 0) {
       refuse(
-          "shells have edges in common, so that they are not told apart; make each an object of "
-          "its own in the file");
+          "shells share edges and cannot be told apart; make each shell its own object in the "
+          "file");
       return false;
     }
     reader_.report(DiagnosticId::mesh_room_open, reader_.where("file"), space_.id,

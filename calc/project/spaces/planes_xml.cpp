@@ -87,7 +87,7 @@ class PlaneReader {
     const DiagnosticId id = is_mesh ? DiagnosticId::mesh_room_plane : DiagnosticId::gbxml_plane;
     if (form == "on") {
       reader_.report(id, reader_.where(form), form,
-                     is_mesh ? "the walls of a room of a mesh have no numbers; use 'points'"
+                     is_mesh ? "the walls of a mesh room have no numbers; use 'points'"
                              : "the walls of a gbXML room have no numbers; use 'points'");
       return false;
     }
@@ -95,8 +95,8 @@ class PlaneReader {
       reader_.report(
           id, reader_.where(form), form,
           is_mesh ? "the lowest faces of this mesh are not one level polygon without holes, or "
-                    "others that look up lie above them; use 'points'"
-                  : "this gbXML room says no outline, and its floor is not one flat polygon; use "
+                    "other faces that look up are above them; use 'points'"
+                  : "this gbXML room states no outline, and its floor is not one flat polygon; use "
                     "'points'");
     }
     return form != "height" || around_.room != nullptr;

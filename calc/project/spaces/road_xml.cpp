@@ -187,10 +187,11 @@ class RoadReader {
   // One lane that is three wide would be looked at from one place, and lanes of a foot from many.
   void check_lanes(const Road& road) {
     if (!reader_.ok() || kLaneWidth.contains(road.lane_m())) return;
-    reader_.report(DiagnosticId::number_out_of_range, reader_.where("lanes"), "lanes", "road",
-                   road.is_oncoming.size(),
-                   fmt::format("lanes from {:g} m to {:g} m wide, these are {:.3g} m",
-                               kLaneWidth.low, kLaneWidth.high, road.lane_m()));
+    reader_.report(
+        DiagnosticId::number_out_of_range, reader_.where("lanes"), "lanes", "road",
+        road.is_oncoming.size(),
+        fmt::format("lanes that are {:g} m to {:g} m wide; these lanes are {:.3g} m wide",
+                    kLaneWidth.low, kLaneWidth.high, road.lane_m()));
   }
 
   // Surfaces of one class differ, but not by more.
@@ -198,9 +199,10 @@ class RoadReader {
     if (!reader_.ok() || !road.q0) return;
     const double own = r_table(road.surface)->q0;
     if (*road.q0 <= kMostOfQ0 * own && *road.q0 >= own / kMostOfQ0) return;
-    reader_.report(DiagnosticId::number_out_of_range, reader_.where("q0"), "q0", "road", *road.q0,
-                   fmt::format("a number from {:.4g} to {:.4g}, half and twice that of {}",
-                               own / kMostOfQ0, kMostOfQ0 * own, road.surface));
+    reader_.report(
+        DiagnosticId::number_out_of_range, reader_.where("q0"), "q0", "road", *road.q0,
+        fmt::format("a number from {:.4g} to {:.4g}, half to twice the value of surface {}",
+                    own / kMostOfQ0, kMostOfQ0 * own, road.surface));
   }
 
   void read_rows(Road& road, bool is_good) {
@@ -225,8 +227,9 @@ class RoadReader {
     }
     if (rows > 0 && begins_field) return;
     reader_.report(DiagnosticId::missing_form, reader_.where(), "road",
-                   rows == 0 ? "a <luminaire-row>"
-                             : "a <luminaire-row> without 'shift', where its field begins");
+                   rows == 0
+                       ? "a <luminaire-row>"
+                       : "a <luminaire-row> without 'shift': the field begins at its luminaire");
   }
 
   // Files may have them anywhere.
@@ -240,7 +243,7 @@ class RoadReader {
       row.report(
           DiagnosticId::number_out_of_range, row.where("height"), "height", row.element().name,
           row.text("height"),
-          fmt::format("one that has every emitter from {:g} m to {:g} m above the road; '{}' "
+          fmt::format("a height that puts every emitter from {:g} m to {:g} m above the road; '{}' "
                       "is {:.4g} m above it and {:.4g} m from its right edge",
                       kLowest_m, kFarthest_m, emitter.id, at_m.z, at_m.y));
       return;

@@ -100,15 +100,15 @@ class UprightReader {
     const glm::dvec2 to = glm::dvec2(ends[2], ends[3]) * unit_m_ + glm::dvec2(room_.origin_m);
     const double length_m = glm::length(to - from);
     if (!(length_m > kRounding_m)) {
-      out_of_range("face", "two different places");
+      out_of_range("face", "two different points");
       return std::nullopt;
     }
     UprightTask task = made(glm::dvec3(from, room_.origin_m.z),
                             glm::dvec3((to - from) / length_m, 0.0), length_m, *heights, lean_deg);
     if (lies_within(task, room_.shell())) return task;
     out_of_range("face",
-                 "a face within the room that looks into it: its ends from left to right, as "
-                 "whoever looks at it sees them");
+                 "a face within the room that looks into the room; its ends go from left to "
+                 "right as seen from the front");
     return std::nullopt;
   }
 

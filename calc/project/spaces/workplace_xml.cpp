@@ -130,9 +130,10 @@ class WorkplaceReader {
     const bool changes = zone.height_m || zone.margin_m || zone.grid || reader.has("size") ||
                          reader.has("footprint");
     if (changes || !reader.ok()) return;
-    reader.report(DiagnosticId::missing_form, reader.where(), "zone",
-                  "something that it changes: 'height', 'margin', 'origin' and 'size', "
-                  "'footprint', 'count', 'spacing' or 'rounding'");
+    reader.report(
+        DiagnosticId::missing_form, reader.where(), "zone",
+        "at least one attribute that changes it: 'height', 'margin', 'origin' and 'size', "
+        "'footprint', 'count', 'spacing' or 'rounding'");
   }
 
   std::optional<double> read_height(ElementReader& reader) {

@@ -86,7 +86,8 @@ TEST(Csv, MistakesWithQuotesAreFoundWhereTheyBegin) {
   EXPECT_EQ(problem_of("\""), "t.csv:1:1: error[csv-quotes]: a quote is not closed");
   EXPECT_EQ(problem_of("\"a\"\""), "t.csv:1:1: error[csv-quotes]: a quote is not closed");
   const std::string stray =
-      " error[csv-quotes]: quotes enclose a whole cell, and a quote in it is doubled";
+      " error[csv-quotes]: misplaced quote; enclose the whole cell in quotes and write a quote in "
+      "it twice";
   EXPECT_EQ(problem_of("a,5\" tube\n"), "t.csv:1:4:" + stray);
   EXPECT_EQ(problem_of("a, \"b\" c\n"), "t.csv:1:4:" + stray);
 }

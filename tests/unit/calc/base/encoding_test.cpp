@@ -90,15 +90,15 @@ TEST(Encoding, DeclaredCodePagesAreRead) {
   };
   EXPECT_EQ(name_in("ISO-8859-1", "B\xFCro"), "B\u00FCro");
   EXPECT_EQ(name_in("Windows-1252", "5 \x80"), "5 \u20AC");
-  EXPECT_THAT(name_in("UTF-8", "B\xFCro"), HasSubstr("is not valid there"));
+  EXPECT_THAT(name_in("UTF-8", "B\xFCro"), HasSubstr("is not valid UTF-8"));
   EXPECT_THAT(name_in("KOI8-R", "a"), HasSubstr("x:1:31: error[xml-encoding]"));
 }
 
 TEST(Encoding, DeclarationsThatContradictTheBytesAreRefused) {
   EXPECT_THAT(xml_problem("<?xml version='1.0' encoding='utf-16'?><a/>"),
-              HasSubstr("it declares 'utf-16', but its bytes are not UTF-16"));
+              HasSubstr("the declaration says 'utf-16', but the file is not UTF-16"));
   EXPECT_THAT(xml_problem(utf16("<?xml version='1.0' encoding='utf-8'?><a/>", false, true)),
-              HasSubstr("it declares 'utf-8', but its bytes are UTF-16"));
+              HasSubstr("the declaration says 'utf-8', but the file is UTF-16"));
   EXPECT_THAT(xml_problem("\xEF\xBB\xBF<?xml version='1.0' encoding='latin1'?><a/>"),
               HasSubstr("byte order mark of UTF-8"));
   EXPECT_EQ(xml_problem(utf16("<a/>", true, false)), "");

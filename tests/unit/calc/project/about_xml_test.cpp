@@ -73,7 +73,7 @@ TEST(AboutXml, MistakesAreNamed) {
                   "report: its name must end with .png or .svg");
   expect_messages("<about logo='logo.png'/>",
                   "dir/p.xml:4:8: error[logo-not-usable]: the logo 'logo.png' cannot stand in a "
-                  "report: its name ends with .png, but it is no PNG");
+                  "report: its name ends with .png, but it is not a PNG file");
   expect_messages("<about logo='../logo.png'/>",
                   "dir/p.xml:4:8: error[file-outside-project]: '../logo.png' leaves the project's "
                   "folder; files are read from that folder and below it only");

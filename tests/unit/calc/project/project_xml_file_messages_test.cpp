@@ -34,12 +34,13 @@ end)",
      "are not used"},
     {"OtherEncoding", R"(<?xml version="1.0" encoding="Shift_JIS"?>
 <luxgate version="1"/>)",
-     "dir/p.xml:1:31: error[xml-encoding]: the encoding cannot be read: it declares 'Shift_JIS'; "
+     "dir/p.xml:1:31: error[xml-encoding]: the encoding cannot be read: the declaration says "
+     "'Shift_JIS'; "
      "readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 and "
      "Windows-1252"},
     {"InvalidUtf8", "<luxgate version=\"1\"\n name=\"Gr\xFC\xDF\"/>",
      "dir/p.xml:2:10: error[xml-encoding]: the encoding cannot be read: byte 31 (0xFC) is not "
-     "valid there; readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 "
+     "valid UTF-8; readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 "
      "and Windows-1252"},
     {"AnotherKind", "%PDF-1.4\n",
      "dir/p.xml: error[file-of-other-kind]: this is a PDF document, and a luxgate project (XML) is "
@@ -47,11 +48,12 @@ end)",
     {"ForeignXml", "<measure>\n<schema_version>3.0</schema_version></measure>",
      "dir/p.xml:1:1: error[wrong-root-element]: the root element is <measure>; expected <luxgate>"},
     {"ControlCharacter", "<luxgate version=\"1\"\n name=\"a\x01\"/>",
-     "dir/p.xml:2:9: error[xml-syntax]: not well-formed XML: control character 0x01"},
+     "dir/p.xml:2:9: error[xml-syntax]: not well-formed XML: control character 0x01 is not "
+     "allowed; remove it"},
     {"UnknownReferenceInText", R"(<luxgate version="1"
  name="A &amp; B &uuml;"/>)",
-     "dir/p.xml:2:18: error[xml-syntax]: not well-formed XML: '&' begins an unknown reference; "
-     "allowed: &amp; &lt; &gt; &quot; &apos; and &#number;, a plain '&' is written &amp;"},
+     "dir/p.xml:2:18: error[xml-syntax]: not well-formed XML: unknown reference after '&'; "
+     "allowed: &amp; &lt; &gt; &quot; &apos; and &#number;. Write a plain '&' as &amp;"},
     {"BareLessThan", R"(<luxgate version="1"
  name="a < b"/>)",
      "dir/p.xml:2:10: error[xml-syntax]: not well-formed XML: '<' in an attribute must be written "

@@ -27,7 +27,7 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:15: error[empty-attribute]: attribute 'tags' of <plane> must not be empty"},
     {"TagsThatAreTooMany", in_room("<plane id=\"p\" tags=\"" + many_tags() + "\" height=\"0.8\"/>"),
      "dir/p.xml:5:15: error[wrong-number-count]: attribute 'tags' of <plane>: expected 1 to 32 "
-     "words like ids, found 33"},
+     "ids separated by blanks, found 33"},
     {"PlaneThatWasOneThatIsThere", in_room(R"(<plane id="p" was="task" height="0.8"/>)"),
      "dir/p.xml:5:15: error[former-id-in-use]: was=\"task\": the plane 'task' is there, in line 7, "
      "so that no other can have been it; remove 'was' once the renaming is in every revision that "

@@ -174,20 +174,21 @@ TEST(HousingMesh, WhatCannotBeIsRefused) {
   const std::vector<Refused> cases{
       {"flat.ies", kMesh, box_obj({-0.6, -0.15, -0.02}, {0.6, 0.15, 0.1}),
        "attribute 'file' of <housing>: body.obj is not allowed; expected surfaces behind the "
-       "luminous opening: a corner lies 0.02 m before it"},
+       "luminous opening; a corner is 0.02 m in front of it"},
       {"up.ies", kMesh, good,
-       "attribute 'file' of <housing>: body.obj is not allowed; expected none: 50 % of the light "
+       "attribute 'file' of <housing>: body.obj is not allowed; expected no value: 50 % of the "
+       "light "
        "goes backwards"},
       {"spot.ies", kMesh, good, "<housing> needs photometry with a luminous opening"},
       {"body.ies", kMesh, box_obj({-0.5, -0.1, -0.05}, {0.5, 0.1, 0.0995}),
-       "expected surfaces within the luminous opening, which is a body of 1.2 x 0.3 x 0.2 m"},
+       "expected surfaces inside the luminous opening, which is a body of 1.2 x 0.3 x 0.2 m"},
       {"body.ies", kMesh, box_obj({-0.5, -0.1, -0.05}, {0.5, 0.1, 0.3}),
-       "a corner is at (-0.5, -0.1, 0.3) m from its centre"},
+       "A corner is at (-0.5, -0.1, 0.3) m from its centre"},
       {"flat.ies", kMesh + R"( depth="0.1")", good, "has both 'file' and 'depth'"},
       {"flat.ies", kMesh + R"( size="1.3 0.4")", good, "has both 'file' and 'size'"},
       {"flat.ies", kMesh + R"( dimensions="file")", good, "has both 'file' and 'dimensions'"},
       {"flat.ies", R"(material="grey" depth="0.1" scale="2")", good,
-       "<housing> needs 'file' with 'scale', which is about a mesh"},
+       "<housing> needs 'file' beside 'scale', which describes a mesh file"},
       {"flat.ies", R"(material="grey" file="body.obj" up="z")", good,
        "<housing> needs the attribute 'units'"},
       {"flat.ies", R"(file="body.obj" units="m" up="z")", good,

@@ -209,24 +209,26 @@ TEST(HousingOfSeveral, WhatWouldHideTheirLightIsRefused) {
   };
   const std::vector<Refused> cases{
       {kDownAndUp, "depth=\"0.12\"",
-       "attribute 'depth' of <housing>: 0.12 is not allowed; expected none, or one with which the "
-       "box around all openings does not stand before one of them: it would reach 0.02 m into the "
+       "attribute 'depth' of <housing>: 0.12 is not allowed; expected no value, or a box around "
+       "all openings that is in front of none of them; it would reach 0.02 m into the "
        "light of emitter 'e2'"},
       // Tilted by 30 degrees so that their light crosses: 0.8 sin 30 + 0.15 sin 60.
-      {{{-0.4, 0, 0, 0, -30}, {0.4, 0, 0, 0, 30}}, "", "would reach 0.53 m into that of emitter"},
+      {{{-0.4, 0, 0, 0, -30}, {0.4, 0, 0, 0, 30}},
+       "",
+       "would reach 0.53 m into the light of emitter"},
       {{{-0.4, 0, 0}, {0.4, 0, 0.02}},
        "",
-       "<housing> needs luminous openings none of which stands in the light of another: the face "
-       "of emitter 'e1' would reach 0.02 m into that of emitter 'e2'"},
+       "<housing> needs luminous openings that do not block each other's light; the face of "
+       "emitter 'e1' would reach 0.02 m into the light of emitter 'e2'"},
       {kDownAndUp, kMesh,
-       "attribute 'file' of <housing>: body.obj is not allowed; expected a mesh behind all "
-       "openings, no part of which stands before one of them: it would reach 0.03 m into the light "
+       "attribute 'file' of <housing>: body.obj is not allowed; expected a mesh with all of its "
+       "parts behind all openings; it would reach 0.03 m into the light "
        "of emitter 'e2'"},
       {kBeside, R"(depth="0.1" size="1 1.2")",
-       "attribute 'size' of <housing>: 1 1.2 is not allowed; expected at least what the luminous "
-       "openings take up together, 1.1 x 1.2 m"},
-      {kBeside, R"(size="1.2 1.3")", "<housing> needs 'depth' with 'size'"},
-      {kBeside, R"(dimensions="file")", "<housing> needs 'depth' in place of 'dimensions'"},
+       "attribute 'size' of <housing>: 1 1.2 is not allowed; expected at least the size of all "
+       "luminous openings together, 1.1 x 1.2 m"},
+      {kBeside, R"(size="1.2 1.3")", "<housing> needs 'depth' beside 'size'"},
+      {kBeside, R"(dimensions="file")", "<housing> needs 'depth' instead of 'dimensions'"},
   };
   for (const Refused& one : cases) {
     SCOPED_TRACE(one.message);
@@ -253,19 +255,19 @@ TEST(HousingOfSeveral, LightBackwardsAllowsFacesInOnePlaneOnly) {
   // Apart, each stands in the other's backward light.
   const std::vector<Place> apart{{-0.4, 0, 0, 0, 30}, {0.4, 0, 0, 0, -30}};
   EXPECT_THAT(room_with(apart, "", kHanging, "", test_support::ldt_text(both)).messages,
-              HasSubstr("none of which stands in the light of another"));
+              HasSubstr("that do not block each other's light"));
 }
 
 TEST(HousingOfSeveral, OpeningsWithoutSizeOrWithSidesAreRefused) {
   EXPECT_THAT(room_with(kBeside, "", kHanging, "opening=\"point\"").messages,
-              HasSubstr("<housing> needs photometry with a luminous opening, which emitter 'e1' "
-                        "has not, or which opening=\"point\" leaves out"));
+              HasSubstr("<housing> needs photometry with a luminous opening; emitter 'e1' "
+                        "has none, or opening=\"point\" leaves it out"));
   std::string ldt = test_support::ldt_text({});
   const std::string flat = "\n300\n0\n0\n0\n0\n";
   ldt.replace(ldt.find(flat), flat.size(), "\n300\n200\n200\n200\n200\n");
   EXPECT_THAT(room_with(kBeside, "", kHanging, "", ldt).messages,
-              HasSubstr("<housing> needs flat luminous openings, where a luminaire has several "
-                        "emitters: that of emitter 'e1' is a body of its own, 0.3 x 1.2 x 0.2 m"));
+              HasSubstr("<housing> needs flat luminous openings for a luminaire of several "
+                        "emitters; the opening of emitter 'e1' is a body, 0.3 x 1.2 x 0.2 m"));
 }
 
 }  // namespace

@@ -246,12 +246,12 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
       {"spot.ies", "<housing material=\"white\"/>",
        "<housing> needs photometry with a luminous opening"},
       {"box.ies", "<housing material=\"white\" depth=\"0.1\"/>",
-       "attribute 'depth' of <housing>: 0.1 is not allowed; expected none: the opening of this "
-       "photometry is a body of its own, 1.2 x 0.3 x 0.2 m"},
+       "attribute 'depth' of <housing>: 0.1 is not allowed; expected no value: the opening of this "
+       "photometry is a body, 1.2 x 0.3 x 0.2 m"},
       {"flat.ies", "<housing material=\"white\" size=\"1.1 0.3\"/>",
        "expected at least the luminous opening, 1.2 x 0.3 m"},
       {"up.ies", "<housing material=\"white\" depth=\"0.1\"/>",
-       "expected none: 50 % of the light goes backwards"},
+       "expected no value: 50 % of the light goes backwards"},
       {"flat.ies", "<housing material=\"white\" dimensions=\"file\"/>",
        "<housing> needs 'size' and 'depth': this photometry does not state how large the luminaire "
        "is"},
@@ -262,7 +262,7 @@ TEST(Housing, WhatCannotBeIsRefusedAtItsPlace) {
        "0.4 x 1.2 m"},
       {"flat.ies", "<housing/>", "<housing> needs the attribute 'material'"},
       {"flat.ies", "<housing material=\"white\"/><housing material=\"white\"/>",
-       "<luminaire-type> needs one <housing> at most"},
+       "<luminaire-type> needs at most one <housing>"},
       {"flat.ies", "<housing material=\"white\" depth=\"0\"/>", "attribute 'depth' of <housing>"},
       {"flat.ies", "<housing material=\"none\"/>", "there is no material 'none'"},
       {"flat.ies", "<house material=\"white\"/>",

@@ -136,14 +136,14 @@ TEST(RouteShape, RefusesWhatIsNoLine) {
   const auto fault = [](std::vector<glm::dvec3> corners, double width_m = 1.2) {
     return route_fault(line_of(std::move(corners), width_m));
   };
-  EXPECT_EQ(fault({{0, 0, 0}}), "a line has 2 corners or more");
+  EXPECT_EQ(fault({{0, 0, 0}}), "the line has fewer than 2 corners");
   EXPECT_EQ(fault({{0, 0, 0}, {2, 0, 0}, {2, 0, 0}}),
-            "corners 2 and 3 are one point; each corner is given once");
+            "corners 2 and 3 are the same point; give each corner once");
   EXPECT_THAT(fault({{0, 0, 0}, {2, 0, 0}, {2, 0, 3}}),
               HasSubstr("corner 3 is straight above or below corner 2"));
   EXPECT_EQ(fault({{0, 0, 0}, {4, 0, 0}, {0, 0.1, 0}}),
-            "the line turns by 178.6 degrees at corner 2; at most 120 are allowed: make two "
-            "corners of it");
+            "the line turns by 178.6 degrees at corner 2; at most 120 degrees are allowed. Replace "
+            "it by two corners");
   EXPECT_THAT(fault({{0, 0, 0}, {4, 0, 0}, {0, 0, 0}}), HasSubstr("turns by 180 degrees"));
   EXPECT_EQ(fault({{0, 0, 0}, {4, 0, 0}, {4, 1.1, 0}, {0, 1.1, 0}}),
             "the leg from corner 2 to corner 3 is 1.1 m long, too short for its turns: with a "
@@ -161,7 +161,7 @@ TEST(RouteShape, TurnsOfUpTo120DegreesAreFine) {
 TEST(RouteShape, RefusesToCoverAPlaceTwice) {
   const std::vector<glm::dvec3> crossing{{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {3, 4, 0}, {3, -4, 0}};
   EXPECT_THAT(route_fault(line_of(crossing, 1.0)),
-              HasSubstr("the legs from corner 1 to 2 and from corner 4 to 5 lie on each other"));
+              HasSubstr("the legs from corner 1 to 2 and from corner 4 to 5 overlap at"));
   const std::vector<glm::dvec3> loop{{0, 0, 0}, {6, 0, 0}, {4.6, 2.94, 0}, {1.8, -1, 0}};
   EXPECT_THAT(route_fault(line_of(loop, 1.0)), HasSubstr("corner 1 to 2 and from corner 3 to 4"));
   // The lines are 1.5 m apart, the edges overlap by 0.1 m.

@@ -168,7 +168,7 @@ TEST(Buildings, RefuseWhatRoomsDoNotHaveTogether) {
 }
 
 TEST(Buildings, RefuseWhatMeansNothingOfThem) {
-  EXPECT_THAT(judge("<building id='B'/>").messages, Contains(HasSubstr("a <require> that says")));
+  EXPECT_THAT(judge("<building id='B'/>").messages, Contains(HasSubstr("a <require> that all")));
   EXPECT_THAT(judge("<building id='B'><require pack='ashrae90-1' row='parking'><deviation "
                     "in='height' because='b' by='c' until='2999-12-31'/></require></building>")
                   .messages,

@@ -397,10 +397,10 @@ TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
               ElementsAre(HasSubstr("needs 'wall' or 'face' beside 'heights'")));
   EXPECT_THAT(message("face='1 1 2 1'"), ElementsAre(HasSubstr("'heights'")));
   EXPECT_THAT(message("face='1 1 1 1' heights='0 1'"),
-              ElementsAre(HasSubstr("two different places")));
+              ElementsAre(HasSubstr("two different points")));
   for (const char* face : {"1 1 13 1", "0 0 12 0", "2 8 -1 8"}) {
     EXPECT_THAT(message(std::string("heights='0 1' face='") + face + "'"),
-                ElementsAre(HasSubstr("a face within the room that looks into it")))
+                ElementsAre(HasSubstr("a face within the room that looks into the room")))
         << face;
   }
   EXPECT_THAT(message("wall='2'", "<zone role='surround' height='1'/>"),
@@ -413,7 +413,7 @@ TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
   EXPECT_THAT(make(upright("face='1 5 11 5' heights='0 1'"),
                    "footprint='0 0 12 0 12 8 8 8 8 4 4 4 4 8 0 8' height='2.8'")
                   .messages,
-              ElementsAre(HasSubstr("a face within the room that looks into it")));
+              ElementsAre(HasSubstr("a face within the room that looks into the room")));
 }
 
 TEST(Workplace, ANarrowWallIsNotMade) {

@@ -48,16 +48,16 @@ TEST(Logo, APngIsWhole) {
   EXPECT_EQ(problem(png(1, 4096)), "");
   EXPECT_EQ(problem(png(4097, 1)), "it has 4097 x 1 pixels; allowed: 1 to 4096 each way");
   EXPECT_EQ(problem(png(0, 1)), "it has 0 x 1 pixels; allowed: 1 to 4096 each way");
-  EXPECT_EQ(problem(png(1, 1, {3, 6, 0, 0, 0})), "its header is none of a PNG");
-  EXPECT_EQ(problem(png(1, 1, {16, 3, 0, 0, 0})), "its header is none of a PNG");
+  EXPECT_EQ(problem(png(1, 1, {3, 6, 0, 0, 0})), "its PNG header is not valid");
+  EXPECT_EQ(problem(png(1, 1, {16, 3, 0, 0, 0})), "its PNG header is not valid");
   const std::string good = png(9, 9);
-  EXPECT_EQ(problem(good + "x"), "it is no whole PNG");
+  EXPECT_EQ(problem(good + "x"), "it is not a complete PNG file");
   for (std::size_t size = 8; size < good.size(); ++size) {
-    EXPECT_EQ(problem(good.substr(0, size)), "it is no whole PNG") << size;
+    EXPECT_EQ(problem(good.substr(0, size)), "it is not a complete PNG file") << size;
   }
   EXPECT_EQ(problem("\x89PNG\r\n\x1a\n" + chunk("IDAT", "x") + chunk("IEND", "")),
-            "it is no whole PNG");
-  EXPECT_EQ(problem("<svg/>"), "its name ends with .png, but it is no PNG");
+            "it is not a complete PNG file");
+  EXPECT_EQ(problem("<svg/>"), "its name ends with .png, but it is not a PNG file");
   EXPECT_EQ(problem(std::string(kMostLogoBytes + 1, 'x')),
             "it has 1048577 bytes; at most 1048576 are allowed");
 }
@@ -86,25 +86,26 @@ TEST(Logo, WhatActsOrFetchesIsRefused) {
   const std::vector<std::pair<std::string, std::string>> attacks{
       {svg("<script>alert(1)</script>"), "<script> is not allowed"},
       {svg("<foreignObject/>"), "<foreignObject> is not allowed"},
-      {svg("<image href='data:image/png;base64,AA=='/>"), "part of the same file only"},
+      {svg("<image href='data:image/png;base64,AA=='/>"), "to the same file only"},
       {svg("<a href='#x'/>"), "<a> is not allowed"},
       {svg("<animate attributeName='x'/>"), "<animate> is not allowed"},
       {svg("<filter id='f'/>"), "<filter> is not allowed"},
       {svg("<SCRIPT/>"), "<SCRIPT> is not allowed"},
-      {svg("", " onload='x()'"), "'onload': what acts is not allowed"},
-      {svg("<path ONCLICK='x()'/>"), "what acts is not allowed"},
-      {svg("<path ev:onclick='x()'/>"), "what acts is not allowed"},
-      {svg("<use href='http://x/y.svg#z'/>"), "'href' may name a part of the same file only"},
+      {svg("", " onload='x()'"), "'onload' is not allowed: a logo must not react to events"},
+      {svg("<path ONCLICK='x()'/>"), "a logo must not react to events"},
+      {svg("<path ev:onclick='x()'/>"), "a logo must not react to events"},
+      {svg("<use href='http://x/y.svg#z'/>"), "'href' may refer to the same file only"},
       {svg("<use xl:href='//x'/>", " xmlns:xl='http://www.w3.org/1999/xlink'"), "'xl:href' may"},
-      {svg("<g xml:base='http://x/'/>"), "'xml:base' may name"},
-      {svg("<path fill='url(http://x)'/>"), "'url(' may name a part"},
-      {svg("<path style='fill: URL( \"//x\" )'/>"), "'url(' may name a part"},
+      {svg("<g xml:base='http://x/'/>"), "'xml:base' may refer"},
+      {svg("<path fill='url(http://x)'/>"), "'url(' may refer to the same file"},
+      {svg("<path style='fill: URL( \"//x\" )'/>"), "'url(' may refer to the same file"},
       {svg("<style>@import 'http://x';</style>"), "'@' is not allowed in a style"},
       {svg("<style><![CDATA[@import 'x';]]></style>"), "'@' is not allowed in a style"},
       {svg("<path style='fill:u\\72l(//x)'/>"), "'\\' is not allowed in a style"},
       {svg("<h:script/>", " xmlns:h='http://www.w3.org/1999/xhtml'"), "<h:script> is not allowed"},
       {svg("<s:script/>", " xmlns:s='http://www.w3.org/2000/svg'"), "<s:script> is not allowed"},
-      {svg("<g xmlns='http://www.w3.org/1999/xhtml'/>"), "'xmlns' may be that of SVG only"},
+      {svg("<g xmlns='http://www.w3.org/1999/xhtml'/>"),
+       "'xmlns' must be \"http://www.w3.org/2000/svg\""},
       {"<svg/>", "its first element must be <svg xmlns="},
       {"<html xmlns=\"http://www.w3.org/1999/xhtml\"/>", "its first element must be"},
       {"<?xml version=\"1.0\"?><?xml-stylesheet href=\"x.css\"?>" + svg(""), "'<?' is allowed"},

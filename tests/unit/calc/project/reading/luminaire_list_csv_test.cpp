@@ -53,9 +53,9 @@ TEST(LuminaireList, ColumnsNameTheUnit) {
   EXPECT_EQ(parsed.list->entry[0].position_m, glm::dvec3(1.5, 2, 3));
   EXPECT_EQ(parsed.list->entry[0].aim_m, glm::dvec3(0, 0, 0.5));
   EXPECT_NE(parse("name,type,x_m,y_m,z_mm\na,spot,1,2,3000\n")
-                .messages.find("; 'y_m' and 'z_mm' are in different units"),
+                .messages.find("; columns 'y_m' and 'z_mm' have different units"),
             std::string::npos);
-  EXPECT_NE(parse("name,type,x_m,y_m,z_m,x_mm\n").messages.find("'x_mm' is there twice"),
+  EXPECT_NE(parse("name,type,x_m,y_m,z_m,x_mm\n").messages.find("column 'x_mm' is given twice"),
             std::string::npos);
 }
 
@@ -78,9 +78,9 @@ TEST(LuminaireList, MistakesWithQuotesEndTheReading) {
             "l.csv:3:4: error[csv-quotes]: a quote is not closed");
   EXPECT_EQ(parse("\"name,type,x_m,y_m,z_m\n").messages,
             "l.csv:1:1: error[csv-quotes]: a quote is not closed");
-  EXPECT_EQ(
-      parse(kHead + "a,5\" tube,1,2,3\n").messages,
-      "l.csv:2:4: error[csv-quotes]: quotes enclose a whole cell, and a quote in it is doubled");
+  EXPECT_EQ(parse(kHead + "a,5\" tube,1,2,3\n").messages,
+            "l.csv:2:4: error[csv-quotes]: misplaced quote; enclose the whole cell in quotes and "
+            "write a quote in it twice");
 }
 
 TEST(LuminaireList, HeadersAreChecked) {
@@ -88,14 +88,14 @@ TEST(LuminaireList, HeadersAreChecked) {
       "l.csv:1: error[luminaire-list-header]: the first line must name columns: name, type, x_m, "
       "y_m, z_m, and if needed axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, rotation_deg, "
       "group; _mm, _cm, _in or _ft instead of _m for other units; ";
-  EXPECT_EQ(parse("").messages, start + "found ''");
-  EXPECT_EQ(parse("name;type;x;y;z\n").messages, start + "found 'name;type;x;y;z'");
+  EXPECT_EQ(parse("").messages, start + "unknown column ''");
+  EXPECT_EQ(parse("name;type;x;y;z\n").messages, start + "unknown column 'name;type;x;y;z'");
   EXPECT_EQ(parse("name,type,x_m,y_m,z_m,rotation_dg\n").messages,
-            start + "found 'rotation_dg'; did you mean 'rotation_deg'?");
-  EXPECT_EQ(parse("name,type,x_m,y_m\n").messages, start + "'z_m' is missing");
-  EXPECT_EQ(parse("name,type,x_m,y_m,z_m,x_m\n").messages, start + "'x_m' is there twice");
+            start + "unknown column 'rotation_dg'; did you mean 'rotation_deg'?");
+  EXPECT_EQ(parse("name,type,x_m,y_m\n").messages, start + "column 'z_m' is missing");
+  EXPECT_EQ(parse("name,type,x_m,y_m,z_m,x_m\n").messages, start + "column 'x_m' is given twice");
   EXPECT_EQ(parse("name,type,x_m,y_m,z_m,aim_y_m\n").messages,
-            start + "of aim_x_m, aim_y_m and aim_z_m only some are there");
+            start + "columns 'aim_x_m', 'aim_y_m' and 'aim_z_m' must be given together");
   EXPECT_EQ(parse(kHead).messages,
             "l.csv: error[luminaire-list-empty]: no luminaires after the header line");
 }
@@ -115,10 +115,11 @@ TEST(LuminaireList, LinesAreChecked) {
             "l.csv:3: error[luminaire-list-line]: the name 'a' is also in line 2");
   const std::string aimed = "name,type,x_m,y_m,z_m,aim_x_m,aim_y_m,aim_z_m,axis_x,axis_y,axis_z\n";
   EXPECT_EQ(parse(aimed + "a,spot,1,2,3,1,2,3,,,\n").messages,
-            error("the aim is the luminaire's own position"));
+            error("the aim is the luminaire's own position; it must be another point"));
   EXPECT_EQ(parse(aimed + "a,spot,1,2,3,1,2,0,0,0,1\n").messages,
-            error("it has both an axis and an aim"));
-  EXPECT_EQ(parse(aimed + "a,spot,1,2,3,,,,0,0,0\n").messages, error("the axis is zero"));
+            error("the luminaire has both an axis and an aim; give only one of them"));
+  EXPECT_EQ(parse(aimed + "a,spot,1,2,3,,,,0,0,0\n").messages,
+            error("the axis is zero; it must be a direction"));
   EXPECT_EQ(parse(aimed + "a,spot,1,2,3,1,,0,,,\n").messages,
             error("aim_y_m '' is not a number from -1e9 to 1e9"));
 }

@@ -111,7 +111,7 @@ TEST(EnergyXml, NothingIsTakenForGranted) {
 }
 
 TEST(EnergyXml, AYearHas8760Hours) {
-  const std::string words = "more than 0 and at most the 8760 of a year";
+  const std::string words = "more than 0 and at most 8760, one year";
   expect_message("day-hours='8000' night-hours='761' parasitic-kwh-m2='0'", "", words);
   expect_message("day-hours='0' night-hours='0' parasitic-kwh-m2='0'", "", words);
   expect_message("day-hours='9000' night-hours='0' parasitic-kwh-m2='0'", "",

@@ -85,7 +85,7 @@ TEST(LuminaireListXml, UnknownTypesAreReportedAtTheirLine) {
   EXPECT_EQ(load_room(R"(<luminaires id="plan" file="l.csv"/>)",
                       "name,type,x_m,y_m,z_m\nA1,sport,1,1,2.5\n")
                 .messages,
-            "dir/l.csv:2: error[luminaire-list-line]: there is no luminaire type 'sport'; did you "
+            "dir/l.csv:2: error[luminaire-list-line]: unknown luminaire type 'sport'; did you "
             "mean 'spot'?");
 }
 

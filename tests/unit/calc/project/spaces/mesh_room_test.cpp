@@ -90,10 +90,10 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
       ObjText().box("house", kLow, kHigh, false).box("hall", {1, 1, 0.1}, {2, 2, 2}, true).text();
   EXPECT_EQ(load_room(thick).messages,
             "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': what is the room in 'hall.obj' "
-            "is not clear: shell 2 lies in shell 1 and its faces look the other way, so that it "
-            "may be a solid in the room, or a room within thick walls; name one with "
+            "is not clear: shell 2 is inside shell 1 and has faces that look the other way; it may "
+            "be a solid in the room, or the room within thick walls; name one with "
             "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
-            "room is what lies between all surfaces, such as thick walls)");
+            "room is the space between all surfaces, such as thick walls)");
   const Loaded chosen = load_room(thick, R"( shell="2")");
   ASSERT_TRUE(chosen.project) << chosen.messages;
   ASSERT_EQ(room_of(chosen).bodies.size(), 1u);
@@ -106,7 +106,7 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
                             .box("hall", {0.2, 0.2, 0.2}, {3.8, 2.8, 2.3}, false)
                             .text())
                   .messages,
-              HasSubstr("shell 2 lies in shell 1 and fills most of it"));
+              HasSubstr("shell 2 is inside shell 1 and fills most of it"));
   EXPECT_THAT(load_room(thick, R"( shell="3")").messages,
               HasSubstr("attribute 'shell' of <room>: 3 is not allowed; expected one of: 1 ('ho"));
 }
@@ -118,7 +118,7 @@ TEST(MeshRoom, ShellsThatTouchFromOutsideAreBesideIt) {
         std::pair(glm::dvec3(4, 1, 0), glm::dvec3(5, 2, 1))}) {   // at a wall
     EXPECT_THAT(
         load_room(ObjText().box("a", kLow, kHigh, true).box("b", low, high, true).text()).messages,
-        HasSubstr("2 closed shells stand side by side"));
+        HasSubstr("2 closed shells are side by side"));
   }
   // From floor to ceiling, all corners are on the room's surface.
   const Loaded column = load_room(
@@ -136,7 +136,7 @@ TEST(MeshRoom, ManyShellsThatFillItTogetherMayBeTheRooms) {
   building.box("c", {0.1, 3.6, 0.1}, {4.4, 6.9, 2.9}, false);
   building.box("d", {4.6, 3.6, 0.1}, {8.9, 6.9, 2.9}, false);
   EXPECT_THAT(load_room(building.text()).messages,
-              HasSubstr("fills most of it together with the larger ones"));
+              HasSubstr("fills most of it together with larger shells"));
 }
 
 // A shell with a gap does not tell inside from outside, but what lies beyond all of it is outside.
@@ -159,7 +159,7 @@ TEST(MeshRoom, ShellsSideBySideAreAnError) {
   const std::string two =
       ObjText().box("a", kLow, kHigh, true).box("b", {5, 0, 0}, {9, 3, 2.4}, true).text();
   EXPECT_THAT(load_room(two).messages,
-              HasSubstr("2 closed shells stand side by side; name one with shell=\"...\": 1 ('a', "
+              HasSubstr("2 closed shells are side by side; name one with shell=\"...\": 1 ('a', "
                         "4 x 3 x 2.5 m), 2 ('b', 4 x 3 x 2.4 m)"));
   const Loaded loaded = load_room(two, R"( shell="2")");
   ASSERT_TRUE(loaded.project) << loaded.messages;
@@ -167,7 +167,7 @@ TEST(MeshRoom, ShellsSideBySideAreAnError) {
   // Walls in common are told apart by the objects.
   const std::string beside =
       ObjText().box("a", kLow, kHigh, true).box("b", {4, 0, 0}, {8, 3, 2.5}, true).text();
-  EXPECT_THAT(load_room(beside).messages, HasSubstr("2 closed shells stand side by side"));
+  EXPECT_THAT(load_room(beside).messages, HasSubstr("2 closed shells are side by side"));
 }
 
 TEST(MeshRoom, LeaksAreMeasuredAndAllowed) {
@@ -207,7 +207,7 @@ TEST(MeshRoom, WithAllTheRoomLiesBetweenTheSolids) {
   text.box("north", {0, 3, -0.2}, {4, 3.2, 2.7}, false);
   text.box("west", {-0.2, -0.2, -0.2}, {0, 3.2, 2.7}, false);
   text.box("east", {4, -0.2, -0.2}, {4.2, 3.2, 2.7}, false);
-  EXPECT_THAT(load_room(text.text()).messages, HasSubstr("6 closed shells stand side by side"));
+  EXPECT_THAT(load_room(text.text()).messages, HasSubstr("6 closed shells are side by side"));
   const Loaded loaded = load_room(text.text(), R"( shell="all")",
                                   R"(<luminaire id="l" type="spot" position="2 1.5 2.4"/>)"
                                   R"(<plane id="p" origin="-0.2 0 0.8" u="4.4 0 0" v="0 3 0" )"
@@ -273,7 +273,7 @@ TEST(MeshRoom, WhatTheFileIsDecidesWhichAttributesThereAre) {
 TEST(MeshRoom, PlanesThatNeedAFloorOrWallsSayWhatIsMissing) {
   const std::string box = ObjText().box("hall", kLow, kHigh, true).text();
   EXPECT_THAT(load_room(box, "", R"(<plane id="p" on="wall1"/>)").messages,
-              HasSubstr("error[mesh-room-plane]: 'on' of <plane>: the walls of a room of a mesh"));
+              HasSubstr("error[mesh-room-plane]: 'on' of <plane>: the walls of a mesh room"));
   EXPECT_THAT(load_room(box, "", R"(<workplace id="w" pack="x" row="y"/>)").messages,
               HasSubstr("error[workplace-needs-room]"));
   // A tetrahedron on its tip.

@@ -58,15 +58,14 @@ const std::vector<MessageCase> kCases{
      "allowed; expected 0, or from 1 m to the width of the carriageway"},
     {"RoadOfOneWideLane", road("", kRow, "width='21' lanes='1' spacing='30' surface='R3'"),
      "dir/p.xml:3:25: error[number-out-of-range]: attribute 'lanes' of <road>: 1 is not allowed; "
-     "expected lanes from 1.5 m to 7 m wide, these are 21 m"},
+     "expected lanes that are 1.5 m to 7 m wide; these lanes are 21 m wide"},
     {"RoadOfBrightSurface", road("q0='0.15'"),
      "dir/p.xml:3:60: error[number-out-of-range]: attribute 'q0' of <road>: 0.15 is not allowed; "
-     "expected a number from 0.035 to 0.14, half and twice that of R3"},
+     "expected a number from 0.035 to 0.14, half to twice the value of surface R3"},
     {"RoadThatBeginsAtNoLuminaire",
      road("", "<luminaire-row id='r' type='spot' side='right' height='9' shift='5'/>"),
-     "dir/p.xml:3:1: error[missing-form]: <road> needs a <luminaire-row> without 'shift', where "
-     "its "
-     "field begins"},
+     "dir/p.xml:3:1: error[missing-form]: <road> needs a <luminaire-row> without 'shift': "
+     "the field begins at its luminaire"},
     {"RoadTurnedTwice", road("rotation='361'"),
      "dir/p.xml:3:60: error[number-out-of-range]: attribute 'rotation' of <road>: 361 is not "
      "allowed; expected a number from -360 to 360 (degrees)"},

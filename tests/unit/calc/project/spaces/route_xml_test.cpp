@@ -28,8 +28,8 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:36: error[number-out-of-range]: attribute 'width' of <route>: 0 is not allowed; "
      "expected a number above 0, up to 1e9"},
     {"RouteWithOneCornerTwice", in_room(R"(<route id="p" points="0 0 0 1 0 0 1 0 0" width="1"/>)"),
-     "dir/p.xml:5:15: error[route-shape]: attribute 'points' of <route>: corners 2 and 3 are one "
-     "point; each corner is given once"},
+     "dir/p.xml:5:15: error[route-shape]: attribute 'points' of <route>: corners 2 and 3 are the "
+     "same point; give each corner once"},
     {"RouteThatFoldsOver",
      in_room(R"(<route id="p" points="0 0 0 1 0 0 1 1 0 0 1 0" width="1.5"/>)"),
      "dir/p.xml:5:15: error[route-shape]: attribute 'points' of <route>: the leg from corner 2 to "

@@ -168,7 +168,7 @@ TEST(WorkplacesXmlMessage, HeightBeyondTheRoom) {
 
 TEST(WorkplacesXmlMessage, ZoneThatChangesNothing) {
   expect_message(load_workplace("", "<zone role='wall' because='x'/>"),
-                 "<zone> needs something that it changes: 'height', 'margin'");
+                 "<zone> needs at least one attribute that changes it: 'height', 'margin'");
 }
 
 TEST(WorkplacesXmlMessage, LeftOutWithoutReasonOwnerOrDay) {
