@@ -296,7 +296,8 @@ void take_reflectance(ElementReader& reader, std::vector<Requirement>& requireme
     field->reflectance = reflectance;
     is_of_use = true;
   }
-  if (!is_of_use && reader.ok()) report_unfit(reader, kReflectance, "a row that asks for no GR");
+  if (!is_of_use && reader.ok())
+    report_unfit(reader, kReflectance, "a row that does not require GR");
 }
 
 // The scene is the project's choice; everything else is the pack's. role: of a plane that a

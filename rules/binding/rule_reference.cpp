@@ -262,7 +262,7 @@ std::string roles_words(const Reference& reference) {
     const std::string_view role = check.role;
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) roles.push_back(role);
   }
-  return roles.empty() ? "" : "; it does of " + calc::join_choices(roles);
+  return roles.empty() ? "" : "; it requires something of " + calc::join_choices(roles);
 }
 
 // Asked of the room together with the pack's own role, since no plane is of it: whoever asks for

@@ -192,9 +192,9 @@ class WorkplaceMaker {
     if (total.planes <= kMostPlanes && total.points <= kMostPoints) return;
     diagnostics_.report(
         DiagnosticId::number_out_of_range, workplace_.where, "count", "workplace",
-        fmt::format("a total of {} planes with {:.3g} points, with those of the workplaces before",
+        fmt::format("a total of {} planes with {:.3g} points, including earlier workplaces",
                     total.planes, total.points),
-        fmt::format("at most {} planes and {:.3g} points of all workplaces", kMostPlanes,
+        fmt::format("at most {} planes and {:.3g} points for all workplaces together", kMostPlanes,
                     kMostPoints));
   }
 

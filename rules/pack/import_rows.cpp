@@ -136,14 +136,13 @@ class Importer {
     }
     for (const ImportColumn& column : import_columns()) {
       if (!column.is_needed || columns_.has(index_of(column))) continue;
-      report(header,
-             fmt::format("there is no column '{}'; 'luxgate rules import --help' lists what "
-                         "it may be called",
-                         column.name));
+      report(header, fmt::format("column '{}' is missing; 'luxgate rules import --help' lists its "
+                                 "allowed names",
+                                 column.name));
     }
     if (!columns_.doubled().empty()) {
       const std::string& doubled = columns_.doubled();
-      report(header, fmt::format("the column '{}' is there twice: '{}' is the same", doubled,
+      report(header, fmt::format("column '{}' is given twice, also as '{}'", doubled,
                                  import_column_name(doubled)));
     }
     if (diagnostics_.has_errors()) return false;
@@ -154,16 +153,16 @@ class Importer {
   // Empty for a row that is left out, and after an error.
   std::optional<XmlElement> read_row(const CsvRecord& record) {
     if (record.cells.size() != columns_.width()) {
-      report(record, fmt::format("{} fields, but the first line has {}", record.cells.size(),
-                                 columns_.width()));
+      report(record, fmt::format("the row has {} fields, the first line has {}",
+                                 record.cells.size(), columns_.width()));
       return std::nullopt;
     }
     const std::string ref = columns_.cell(record, kRefColumn);
     if (ref.empty() || columns_.cell(record, kStatusColumn) == "dropped_in_final") {
       diagnostics_.report(DiagnosticId::rule_import_skipped, {file_, record.line, 0},
                           ref.empty() ? columns_.cell(record, kNameColumn) : ref,
-                          ref.empty() ? fmt::format("it has no {}", written_[kRefColumn])
-                                      : "it is not in the published edition");
+                          ref.empty() ? fmt::format("the row has no {}", written_[kRefColumn])
+                                      : "the row is not in the published edition");
       ++left_out_;
       return std::nullopt;
     }
@@ -219,8 +218,8 @@ class Importer {
   // What is passed over, and what no row will require.
   void warn_of_header(const CsvRecord& header) {
     for (const std::string& name : columns_.unknown()) {
-      warn(header, fmt::format("column '{}' is not known and is passed over{}", name,
-                               import_column_suggestion(name)));
+      warn(header,
+           fmt::format("unknown column '{}' is ignored{}", name, import_column_suggestion(name)));
     }
     std::vector<std::string_view> missing;
     for (const Parameter& parameter : kParameters) {
@@ -229,13 +228,13 @@ class Importer {
       }
     }
     if (!missing.empty()) {
-      warn(header, fmt::format("there is no column {}: no row will require that",
+      warn(header, fmt::format("column {} is missing; no row requires its value",
                                calc::join_choices(missing)));
     }
     if (!columns_.has(kPlaneColumn)) {
       warn(header,
-           "there is no column plane: every row is taken for a horizontal task at the "
-           "height of desks, corridors and shelves, too");
+           "column plane is missing; every row is read as a horizontal task at desk height, "
+           "also corridors and shelves");
     }
   }
 
@@ -244,8 +243,8 @@ class Importer {
     const std::string& text = columns_.cell(record, kPlaneColumn);
     std::optional<TaskPlane> plane = parse_task_plane(text);
     if (!plane) {
-      report(record, fmt::format("column '{}': nobody knows where '{}' is; allowed: {}; 'luxgate "
-                                 "rules import --help' lists more words",
+      report(record, fmt::format("column '{}': unknown place '{}'; allowed: {}; 'luxgate rules "
+                                 "import --help' lists more words",
                                  written_[kPlaneColumn], text, task_plane_choices()));
     }
     return plane;
@@ -266,7 +265,7 @@ class Importer {
       report(record, fmt::format("column '{}' is empty, but column '{}' is not",
                                  written_[kEmColumn], written_[kEmModifiedColumn]));
     } else if (columns_.cell(record, kNotesColumn).empty()) {
-      report(record, fmt::format("column '{}' is empty: say in '{}' why the row requires no "
+      report(record, fmt::format("column '{}' is empty; state in '{}' why the row requires no "
                                  "illuminance of its task, or delete the row",
                                  written_[kEmColumn], import_column_names()[kNotesColumn]));
     }
@@ -291,8 +290,8 @@ class Importer {
       report(record, fmt::format("column '{}': '{}' is not a number", written_[column], text));
     } else if (may_be_thousands(text)) {
       const std::size_t point = text.find('.');
-      report(record, fmt::format("column '{}': '{}' may be {:.6g} or {}{}; write it without three "
-                                 "digits behind a point",
+      report(record, fmt::format("column '{}': '{}' is ambiguous, {:.6g} or {}{}; write it without "
+                                 "three digits after a point",
                                  written_[column], text, *calc::parse_number(text),
                                  text.substr(0, point), text.substr(point + 1)));
     }
@@ -420,7 +419,7 @@ std::optional<ImportedPack> import_rows(std::string_view csv, const std::string&
   }
   if (records.size() < 2) {
     diagnostics.report(DiagnosticId::rule_import, {csv_file, 0, 0},
-                       "a line with names of columns and at least one row are needed");
+                       "the file needs a line of column names and at least one row");
     return std::nullopt;
   }
   Importer importer(csv_file, diagnostics);

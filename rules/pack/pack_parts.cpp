@@ -37,7 +37,7 @@ void read_use_of_scale(ElementReader& reader, RuleScale& scale) {
   scale.trust = read_trust(reader);
   if (scale.most_down > 0 || scale.most_up > 0) return;
   reader.report(DiagnosticId::missing_form, reader.where("of"), "scale",
-                "'down' or 'up', at least 1, beside 'of'");
+                "'down' or 'up' of at least 1 beside 'of'");
 }
 
 RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const RulePack& pack,
@@ -146,7 +146,7 @@ std::optional<std::pair<double, double>> read_heights(ElementReader& reader,
       reader.numbers(name, 2, "2 numbers (lowest highest) in metres", calc::kNonNegative);
   if (heights[1] < heights[0]) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where(name), name, reader.element().name,
-                  "the lowest, or equal");
+                  "the lowest height, or equal to it");
   }
   return std::pair(heights[0], heights[1]);
 }

@@ -51,7 +51,7 @@ std::string scale_words(const RulePack& pack, const RuleValue& value, double num
   if (above != scale->values.end()) {
     next += (next.empty() ? "" : " and ") + number_text(pack, value, *above);
   }
-  return fmt::format("{} is no step of the scale '{}'; next to it: {}",
+  return fmt::format("{} is not a step of the scale '{}'; nearest: {}",
                      number_text(pack, value, number), scale->id, next);
 }
 
@@ -71,11 +71,11 @@ Words words_about(const RulePack& pack, const RuleCheck& check, const RuleValue&
   if (is_ratio(check.metric)) {
     const bool is_fraction = check.metric != Metric::gradient;
     return {is_fraction && number > 1.0,
-            is_fraction && number > 1.0 ? shown + " is out of range; it is 0 to 1" : ""};
+            is_fraction && number > 1.0 ? shown + " is out of range; allowed: 0 to 1" : ""};
   }
   const std::string quantity = check.quantity->name;
   if (quantity == "Ra" && number > kBestRendering) {
-    return {true, fmt::format("{} is out of range; it is 0 to {:g}", shown, kBestRendering)};
+    return {true, fmt::format("{} is out of range; allowed: 0 to {:g}", shown, kBestRendering)};
   }
   if (quantity == "UGR" && (number < kLeastRating || number > kMostRating)) {
     return {false,
@@ -100,7 +100,7 @@ std::vector<RowValueProblem> row_value_problems(const RulePack& pack) {
       add(false, words_about(pack, *check, value, *value.required));
       if (!value.modified) continue;
       if (is_lower_limit(check->comparison) && *value.modified < *value.required) {
-        add(true, {true, fmt::format("{} at the level 'modified' is less than the {} required",
+        add(true, {true, fmt::format("{} at the level 'modified' is below the required {}",
                                      number_text(pack, value, *value.modified),
                                      number_text(pack, value, *value.required))});
       } else {

@@ -32,7 +32,7 @@ class FormulaCheck {
   void run() {
     const std::optional<Dimension> found = dimension_of(check_.limit);
     if (!found || *found == check_.dimension()) return;
-    report_units(fmt::format("the check limits {}, the formula gives {}",
+    report_units(fmt::format("the check limits {}, but the formula gives {}",
                              dimension_name(check_.dimension()), dimension_name(*found)));
   }
 
@@ -92,7 +92,7 @@ class FormulaCheck {
       return std::nullopt;
     }
     if (table->key_unit.dimension != key) {
-      report_units(fmt::format("table '{}' is keyed by {}, not by {}", table->id,
+      report_units(fmt::format("the key of table '{}' is {}, not {}", table->id,
                                dimension_name(table->key_unit.dimension), dimension_name(key)));
       return std::nullopt;
     }
@@ -106,7 +106,7 @@ class FormulaCheck {
       return std::nullopt;
     }
     if (scale->unit.dimension != start) {
-      report_units(fmt::format("scale '{}' is of {}, not of {}", scale->id,
+      report_units(fmt::format("a value of scale '{}' is {}, not {}", scale->id,
                                dimension_name(scale->unit.dimension), dimension_name(start)));
       return std::nullopt;
     }
@@ -225,11 +225,11 @@ void check_members(const RuleAggregate& aggregate, calc::Diagnostics& diagnostic
     diagnostics.report(DiagnosticId::missing_form, aggregate.where, "aggregate", needed);
   };
   const std::set<std::string> different(aggregate.checks.begin(), aggregate.checks.end());
-  if (different.size() < aggregate.checks.size()) report("every check in 'of' once");
+  if (different.size() < aggregate.checks.size()) report("each check in 'of' only once");
   const bool is_too_many = aggregate.rule == AggregateRule::at_least &&
                            aggregate.over == AggregateOver::checks &&
                            static_cast<std::size_t>(aggregate.count) > different.size();
-  if (is_too_many) report("as many checks in 'of' as its 'count' at least");
+  if (is_too_many) report("at least as many checks in 'of' as its 'count'");
 }
 
 // What counts only in aggregates must be in one that counts.
@@ -244,8 +244,8 @@ void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
         });
     if (counts) continue;
     diagnostics.report(DiagnosticId::missing_form, check.where, "check",
-                       "an <aggregate> of severity=\"shall\" that names it in 'of', since it is "
-                       "itself severity=\"in-aggregate\"");
+                       "an <aggregate> of severity=\"shall\" that names it in 'of', because the "
+                       "check has severity=\"in-aggregate\"");
   }
 }
 
@@ -260,9 +260,10 @@ void check_alternatives(const RulePack& pack, calc::Diagnostics& diagnostics) {
         other == nullptr || (other->role != check.role && other->instead_of.empty() &&
                              other->severity == check.severity);
     if (is_fit) continue;
-    diagnostics.report(DiagnosticId::missing_form, check.where, "check",
-                       "a check of another role, with the same severity and none of its own, in "
-                       "'instead-of'");
+    diagnostics.report(
+        DiagnosticId::missing_form, check.where, "check",
+        "in 'instead-of' a check of another role, with the same severity and without "
+        "its own 'instead-of'");
   }
 }
 
@@ -281,7 +282,7 @@ void check_scales(const RulePack& pack, calc::Diagnostics& diagnostics) {
       refuse(fmt::format("a parameter of {} in 'of'", dimension_name(scale.unit.dimension)));
     }
     if (pack.find_scale_of(scale.parameter) != &scale) {
-      refuse("another parameter in 'of': this one has a scale already");
+      refuse("another parameter in 'of'; this parameter has a scale already");
     }
   }
 }

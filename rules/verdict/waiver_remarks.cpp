@@ -88,7 +88,7 @@ void warn_about_waivers(const calc::Space& space, const std::vector<JudgedPlane>
     for (const Finding& finding : *judged.findings) {
       const Requirement& requirement = finding.requirement;
       if (finding.is_waived && requirement.waiver) {
-        soon.tell("the waiver", *requirement.waiver, "what it waives counts");
+        soon.tell("the waiver", *requirement.waiver, "the waived requirement counts");
       }
       for (const Deviation& deviation : requirement.deviations) {
         if (!deviation.is_accepted || !deviation.stated) continue;
@@ -107,7 +107,7 @@ void warn_about_waivers(const std::vector<AggregateFinding>& buildings, std::str
   for (const AggregateFinding& building : buildings) {
     if (!building.sum || !building.sum->requirement.waiver) continue;
     const Waiver& waiver = *building.sum->requirement.waiver;
-    if (building.is_waived) soon.tell("the waiver", waiver, "what it waives counts");
+    if (building.is_waived) soon.tell("the waiver", waiver, "the waived requirement counts");
     if (building.verdict != Verdict::pass) continue;
     diagnostics.report(calc::DiagnosticId::waiver_not_needed, waiver.where,
                        waived_name(building.sum->requirement), waiver.owner, waiver.until,

@@ -872,9 +872,10 @@ TEST(BindRequirementsMessage, RoleForWhichTheRowHasNothing) {
       "<check id='w' role='wall' quantity='planar' statistic='minimum' at-least='row(W)'/>");
   const Bound bound = bind_project(
       project_of({plane_of("desk", {{{"pack", "own"}, {"row", "r1"}, {"role", "wall"}}})}), {pack});
-  EXPECT_THAT(bound.messages,
-              ElementsAre("project.xml:7:5: error[rule-requires-nothing]: rule pack 'own:1' row "
-                          "'r1' requires nothing of the role 'wall'; it does of desk"));
+  EXPECT_THAT(
+      bound.messages,
+      ElementsAre("project.xml:7:5: error[rule-requires-nothing]: rule pack 'own:1' row "
+                  "'r1' requires nothing of the role 'wall'; it requires something of desk"));
 }
 
 TEST(BindRequirementsMessage, NoModifiedLevel) {

@@ -709,8 +709,9 @@ TEST(Workplace, CorridorsOfWarehousesAreFloors) {
 }
 
 TEST(WorkplaceMessage, MorePointsThanFitIntoMemory) {
-  EXPECT_THAT(make(workplace(kDesk, "<zone role='wall' count='1000 1000'/>")).messages,
-              ElementsAre(HasSubstr("at most 4000 planes and 4e+06 points of all workplaces")));
+  EXPECT_THAT(
+      make(workplace(kDesk, "<zone role='wall' count='1000 1000'/>")).messages,
+      ElementsAre(HasSubstr("at most 4000 planes and 4e+06 points for all workplaces together")));
 }
 
 TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {

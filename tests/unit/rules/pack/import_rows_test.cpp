@@ -21,8 +21,8 @@ const std::string kHeader =
     "final_ref,final_ref_confidence,group,activity,Em_required_lx,Em_modified_lx,Uo_min,Ra_min,"
     "RUGL_max,Ez_m_lx,Em_wall_lx,Em_ceiling_lx,notes,trust,confirmed_fields,sources\n";
 const std::string kNoPlane =
-    "rows.csv:1: warning[rule-import-doubtful]: there is no column plane: every row is taken for a "
-    "horizontal task at the height of desks, corridors and shelves, too";
+    "rows.csv:1: warning[rule-import-doubtful]: column plane is missing; every row is read as a "
+    "horizontal task at desk height, also corridors and shelves";
 
 struct Imported {
   std::optional<ImportedPack> pack;
@@ -98,29 +98,30 @@ TEST(ImportRows, LeavesOutWhatIsNotInTheStandard) {
   EXPECT_EQ(result.pack->rows, 1);
   EXPECT_EQ(result.pack->left_out, 2);
   EXPECT_THAT(result.messages,
-              ElementsAre("rows.csv:3: warning[rule-import-skipped]: row 'b' was left out: it has "
-                          "no final_ref",
-                          "rows.csv:4: warning[rule-import-skipped]: row '1.3' was left out: it is "
-                          "not in the published edition"));
+              ElementsAre("rows.csv:3: warning[rule-import-skipped]: row 'b' was left out: the row "
+                          "has no final_ref",
+                          "rows.csv:4: warning[rule-import-skipped]: row '1.3' was left out: the "
+                          "row is not in the published edition"));
 }
 
 TEST(ImportRowsMessage, SaysWhatIsWrongAndWhere) {
-  EXPECT_THAT(imported("").messages,
-              ElementsAre("rows.csv: error[rule-import]: a line with names of columns and at "
-                          "least one row are needed"));
+  EXPECT_THAT(imported("").messages, ElementsAre("rows.csv: error[rule-import]: the file needs a "
+                                                 "line of column names and at least one row"));
   EXPECT_THAT(imported("final_ref,activity\n1,a\n").messages,
-              ElementsAre("rows.csv:1: error[rule-import]: there is no column 'Em_lx'; 'luxgate "
-                          "rules import --help' lists what it may be called"));
-  EXPECT_THAT(imported(kHeader + "1,a\n").messages,
-              ElementsAre("rows.csv:2: error[rule-import]: 2 fields, but the first line has 16"));
+              ElementsAre("rows.csv:1: error[rule-import]: column 'Em_lx' is missing; 'luxgate "
+                          "rules import --help' lists its allowed names"));
+  EXPECT_THAT(
+      imported(kHeader + "1,a\n").messages,
+      ElementsAre("rows.csv:2: error[rule-import]: the row has 2 fields, the first line has 16"));
   EXPECT_THAT(imported(kHeader + "1,d,G,a,5oo,,0.6,80,19,,,,,A,,\n").messages,
               ElementsAre("rows.csv:2: error[rule-import]: column 'Em_required_lx': '5oo' is not "
                           "a number"));
   EXPECT_THAT(imported(kHeader + "1,d,G,\"a\n").messages,
               ElementsAre("rows.csv:2:7: error[rule-import]: a quote is not closed"));
-  EXPECT_THAT(imported("trust," + kHeader + "A,1,d,G,a,500,,0.6,80,19,,,,,A,,\n").messages,
-              ElementsAre("rows.csv:1: error[rule-import]: the column 'trust' is there twice: "
-                          "'trust' is the same"));
+  EXPECT_THAT(
+      imported("trust," + kHeader + "A,1,d,G,a,500,,0.6,80,19,,,,,A,,\n").messages,
+      ElementsAre(
+          "rows.csv:1: error[rule-import]: column 'trust' is given twice, also as 'trust'"));
   const Imported twice =
       imported(kHeader + "1,d,G,a,50,,0.6,80,19,,,,,A,,\n1,d,G,b,50,,0.6,80,19,,,,,A,,\n");
   EXPECT_FALSE(twice.pack.has_value());
@@ -188,7 +189,7 @@ TEST(ImportRowsMessage, RefusesNumbersThatMeanNothing) {
                           "nothing: every plane passes"));
   EXPECT_THAT(
       messages_of("1,a,,,,0.6,80,19,,,,"),
-      ElementsAre("rows.csv:2: error[rule-import]: column 'Em' is empty: say in 'notes' why "
+      ElementsAre("rows.csv:2: error[rule-import]: column 'Em' is empty; state in 'notes' why "
                   "the row requires no illuminance of its task, or delete the row"));
   EXPECT_THAT(messages_of("1,a,,,,,80,,,,,see the museum's own rules"), ElementsAre());
   EXPECT_THAT(
@@ -197,24 +198,23 @@ TEST(ImportRowsMessage, RefusesNumbersThatMeanNothing) {
                   "is not"));
   EXPECT_THAT(messages_of("1,a,,500,300,0.6,80,19,,,,"),
               ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Em mod': 300 lx at the "
-                          "level 'modified' is less than the 500 lx required"));
-  EXPECT_THAT(
-      messages_of("1,a,,500,,6,80,19,,,,"),
-      ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Uo': 6 is out of range; "
-                  "it is 0 to 1"));
+                          "level 'modified' is below the required 500 lx"));
+  EXPECT_THAT(messages_of("1,a,,500,,6,80,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Uo': 6 is out of "
+                          "range; allowed: 0 to 1"));
   EXPECT_THAT(messages_of("1,a,,500,,0.6,800,19,,,,"),
               ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Ra': 800 is out of "
-                          "range; it is 0 to 100"));
+                          "range; allowed: 0 to 100"));
   EXPECT_THAT(messages_of("1,a,on the moon,500,,0.6,80,19,,,,"),
               ElementsAre(testing::StartsWith("rows.csv:2: error[rule-import]: column 'plane': "
-                                              "nobody knows where 'on the moon' is; allowed: ")));
+                                              "unknown place 'on the moon'; allowed: ")));
 }
 
 // 1.000 of a German table is a thousand, and a row of 1 lx would pass nearly everywhere.
 TEST(ImportRowsMessage, RefusesPointsThatMayStandBetweenThousands) {
   EXPECT_THAT(messages_of("1,a,desk,1.000,,0.7,80,19,,,,"),
-              ElementsAre("rows.csv:2: error[rule-import]: column 'Em': '1.000' may be 1 or 1000; "
-                          "write it without three digits behind a point"));
+              ElementsAre("rows.csv:2: error[rule-import]: column 'Em': '1.000' is ambiguous, 1 or "
+                          "1000; write it without three digits after a point"));
   EXPECT_THAT(messages_of("1,a,desk,500,1.500,0.7,80,19,,,,"),
               ElementsAre(testing::HasSubstr("column 'Em mod': '1.500' may be 1.5 or 1500")));
   EXPECT_THAT(messages_of("1,a,desk,500,,1.000,80,19,,,,"),
@@ -225,10 +225,10 @@ TEST(ImportRowsMessage, RefusesPointsThatMayStandBetweenThousands) {
 TEST(ImportRowsMessage, WarnsOfUnusualNumbers) {
   EXPECT_THAT(messages_of("1,a,,510,,0.6,80,19,,,,"),
               ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em': 510 lx "
-                          "is no step of the scale 'steps'; next to it: 500 lx and 750 lx"));
+                          "is not a step of the scale 'steps'; nearest: 500 lx and 750 lx"));
   EXPECT_THAT(messages_of("1,a,,500,8000,0.6,80,19,,,,"),
               ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em mod': "
-                          "8000 lx is no step of the scale 'steps'; next to it: 7500 lx"));
+                          "8000 lx is not a step of the scale 'steps'; nearest: 7500 lx"));
   EXPECT_THAT(
       messages_of("1,a,,500,,0.6,80,190,,,,"),
       ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'UGR': 190 is "
@@ -236,19 +236,18 @@ TEST(ImportRowsMessage, WarnsOfUnusualNumbers) {
 }
 
 TEST(ImportRowsMessage, NamesColumnsThatAreUnknownOrMissing) {
-  EXPECT_THAT(imported("ref,name,plane,Em,Uo,Ra,RUGL,Ez,E wall,unifromity,colour\n"
-                       "1,a,,500,0.6,80,19,,,0.6,red\n")
-                  .messages,
-              ElementsAre("rows.csv:1: warning[rule-import-doubtful]: column 'unifromity' is not "
-                          "known and is passed over; did you mean 'Uo'?",
-                          "rows.csv:1: warning[rule-import-doubtful]: column 'colour' is not known "
-                          "and is passed over",
-                          "rows.csv:1: warning[rule-import-doubtful]: there is no column "
-                          "Eceiling_lx: no row will require that"));
+  EXPECT_THAT(
+      imported("ref,name,plane,Em,Uo,Ra,RUGL,Ez,E wall,unifromity,colour\n"
+               "1,a,,500,0.6,80,19,,,0.6,red\n")
+          .messages,
+      ElementsAre("rows.csv:1: warning[rule-import-doubtful]: unknown column 'unifromity' is "
+                  "ignored; did you mean 'Uo'?",
+                  "rows.csv:1: warning[rule-import-doubtful]: unknown column 'colour' is ignored",
+                  "rows.csv:1: warning[rule-import-doubtful]: column Eceiling_lx is missing; no "
+                  "row requires its value"));
   EXPECT_THAT(
       imported("ref,name,Em,E_m\n1,a,500,500\n").messages,
-      ElementsAre("rows.csv:1: error[rule-import]: the column 'E_m' is there twice: 'Em_lx' "
-                  "is the same"));
+      ElementsAre("rows.csv:1: error[rule-import]: column 'E_m' is given twice, also as 'Em_lx'"));
 }
 
 }  // namespace

@@ -53,27 +53,25 @@ TEST(RowValues, ThatMeanNothingAreErrors) {
                           "nothing: every plane passes"));
   EXPECT_THAT(of_value("of='Em' required='20' modified='10'"),
               ElementsAre("p.xml:3:1: error[rule-value-meaningless]: row '1', Em (modified): 10 fc "
-                          "at the level 'modified' is less than the 20 fc required"));
+                          "at the level 'modified' is below the required 20 fc"));
   EXPECT_THAT(of_value("of='Ra' required='101'"),
               ElementsAre("p.xml:3:1: error[rule-value-meaningless]: row '1', Ra: 101 is out of "
-                          "range; it is 0 to 100"));
+                          "range; allowed: 0 to 100"));
   EXPECT_THAT(lint_messages("<row ref='1' name='n' trust='confirmed'><value of='Em' "
                             "required='20'/>\n<value of='Uo' required='1.2'/></row>"),
               ElementsAre("p.xml:3:1: error[rule-value-meaningless]: row '1', Uo: 1.2 is out of "
-                          "range; it is 0 to 1"));
+                          "range; allowed: 0 to 1"));
 }
 
 TEST(RowValues, ThatAreUnusualAreWarnings) {
-  EXPECT_THAT(
-      of_value("of='Em' required='30'"),
-      ElementsAre("p.xml:3:1: warning[rule-value-unusual]: row '1', Em: 30 fc is no step of "
-                  "the scale 'steps'; next to it: 20 fc and 50 fc"));
-  EXPECT_THAT(
-      of_value("of='Em' required='5' modified='60'"),
-      ElementsAre("p.xml:3:1: warning[rule-value-unusual]: row '1', Em: 5 fc is no step of "
-                  "the scale 'steps'; next to it: 10 fc",
-                  "p.xml:3:1: warning[rule-value-unusual]: row '1', Em (modified): 60 fc is "
-                  "no step of the scale 'steps'; next to it: 50 fc"));
+  EXPECT_THAT(of_value("of='Em' required='30'"),
+              ElementsAre("p.xml:3:1: warning[rule-value-unusual]: row '1', Em: 30 fc is not a "
+                          "step of the scale 'steps'; nearest: 20 fc and 50 fc"));
+  EXPECT_THAT(of_value("of='Em' required='5' modified='60'"),
+              ElementsAre("p.xml:3:1: warning[rule-value-unusual]: row '1', Em: 5 fc is not a step "
+                          "of the scale 'steps'; nearest: 10 fc",
+                          "p.xml:3:1: warning[rule-value-unusual]: row '1', Em (modified): 60 fc "
+                          "is not a step of the scale 'steps'; nearest: 50 fc"));
   EXPECT_THAT(
       of_value("of='R' required='35'"),
       ElementsAre("p.xml:3:1: warning[rule-value-unusual]: row '1', R: 35 is unusual; usual "

@@ -301,7 +301,7 @@ TEST(RulePackMessage, FormulaWithUnitsThatDoNotFit) {
     return at == std::string::npos ? messages[0] : messages[0].substr(at + 12);
   };
   EXPECT_EQ(problem("0.5"),
-            "the check limits an illuminance (lx, fc), the formula gives a plain "
+            "the check limits an illuminance (lx, fc), but the formula gives a plain "
             "number");
   EXPECT_EQ(problem("1 lx + 2"),
             "an illuminance (lx, fc) and a plain number cannot be added or "
@@ -315,7 +315,7 @@ TEST(RulePackMessage, FormulaWithUnitsThatDoNotFit) {
             "an illuminance (lx, fc) divided by a length (m, ft) has no "
             "unit that luxgate knows");
   EXPECT_EQ(problem("table(t, 1 lx)"),
-            "table 't' is keyed by a length (m, ft), not by an illuminance (lx, fc)");
+            "the key of table 't' is a length (m, ft), not an illuminance (lx, fc)");
   EXPECT_EQ(problem("step(1 lx, +1, s)"),
             "scale 's' is of a plain number, not of an illuminance (lx, fc)");
 }
@@ -385,7 +385,7 @@ TEST(RulePackMessage, ScaleOfAParameter) {
                                  "/>" + more + kCheck));
   };
   EXPECT_THAT(messages("of='E'"),
-              ElementsAre(HasSubstr("<scale> needs 'down' or 'up', at least 1, beside 'of'")));
+              ElementsAre(HasSubstr("<scale> needs 'down' or 'up' of at least 1 beside 'of'")));
   EXPECT_THAT(messages("up='1'"),
               ElementsAre(HasSubstr("error[missing-partner]: <scale> has 'up' without 'of'")));
   EXPECT_THAT(messages("of='X' up='1'"), ElementsAre(HasSubstr("there is no parameter 'X'")));

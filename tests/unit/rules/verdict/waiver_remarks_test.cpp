@@ -87,7 +87,7 @@ TEST(WaiverRemarks, TheLastThirtyDaysAreToldOnce) {
   EXPECT_THAT(told(planes, "2027-05-30"), IsEmpty());  // 31 days
   EXPECT_THAT(told(planes, "2027-05-31"),
               ElementsAre("p.xml:7:3: warning[waiver-ends-soon]: the waiver, by J. Doe, ends in 30 "
-                          "days, on 2027-06-30: after that day what it waives counts"));
+                          "days, on 2027-06-30: after that day the waived requirement counts"));
   EXPECT_THAT(told(planes, "2027-06-29"), ElementsAre(HasSubstr("ends in 1 day,")));
   EXPECT_THAT(told(planes, "2027-06-30"), ElementsAre(HasSubstr("ends today,")));
   EXPECT_THAT(told(planes, "2027-07-01"), IsEmpty());
