@@ -44,7 +44,7 @@ struct RoomOfText {
       if (child.name == "room" && name != nullptr && name->value == id) room = &child;
     }
     if (room == nullptr || room->find("file") != nullptr) {
-      problem = fmt::format("'{}' is no room with walls of its own in the project's file", id);
+      problem = fmt::format("'{}' is not a room whose walls are in the project file", id);
       return;
     }
     calc::ElementReader units(*root, diagnostics);
@@ -101,7 +101,7 @@ ChangedText with_reflectance(const std::string& bytes, const std::string& file,
   RoomOfText found(bytes, file, room);
   if (!found.problem.empty()) return {std::nullopt, found.problem};
   if (surface == "walls" && found.room->find("wall-materials") != nullptr) {
-    return {std::nullopt, "single walls have materials of their own"};
+    return {std::nullopt, "single walls have their own materials"};
   }
   const auto is_taken = [&](const std::string& id) {
     return std::any_of(found.root->children.begin(), found.root->children.end(),

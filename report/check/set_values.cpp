@@ -42,13 +42,13 @@ bool is_among(const List& list, std::string_view name) {
 
 // "" or why no option sets it.
 std::string_view refusal(std::string_view element, std::string_view attribute) {
-  if (is_among(kSignedElements, element)) return "what somebody has signed must stand in the file";
-  if (is_among(kNaming, attribute)) return "it says which element this is";
+  if (is_among(kSignedElements, element)) return "a signed statement must be in the file";
+  if (is_among(kNaming, attribute)) return "it identifies the element";
   if (attribute == "version") return "it says how the file is to be read";
-  if (is_among(kFiles, attribute)) return "it names a file; vary the type that is used instead";
+  if (is_among(kFiles, attribute)) return "it names a file; vary the type instead";
   if (attribute == "logo") return "it names a file";
   if (attribute.ends_with("because") || is_among(kSignatures, attribute)) {
-    return "what somebody has signed must stand in the file";
+    return "a signed statement must be in the file";
   }
   return "";
 }
@@ -66,9 +66,10 @@ class Resolver {
   const Place* resolve(const std::string& path, std::string_view& attribute) {
     const std::size_t dot = path.rfind('.');
     if (dot == path.npos || dot == 0 || dot + 1 == path.size()) {
-      fail({file_}, path,
-           "a path is ID.attribute, with ids of the elements around it where one id is not enough: "
-           "ID.ID.attribute; the root is 'luxgate'");
+      fail(
+          {file_}, path,
+          "a path is ID.attribute, or ID.ID.attribute with the ids of enclosing elements where one "
+          "id is not enough; the root is 'luxgate'");
       return nullptr;
     }
     const std::string_view words = std::string_view(path).substr(0, dot);
@@ -96,7 +97,7 @@ class Resolver {
                                : fmt::format("{} has no attribute '{}'", tag(place), attribute);
     if (is_known) {
       const std::string_view reason = refusal(place.element->name, attribute);
-      why += fmt::format(": {}", reason.empty() ? "it says which element this is" : reason);
+      why += fmt::format(": {}", reason.empty() ? "it identifies the element" : reason);
     }
     fail(place.element->where, path,
          fmt::format("{}; allowed: {}{}", why,
@@ -132,8 +133,8 @@ class Resolver {
     for (const Place* place : found) {
       names.push_back(fmt::format("{} (line {})", own_path(*place), place->element->where.line));
     }
-    return fmt::format("'{}' means {} elements: {}; one path must mean one", words, found.size(),
-                       calc::list_names(names, kMostNamed));
+    return fmt::format("'{}' matches {} elements: {}; a path must match exactly one", words,
+                       found.size(), calc::list_names(names, kMostNamed));
   }
 
   // That means this one alone, where there is one.
@@ -218,7 +219,7 @@ bool is_about_project(const SetValue& value) {
 std::string value_problem(const std::string& value) {
   if (calc::first_invalid_utf8(value)) return "the value is not UTF-8";
   if (calc::printable(value) != value) {
-    return "the value holds a control character or '##['";
+    return "the value contains a control character or '##['";
   }
   return "";
 }

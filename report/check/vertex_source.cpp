@@ -27,8 +27,8 @@ std::optional<VertexSource> read_vertex_source(const std::string& path,
   }
   calc::TracedCache parsed = calc::parse_vertex_ply(content.bytes);
   if (parsed.cache && parsed.cache->made_by != vertex_maker()) {
-    parsed.problem =
-        fmt::format("it was made by {}, this is {}", parsed.cache->made_by, vertex_maker());
+    parsed.problem = fmt::format("it was made by {}, but this program is {}", parsed.cache->made_by,
+                                 vertex_maker());
   } else if (parsed.cache && parsed.cache->replicates < calc::kFewestReplicates) {
     parsed.problem = fmt::format("it has {} replicates; intervals need {} or more",
                                  parsed.cache->replicates, calc::kFewestReplicates);
@@ -65,7 +65,7 @@ bool fits(const VertexSource& source, const calc::PreparedScene& scene, const ca
   diagnostics.report(
       calc::DiagnosticId::vertex_cache_unfit, {source.file, 0, 0},
       fmt::format("they are of another scene ({:016x}, now {:016x}): surfaces, reflectances, "
-                  "luminaires, photometry or --no-skip have changed; make them anew with "
+                  "luminaires, photometry or --no-skip have changed. Make them again with "
                   "'luxgate vpl'",
                   cache.scene, print));
   return false;

@@ -72,13 +72,13 @@ struct GitTreeReader::State {
     git_odb* store = nullptr;
     if (git_repository_odb(&store, repository.get()) == 0 &&
         git_odb_exists(ObjectStore(store).get(), &id) == 1) {
-      return fmt::format("its object {} is damaged: 'git fsck' tells more{}", hex_of(id), words);
+      return fmt::format("its object {} is damaged; 'git fsck' says more{}", hex_of(id), words);
     }
     const std::string advice =
         is_partial()
-            ? fmt::format("; this is a partial clone: 'git show {}:{}' brings it", commit, path)
+            ? fmt::format("; this is a partial clone: 'git show {}:{}' fetches it", commit, path)
             : shallow_advice(repository.get());
-    return fmt::format("the repository's objects do not hold it{}{}", advice, words);
+    return fmt::format("it is not among the repository's objects{}{}", advice, words);
   }
 
   // By the extension, or by a remote that promises what is lacking: git 2.39 writes this alone.
@@ -123,9 +123,10 @@ struct GitTreeReader::State {
       rest.pop_back();
       if (part == "..") {
         if (done.empty()) {
-          return failure(path, fmt::format("the symbolic link '{}' leads out of the repository, "
-                                           "and is not followed",
-                                           link));
+          return failure(
+              path,
+              fmt::format("the symbolic link '{}' leads out of the repository and is not followed",
+                          link));
         }
         done.pop_back();
         folders.pop_back();
@@ -143,9 +144,10 @@ struct GitTreeReader::State {
           folders.push_back(id);
           break;
         case GIT_FILEMODE_COMMIT:
-          return failure(place, fmt::format("it lies in the submodule '{}', whose files are not "
-                                            "among the repository's objects",
-                                            place));
+          return failure(place,
+                         fmt::format("it is in the submodule '{}', whose files are not among "
+                                     "the repository's objects",
+                                     place));
         case GIT_FILEMODE_LINK: {
           if (++links > kMostLinks) {
             return failure(place, "symbolic links lead to each other in a circle");
@@ -155,9 +157,10 @@ struct GitTreeReader::State {
           const std::string target(static_cast<const char*>(git_blob_rawcontent(blob.get())),
                                    static_cast<std::size_t>(git_blob_rawsize(blob.get())));
           if (target.starts_with('/')) {
-            return failure(place, fmt::format("the symbolic link '{}' has an absolute path, and is "
-                                              "not followed",
-                                              place));
+            return failure(
+                place,
+                fmt::format("the symbolic link '{}' has an absolute path and is not followed",
+                            place));
           }
           link = place;
           done.pop_back();
@@ -189,7 +192,7 @@ struct GitTreeReader::State {
     options.attr_commit_id = commit_id;
     git_buf bytes = GIT_BUF_INIT;
     if (git_blob_filter(&bytes, blob.get(), file.path.c_str(), &options) != 0) {
-      return failed("its line ends cannot be made those of a checkout" + said());
+      return failed("its line endings cannot be converted to those of a checkout" + said());
     }
     calc::FileContent content{std::string(bytes.ptr, bytes.size), ""};
     git_buf_dispose(&bytes);
@@ -216,16 +219,16 @@ struct GitTreeReader::State {
     }
     if (git_attr_value(values[0]) == GIT_ATTR_VALUE_STRING) {
       return fmt::format(
-          ".gitattributes has it written as {} (working-tree-encoding), which "
-          "luxgate does not do",
+          ".gitattributes sets working-tree-encoding to {}, which luxgate does "
+          "not support",
           values[0]);
     }
     if (git_attr_value(values[1]) != GIT_ATTR_VALUE_STRING) return "";
     const std::string filter = values[1];
     if (filter == "lfs" || setting("filter." + filter + ".smudge").empty()) return "";
     return fmt::format(
-        ".gitattributes has it written by the filter '{}', a program that luxgate "
-        "does not start; allowed is Git LFS",
+        ".gitattributes sets the filter '{}', a program that luxgate does not start; allowed: "
+        "Git LFS",
         filter);
   }
 
@@ -373,7 +376,7 @@ std::unique_ptr<GitTreeReader> GitTreeReader::open_alone(const std::string& file
 
   std::unique_ptr<GitTreeReader> reader(new GitTreeReader(std::move(state)));
   if (!reader->path_in_repository(file)) {
-    problem = fmt::format("'{}' lies outside of the work tree of its git repository, {}", file,
+    problem = fmt::format("'{}' is outside the work tree of its git repository, {}", file,
                           reader->root());
     return nullptr;
   }
@@ -386,7 +389,7 @@ GitTreeReader::~GitTreeReader() = default;
 calc::FileContent GitTreeReader::read_within(const std::string&, const std::string& path) const {
   const std::scoped_lock lock(state_->mutex);
   const std::optional<std::string> inside = path_in_repository(path);
-  if (!inside) return state_->failed("it lies outside of the git repository");
+  if (!inside) return state_->failed("it is outside the git repository");
   const Found found = state_->find(*inside);
   if (!found.error.empty()) return state_->failed(found.error);
   switch (found.kind) {

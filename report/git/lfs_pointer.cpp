@@ -52,22 +52,22 @@ calc::FileContent read_lfs_object(const LfsPointer& pointer, const std::string& 
   const auto failure = [&](const std::string& why) {
     return calc::FileContent{
         {},
-        fmt::format("git holds a Git LFS pointer only, and {} ({}); 'git lfs fetch origin {}' "
+        fmt::format("git has only a Git LFS pointer, and {} ({}); 'git lfs fetch origin {}' "
                     "brings the contents",
                     why, place, commit)};
   };
   std::error_code error;
   if (!std::filesystem::exists(place, error)) {
-    return failure("its contents are not there");
+    return failure("its contents are missing");
   }
   if (const std::uintmax_t size = std::filesystem::file_size(place, error);
       error || size != pointer.size_bytes) {
-    return failure("its contents have another size than it says");
+    return failure("the size of its contents differs from the pointer");
   }
   calc::FileContent content = calc::DiskFileReader().read(place);
   if (!content.ok()) return failure("its contents cannot be read: " + content.error);
   if (calc::sha256_hex(content.bytes) != hash) {
-    return failure("its contents have another hash than it says");
+    return failure("the hash of its contents differs from the pointer");
   }
   return content;
 }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSinceItLeft = "...";  // as 'git diff main...' has it
 constexpr const char* kAllowed =
-    "a branch, a tag, the id of a commit, one of these with ~1 behind it, or 'main...', the commit "
+    "a branch, a tag, the id of a commit, one of these followed by ~1, or 'main...', the commit "
     "at which HEAD has left main";
 
 // The closest folder at or above the one of `file` that exists: files and their folders may be
@@ -93,15 +93,15 @@ std::string repository_problem(int error, const std::string& place, bool is_name
         whose, report::shell_quoted(folder_of_repository(place)));
   }
   if (error == GIT_ENOTFOUND) {
-    return fmt::format("'{}' lies in no git repository{}", place,
-                       is_named ? ": GIT_DIR names it, which is to name one" : "");
+    return fmt::format("'{}' is not in a git repository{}", place,
+                       is_named ? ": GIT_DIR names it and must name a repository" : "");
   }
   // libgit2 has no code for it; 1.5 speaks of the extension, 1.9 of the object format.
   if (words.find("extension") != std::string::npos || words.find("version") != std::string::npos ||
       words.find("object format") != std::string::npos) {
     return fmt::format(
-        "{} is of a kind that luxgate cannot read, such as one with SHA-256 ids; allowed are those "
-        "with SHA-1 ids{}",
+        "{} has a format that luxgate does not read, for example SHA-256 ids; allowed: SHA-1 "
+        "ids{}",
         whose, words);
   }
   return fmt::format("{} cannot be read{}", whose, words);
@@ -110,17 +110,17 @@ std::string repository_problem(int error, const std::string& place, bool is_name
 std::string unknown_revision(git_repository* repository, int error, const std::string& revision,
                              const std::string& root) {
   if (error == GIT_EAMBIGUOUS) {
-    return fmt::format("'{}' is short for several objects of {}: give more digits", revision, root);
+    return fmt::format("'{}' is ambiguous in {}; give more digits", revision, root);
   }
   const std::string words = said();
   const std::string remote = "refs/remotes/origin/" + revision;
   git_object* found = nullptr;
   if (git_revparse_single(&found, repository, remote.c_str()) == 0) {
     const Object owned(found);
-    return fmt::format("{} knows no '{}', but '{}': say --against {}", root, revision, remote,
+    return fmt::format("{} has no '{}', but it has '{}'; use --against {}", root, revision, remote,
                        remote);
   }
-  return fmt::format("{} knows no commit '{}'; allowed is {}{}{}", root, revision, kAllowed,
+  return fmt::format("{} has no commit '{}'; allowed: {}{}{}", root, revision, kAllowed,
                      shallow_advice(repository), words);
 }
 
@@ -178,7 +178,7 @@ std::string problem_with_name(git_repository* repository, const std::string& rev
   };
   const auto other = std::find_if(found.begin(), found.end(), is_other);
   if (other == found.end()) return "";
-  return fmt::format("'{}' is the name of several commits of {}: {} and {}; write the whole name",
+  return fmt::format("'{}' is the name of several commits of {}: {} and {}; write the full name",
                      name, root, found.front().first, other->first);
 }
 
@@ -197,7 +197,7 @@ std::optional<git_oid> find_named(git_repository* repository, const std::string&
   const Object named(found);
   const auto commit = commit_of(found);
   if (!commit) {
-    problem = fmt::format("'{}' leads to no commit, it is a {}; allowed is {}", revision,
+    problem = fmt::format("'{}' is a {}, not a commit; allowed: {}", revision,
                           git_object_type2string(git_object_type(found)), kAllowed);
   }
   return commit;
@@ -248,7 +248,7 @@ std::optional<OpenedRepository> open_repository(const std::string& file, const G
     opened.root = canonical_folder(".");
   } else {
     problem = fmt::format(
-        "'{}' lies in a bare git repository, which has no work tree: check files of a 'git "
+        "'{}' is in a bare git repository, which has no work tree. Check files of a 'git "
         "worktree' of it, or set GIT_DIR and GIT_WORK_TREE",
         file);
     return std::nullopt;

@@ -127,7 +127,7 @@ class PolicyJudge {
                     const calc::SourceLocation& where, const std::string& what) {
     const calc::SourceLocation& place = by.where.line > 0 ? by.where : where;
     if (!permit) {
-      fail(place, fmt::format("{} is not allowed, to nobody", what));
+      fail(place, fmt::format("{} is not allowed for anybody", what));
       return;
     }
     const std::vector<std::string>& names = permit->by;
@@ -175,7 +175,7 @@ class PolicyJudge {
     if (asked.origin.is_weakened && !policy_.allows_lowered_levels) {
       const std::string level = rules::level_words(asked.origin.level);
       fail(asked.where,
-           fmt::format("{} asks its row below what it requires, {}", name,
+           fmt::format("{} is below what its row requires, {}", name,
                        level.empty() ? "by what the project says of its place" : level));
     }
     judge_facts(asked, name);
@@ -189,7 +189,7 @@ class PolicyJudge {
           [&](const PolicyFact& fact) { return fact.pack == asked.origin.pack && fact.id == id; });
       const std::string what = fmt::format("fact '{}' of {}", id, name);
       if (allowed == policy_.facts.end()) {
-        fail(asked.where, what + " is stated, and no <fact> allows it");
+        fail(asked.where, what + " is stated, but no <fact> allows it");
         continue;
       }
       compare(value, allowed->at_least, allowed->at_most, what, asked.where);
@@ -202,12 +202,11 @@ class PolicyJudge {
     const auto is_allowed = [&](const std::string& sha256) {
       return std::find(allowed.begin(), allowed.end(), sha256) != allowed.end();
     };
-    constexpr std::string_view kWords =
-        "is not among the photometry files that are allowed: its SHA-256 is";
+    constexpr std::string_view kWords = "is not an allowed photometry file; its SHA-256 is";
     std::vector<std::string> told;
     for (const LuminaireRow& luminaire : project_.luminaires) {
       if (luminaire.photometry_file.empty()) {
-        fail(fmt::format("'{}' sends light that is of no photometry file", luminaire.type_id));
+        fail(fmt::format("'{}' sends light without a photometry file", luminaire.type_id));
       } else if (!is_allowed(luminaire.sha256)) {
         told.push_back(luminaire.photometry_file);
         fail(fmt::format("'{}' of luminaire type '{}' {} {}", luminaire.photometry_file,
@@ -229,14 +228,14 @@ class PolicyJudge {
         std::any_of(space.planes.begin(), space.planes.end(), [](const PlanePart& plane) {
           return std::any_of(plane.findings.begin(), plane.findings.end(), counts);
         });
-    if (!is_asked) fail(fmt::format("nothing is asked of space '{}'", space.id));
+    if (!is_asked) fail(fmt::format("space '{}' has no requirement that counts", space.id));
     if (policy_.every_space != PolicyEverySpace::row) return;
     const std::vector<PolicyRow>& rows = policy_.rows;
     const bool is_wanted = std::any_of(rows.begin(), rows.end(), [&](const PolicyRow& row) {
       return row.is_for(project_.path) && row.spaces.has(space.id, space.name);
     });
     if (rows.empty() || is_wanted) return;
-    fail(fmt::format("no <asked> is about space '{}'", space.id));
+    fail(fmt::format("space '{}' matches no <asked>", space.id));
   }
 
   void judge_row(const PolicyRow& row) {
@@ -247,8 +246,8 @@ class PolicyJudge {
       judge_row_in(row, space);
     }
     if (spaces < row.at_least) {
-      fail(fmt::format("{} spaces are like '{}', of which {} {} is wanted; at least {} are needed",
-                       spaces, row.spaces.pattern, row.pack, row.row, row.at_least));
+      fail(fmt::format("{} spaces match '{}' of <asked> for {} {}; at least {} are needed", spaces,
+                       row.spaces.pattern, row.pack, row.row, row.at_least));
     }
   }
 
@@ -265,7 +264,7 @@ class PolicyJudge {
     }
     const std::string name = fmt::format("{} {} of space '{}'", row.pack, row.row, space.id);
     if (asked.empty()) {
-      fail(name + " is not asked");
+      fail(name + " is not required");
       return;
     }
     const auto is_of = [&](const rules::RequirementName& one) {
@@ -284,13 +283,13 @@ class PolicyJudge {
           });
       if (!is_of_row) continue;
       is_known = true;
-      if (!part.is_whole()) fail(name + " is asked in part");
+      if (!part.is_whole()) fail(name + " is required only in part");
       for (const rules::RoleCoverage& role : part.roles) {
         if (role.role != row.role) continue;
         of_role.insert(of_role.end(), role.of.begin(), role.of.end());
       }
     }
-    if (!is_known) fail(name + ": whether all of it is asked is not known");
+    if (!is_known) fail(name + ": it is not known whether all of it is required");
     if (row.floor_share) judge_floor(row, space, of_role, name);
   }
 
@@ -299,11 +298,12 @@ class PolicyJudge {
     if (row.zones == PolicyZones::any) return;
     for (const PlanePart* plane : planes_of(space, asked)) {
       if (plane->made_by.empty()) {
-        fail(plane->where, fmt::format("{} is asked on plane '{}', which no workplace has made",
-                                       name, plane->id));
+        fail(plane->where,
+             fmt::format("{} is required on plane '{}', which no <workplace> has made", name,
+                         plane->id));
       } else if (row.zones == PolicyZones::unchanged && !plane->changed.empty()) {
         fail(plane->where,
-             fmt::format("{} is asked on plane '{}', which the project has changed: {}", name,
+             fmt::format("{} is required on plane '{}', which the project has changed: {}", name,
                          plane->id, plane->changed.english()));
       }
     }
@@ -312,7 +312,7 @@ class PolicyJudge {
   void judge_floor(const PolicyRow& row, const SpacePart& space,
                    const std::vector<rules::RequirementName>& of_role, const std::string& name) {
     if (space.footprint_m.empty()) {
-      fail(fmt::format("{}: how large the floor is is not known", name));
+      fail(fmt::format("{}: the size of the floor is not known", name));
       return;
     }
     const double share = floor_share(space, planes_of(space, of_role));

@@ -185,9 +185,8 @@ PolicyPermit read_permit(ElementReader& reader) {
 
 void check_edition(ElementReader& reader, const std::string& pack) {
   if (pack.find(':') != std::string::npos || !reader.has("pack")) return;
-  reader.report(
-      DiagnosticId::policy_not_usable, reader.where("pack"),
-      fmt::format("'{}' names no edition; a pack is id:edition, as en12464-1:2021", pack));
+  reader.report(DiagnosticId::policy_not_usable, reader.where("pack"),
+                fmt::format("'{}' has no edition; write id:edition, such as en12464-1:2021", pack));
 }
 
 PolicyRow read_row(ElementReader& reader) {
@@ -227,7 +226,7 @@ std::string read_photometry(ElementReader& reader) {
   if (reader.has("sha256") && (sha256.size() != kDigits ||
                                sha256.find_first_not_of("0123456789abcdef") != std::string::npos)) {
     reader.report(DiagnosticId::policy_not_usable, reader.where("sha256"),
-                  fmt::format("'{}' is no SHA-256: 64 digits of 0-9 and a-f", sha256));
+                  fmt::format("'{}' is not a SHA-256; expected 64 digits of 0-9 and a-f", sha256));
   }
   return sha256;
 }
@@ -280,7 +279,7 @@ void read_format(ElementReader& reader, const std::vector<std::string_view>& for
   if (std::find(formats.begin(), formats.end(), kind) == formats.end()) {
     reader.report(
         DiagnosticId::policy_not_usable, reader.where("kind"),
-        fmt::format("there is no format '{}'; allowed: {}", kind, calc::join_choices(formats)));
+        fmt::format("unknown format '{}'; allowed: {}", kind, calc::join_choices(formats)));
   }
   policy.formats.push_back(kind);
 }
@@ -310,7 +309,7 @@ void read_child(const XmlElement& child, const std::vector<std::string_view>& fo
   }
   if (is_single && !is_first) {
     reader.report(DiagnosticId::policy_not_usable, child.where,
-                  fmt::format("<{}> stands there twice", name));
+                  fmt::format("<{}> is given twice", name));
   }
   once.push_back(name);
 }

@@ -99,11 +99,11 @@ ways = [
     ("a waiver by a stranger", change(too_dark, (ROW, WAIVER.format("Me", SOON)), dark_min), "is by 'Me'; allowed: A. Meier, Q. Board"),
     ("a waiver for ever", change(too_dark, (ROW, WAIVER.format("A. Meier", "2099-01-01")), dark_min), "allowed: 200 days"),
     ("an own requirement waived by a stranger", change(PROJECT, ('at-least="300"/>', 'at-least="5000"' + WAIVED.format("Me"))), "is by 'Me'"),
-    ("nothing is asked", change(too_dark, (ROW, ""), ('<require id="own" quantity="minimum" at-least="300"/>', "")), "nothing is asked of space 'office-1'"),
-    ("another requirement instead of the row", change(too_dark, (ROW, ""), ('at-least="300"', 'at-least="5"')), "own:1 office of space 'office-1' is not asked"),
+    ("nothing is asked", change(too_dark, (ROW, ""), ('<require id="own" quantity="minimum" at-least="300"/>', "")), "space 'office-1' has no requirement that counts"),
+    ("another requirement instead of the row", change(too_dark, (ROW, ""), ('at-least="300"', 'at-least="5"')), "own:1 office of space 'office-1' is not required"),
     ("the row as advice of a lower level", change(too_dark, ('row="office"', 'row="office" level="-2" level-because="I say so"'),
-                                                  ('at-least="300"', 'at-least="5"')), "asks its row below what it requires"),
-    ("another name of the room", change(too_dark, ("office-1", "store-1"), (ROW, ""), ('at-least="300"', 'at-least="5"')), "0 spaces are like 'office-*'"),
+                                                  ('at-least="300"', 'at-least="5"')), "is below what its row requires"),
+    ("another name of the room", change(too_dark, ("office-1", "store-1"), (ROW, ""), ('at-least="300"', 'at-least="5"')), "0 spaces match 'office-*'"),
     ("new for ever", change(PROJECT, ('factor="0.8"', 'factor="1"')), "maintenance-factor of luminaire type 'panel' is 1; at most 0.85"),
     ("no factor at all", change(PROJECT, (' maintenance-factor="0.8"', "")), "maintenance-factor of luminaire type 'panel' is 1"),
     ("walls of snow", change(PROJECT, ('reflectance="0.7"', 'reflectance="0.95"')), "reflectance of material 'light' is 0.95"),
@@ -153,19 +153,19 @@ for name, run, said in [
 small = change(PROJECT, ("office-1", "store-1"), (ROW, ""))
 (WORK / "other" / "project.xml").write_text(small)
 run = check(projects=("./design/project.xml", "other/project.xml"))
-expect(run.returncode == 2 and "other/project.xml: warning[policy-not-met]: the policy is not met: no <asked> is about space 'store-1'" in run.stderr,
+expect(run.returncode == 2 and "other/project.xml: warning[policy-not-met]: the policy is not met: space 'store-1' matches no <asked>" in run.stderr,
        f"a project that no row is about: {run.returncode}, {run.stderr}")
 (WORK / "policy.xml").write_text(change(POLICY, ("rules 2026\"", "rules 2026\" every-space=\"anything\"")))
 run = check(projects=("./design/project.xml", "other/project.xml"))
 expect(run.returncode == 0, f"a row of another project: {run.returncode}, {run.stderr}")
 put(change(PROJECT, (ROW, "")))
 run = check(projects=("./design/project.xml", "other/project.xml"))
-expect(run.returncode == 2 and "own:1 office of space 'office-1' is not asked" in run.stderr, f"a row, by another path: {run.returncode}, {run.stderr}")
+expect(run.returncode == 2 and "own:1 office of space 'office-1' is not required" in run.stderr, f"a row, by another path: {run.returncode}, {run.stderr}")
 submit = luxgate("submit", "--engine", "local", "other/project.xml", "--rules", "own.xml", "--policy", "policy.xml", "--store", "s", "--format", "json=x.json")
 expect(submit.returncode == 2 and "'design/project.xml' is not among" in submit.stderr and not (WORK / "s-job").exists(), f"submit: {submit.stderr}")
 run = subprocess.run([PROGRAM, "check", "project.xml", "--rules", "../own.xml", "--policy", "../policy.xml", "--pictures", "off", "--format", "json"], cwd=WORK / "design", env=DAY,
                      capture_output=True, text=True, check=False)
-expect("own:1 office of space 'office-1' is not asked" in run.stderr, f"a row, from within the folder: {run.returncode}, {run.stderr}")
+expect("own:1 office of space 'office-1' is not required" in run.stderr, f"a row, from within the folder: {run.returncode}, {run.stderr}")
 (WORK / "policy.xml").write_text(POLICY)
 put(PROJECT)
 
@@ -195,13 +195,13 @@ fact = ' facts="need=300 lx"'
 whole = change(PROJECT, (desk, WORKPLACE.format(fact)))
 judged(whole, wants, 0, name="a whole room")
 judged(change(whole, (fact, ' facts="need=1 lx"')), wants, 2, "fact 'need' of requirement 'minimum' of plane 'w.task' is 1; at least 200 is allowed", name="a fact that is too low")
-judged(whole, change(wants, ('<fact pack="own:1" id="need" at-least="200"/>', "")), 2, "is stated, and no <fact> allows it", name="a fact of which nothing is said")
+judged(whole, change(wants, ('<fact pack="own:1" id="need" at-least="200"/>', "")), 2, "is stated, but no <fact> allows it", name="a fact of which nothing is said")
 judged(change(PROJECT, (desk, WORKPLACE.format(fact + ' origin="2.2 1.9" size="0.6 0.4"'))), wants, 2, "planes of role 'task' cover 0.0", "at least 0.5 is needed", name="a small task")
 anywhere = change(whole, ('"office"', '"office" task-place="unknown"'))
-judged(anywhere, wants, 2, "asks its row below what it requires, by what the project says of its place", name="a task that may be anywhere")
+judged(anywhere, wants, 2, "is below what its row requires, by what the project says of its place", name="a task that may be anywhere")
 judged(anywhere, change(wants, ('<luxgate-policy version="1"', '<luxgate-policy version="1" lowered-levels="yes"')), 0, name="a task that may be anywhere, which the owner allows")
 own_plane = change(desk, (ROW, ROW.replace("/>", fact + "/>")))
-judged(change(PROJECT, (desk, own_plane)), wants, 2, "is asked on plane 'desk', which no workplace has made", name="a plane of one's own")
+judged(change(PROJECT, (desk, own_plane)), wants, 2, "is required on plane 'desk', which no <workplace> has made", name="a plane of one's own")
 judged(change(PROJECT, (desk, own_plane)), change(wants, ('zones="unchanged" ', "")), 0, name="a plane of one's own that may be")
 hollow = own_plane.replace('height="0.8"', 'points="0 0 0.8  5 0 0.8  5 4 0.8  0 4 0.8"').replace("<require", '<hole points="0.05 0.05 0.8  4.95 0.05 0.8  4.95 3.95 0.8  0.05 3.95 0.8"/><require')
 judged(change(PROJECT, (desk, hollow)), change(wants, ('zones="unchanged" ', "")), 2, "planes of role 'task' cover 0.", name="a plane of the whole floor with a hole")
@@ -241,29 +241,29 @@ for name, text in [("every second point of many", own.format(beams_on(24, 20, la
     judged(text, anything, 2, "warning[light-between-points]", name=name, files={"beam.ies": BEAM.replace("4000", "100") if "darkest" in name else BEAM})
 judged(change(whole, (fact, fact + ' level="modified"')), wants, 1, name="a higher level")
 (WORK / "zones.xml").write_text(change(zone_pack, ('statistic="average" at-least="row(Em)"', 'statistic="average" at-most="row(Em)"'), ('required="500"', 'required="700"')).replace('of="Em" down="2" up="2"', 'of="Uo" down="1"').replace('values="100 200 300 400 500 750"', 'values="0.1 0.3 0.5"').replace('id="steps" unit="lx"', 'id="steps" unit="none"'))
-judged(change(whole, (fact, fact + ' level="modified"')), wants, 2, "asks its row below what it requires, modified", name="a modified level that is easier")
+judged(change(whole, (fact, fact + ' level="modified"')), wants, 2, "is below what its row requires, modified", name="a modified level that is easier")
 (WORK / "zones.xml").write_text(zone_pack)
 decoy = change(whole, ("</room></luxgate>", "</room>" + change(whole[whole.index("<room"):whole.index("</luxgate>")], ('id="office-1"', 'id="store-1"'), ('"w"', '"v"'),
                                                                ('id="L"', 'id="M"')) + "</luxgate>"))
-judged(decoy, wants, 2, "no <asked> is about space 'store-1'", name="a room that no row is about")
+judged(decoy, wants, 2, "space 'store-1' matches no <asked>", name="a room that no row is about")
 judged(decoy, change(wants, ("rules 2026\"", "rules 2026\" every-space=\"anything\"")), 0, name="a room that may be asked anything")
 ies = (WORK / "design" / "photometry" / "lambert_panel_600.ies").read_bytes()
 hashed = hashlib.sha256(ies).hexdigest()
 only = change(wants, ("<format", f'<photometry sha256="{hashed}" name="panel"/><format'))
 judged(whole, only, 0, name="photometry of the library")
-judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_600.ies' of luminaire type 'panel' is not among the photometry files that are allowed: its SHA-256 is {hashed}",
+judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_600.ies' of luminaire type 'panel' is not an allowed photometry file; its SHA-256 is {hashed}",
        name="photometry of one's own")
 # What the listed file takes from another one: the factors of a tilt multiply its light.
 tilted = ies.replace(b"TILT=NONE", b"TILT=own.tilt")
 with_tilt = change(only, (hashed, hashlib.sha256(tilted).hexdigest()))
-for ending, code, said in ((".tilt", 2, "'photometry/own.tilt' is not among the photometry files that are allowed"), (".csv", 2, "whose name is that of a mesh, a table or an XML file")):
+for ending, code, said in ((".tilt", 2, "'photometry/own.tilt' is not an allowed photometry file"), (".csv", 2, "whose name is that of a mesh, a table or an XML file")):
     put(whole)
     (WORK / "zone-policy.xml").write_text(change(with_tilt, (hashlib.sha256(tilted).hexdigest(), hashlib.sha256(tilted.replace(b".tilt", ending.encode())).hexdigest())))
     (WORK / "design" / "photometry" / "lambert_panel_600.ies").write_bytes(tilted.replace(b".tilt", ending.encode()))
     (WORK / "design" / "photometry" / f"own{ending}").write_text("1\n2\n0 180\n1.9 1.9\n")
     run = luxgate("check", "design/project.xml", "--rules", "zones.xml", "--policy", "zone-policy.xml", "--pictures", "off", "--format", "json", "--max-paths", "65536")
     expect(run.returncode == code and said in run.stderr, f"another tilt, {ending}: {run.returncode}, {run.stderr}")
-judged(whole, change(wants, ('spaces="office-*"', 'spaces="office-*" projects="*/offices/*"')), 2, "no <asked> is about space 'office-1'", name="a row of no project of the batch")
+judged(whole, change(wants, ('spaces="office-*"', 'spaces="office-*" projects="*/offices/*"')), 2, "space 'office-1' matches no <asked>", name="a row of no project of the batch")
 
 # The policy itself.
 explained = luxgate("policy", "explain", "policy.xml")
@@ -277,17 +277,17 @@ for words in ("may waive what fails: A. Meier, Q. Board, for at most 200 days", 
     expect(explained.returncode == 0 and words in explained.stdout, f"explain: '{words}' is not in {explained.stdout}{explained.stderr}")
 expect(luxgate("policy", "check", "policy.xml").returncode == 0, "a good policy is refused")
 for name, text, said in [
-        ("an edition is missing", change(POLICY, ("own:1", "own")), "names no edition"),
+        ("an edition is missing", change(POLICY, ("own:1", "own")), "has no edition"),
         ("no such warning", change(POLICY, ("values-set", "value-set")), "'value-set' is not the id of a warning"),
         ("an error as a warning", change(POLICY, ("values-set", "xml-syntax")), "'xml-syntax' is not the id of a warning"),
-        ("twice", change(POLICY, ("<bound of=\"reflectance\"", "<waivers/><bound of=\"reflectance\"")), "<waivers> stands there twice"),
+        ("twice", change(POLICY, ("<bound of=\"reflectance\"", "<waivers/><bound of=\"reflectance\"")), "<waivers> is given twice"),
         ("a bound of nothing", change(POLICY, (' at-most="0.85"/>\n<bound of="flux', '/>\n<bound of="flux')), "needs 'at-least' or 'at-most'"),
-        ("no hash", change(POLICY, ("<format", '<photometry sha256="12"/><format')), "'12' is no SHA-256"),
-        ("a fact of no edition", change(POLICY, ("<format", '<fact pack="own" id="need"/><format')), "names no edition"),
+        ("no hash", change(POLICY, ("<format", '<photometry sha256="12"/><format')), "'12' is not a SHA-256"),
+        ("a fact of no edition", change(POLICY, ("<format", '<fact pack="own" id="need"/><format')), "has no edition"),
         ("a role of no share", change(POLICY, ('row="office" spaces', 'row="office" role="task" spaces')), "'role' without 'floor-share'"),
         ("a share of two", change(POLICY, ('row="office" spaces', 'row="office" floor-share="2" spaces')), "a number above 0, up to 1"),
         ("no such zones", change(POLICY, ('row="office" spaces', 'row="office" zones="own" spaces')), "unknown value 'own'; allowed: any, workplace or unchanged"),
-        ("no such format", change(POLICY, ('"json"', '"jsn"')), "there is no format 'jsn'"),
+        ("no such format", change(POLICY, ('"json"', '"jsn"')), "unknown format 'jsn'"),
         ("an unknown element", change(POLICY, ("<format", "<formt")), "unknown element <formt>"),
         ("no name", change(POLICY, (' name="Owner\'s rules 2026"', "")), "needs the attribute 'name'"),
         ("nobody by name", change(POLICY, ('by="A. Meier; Q. Board"', 'by=" ; "')), "must not be empty"),

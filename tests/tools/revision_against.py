@@ -168,16 +168,16 @@ small_designs.write(other.folder / "project.xml", name="Other")
 second = other.commit()
 small_designs.write(other.folder / "project.xml", name="Other", limit="70")
 expect("two repositories", check(WORK, DESIGNS[0], other.folder / "project.xml", "--against", "main", *GATE), 1, "≥ 70 lx", first[:10], second[:10])
-expect("one lacks it", check(WORK, DESIGNS[0], other.folder / "project.xml", "--against", "topic"), 2, f"{other.folder} knows no commit 'topic'")
+expect("one lacks it", check(WORK, DESIGNS[0], other.folder / "project.xml", "--against", "topic"), 2, f"{other.folder} has no commit 'topic'")
 
 # Reasons why there is nothing to compare with: what, where, what is allowed.
 ONE = NAMES[0]
 for name, words in {
     "nothing": ["--against nothing", str(team.folder), "a branch, a tag, the id of a commit"],
-    "HEAD~99": ["knows no commit 'HEAD~99'"],
-    "HEAD:designs": ["leads to no commit, it is a tree"],
+    "HEAD~99": ["has no commit 'HEAD~99'"],
+    "HEAD:designs": ["is a tree, not a commit"],
     "main..topic": ["main..topic"],
-    "nothing...": ["knows no commit 'nothing'"],
+    "nothing...": ["has no commit 'nothing'"],
 }.items():
     expect(name, check(team.folder, ONE, "--against", name), 2, "error[revision-not-available]", *words)
 for name in ("", "-q"):
@@ -185,10 +185,10 @@ for name in ("", "-q"):
 expect("both", check(team.folder, ONE, "--against", "main", "--baseline", baseline), 2, "--against", "--baseline")
 with tempfile.TemporaryDirectory() as elsewhere:  # WORK may lie in a repository
     alone = small_designs.write(pathlib.Path(elsewhere) / "project.xml")
-    expect("no repository", check(WORK, alone, "--against", "main"), 2, "lies in no git repository", elsewhere)
+    expect("no repository", check(WORK, alone, "--against", "main"), 2, "is not in a git repository", elsewhere)
 outside = small_designs.write(WORK / "outside/project.xml")
 team.git("clone", "-q", "--bare", ".", WORK / "bare.git")
-expect("bare", check(WORK, outside, "--against", "main", GIT_DIR=str(WORK / "bare.git"), GIT_WORK_TREE=str(team.folder)), 2, "outside of the work tree")
+expect("bare", check(WORK, outside, "--against", "main", GIT_DIR=str(WORK / "bare.git"), GIT_WORK_TREE=str(team.folder)), 2, "outside the work tree")
 expect("bare, named", check(team.folder, ONE, "--against", "main", GIT_DIR=str(WORK / "bare.git"), GIT_WORK_TREE=str(team.folder)), 1, first[:10])
 expect("no GIT_DIR", check(team.folder, ONE, "--against", "main", GIT_DIR=str(WORK / "none.git")), 2, "none.git", "GIT_DIR")
 team.commit()
@@ -213,7 +213,7 @@ contents.parent.mkdir(parents=True)
 contents.write_bytes(light)
 expect("LFS contents", check(odd.folder, design, "--against", "HEAD"), 0, "1 unchanged")
 contents.write_bytes(light[:-1] + b" ")
-expect("other LFS contents", check(odd.folder, design, "--against", "HEAD"), 2, "another hash")
+expect("other LFS contents", check(odd.folder, design, "--against", "HEAD"), 2, "hash of its contents differs")
 (odd.folder / "spot.ies").unlink()
 (odd.folder / "spot.ies").symlink_to("../team/designs/d0/spot.ies")
 odd.commit()

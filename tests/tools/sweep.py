@@ -205,7 +205,7 @@ def messages():
              "mean, room, spot\n"),
             (["sweep", "d/a.xml", "--vary", "spot.photometry=a,b"],
              "d/a.xml:3:1: error[value-not-set]: --vary spot.photometry: 'photometry' of <luminaire-type> cannot be set: it names a file; "
-             "vary the type that is used instead; allowed: flux-lm, power-w, package, price, maintenance-factor, llmf, lsf, lmf, rsmf, opening, "
+             "vary the type instead; allowed: flux-lm, power-w, package, price, maintenance-factor, llmf, lsf, lmf, rsmf, opening, "
              "interpolation, lamp-set, variant or emitter\n"),
             (["sweep", "d/a.xml", "--vary", "L.columns=2,3", "--format", "csv=d/a.xml"],
              "error[output-not-possible]: 'd/a.xml' is an input or another output and is not overwritten\n")):

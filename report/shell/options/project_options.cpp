@@ -127,7 +127,8 @@ std::string complete_projects(ProjectOptions& options) {
   std::unordered_set<std::string> known;
   for (const std::string& project : options.projects) {
     if (calc::diagnostic_from_name(project)) {  // "--strict ID" is easily written
-      return fmt::format("'{0}' is the id of a message, no project; write --strict={0}", project);
+      return fmt::format("'{0}' is the id of a message, not a project; write --strict={0}",
+                         project);
     }
     if (!known.insert(std::filesystem::path(project).lexically_normal().string()).second) {
       return fmt::format("project '{}' is given twice", project);

@@ -163,9 +163,8 @@ TEST(SetValues, LeaveWhatIsNoProject) {
 TEST(SetValues, SaysWhatIsWrongWithAPath) {
   expect_error(
       "flux-lm",
-      "p.xml: error[value-not-set]: --set flux-lm: a path is ID.attribute, with ids of the "
-      "elements around it where one id is not enough: ID.ID.attribute; the root is "
-      "'luxgate'");
+      "p.xml: error[value-not-set]: --set flux-lm: a path is ID.attribute, or ID.ID.attribute with "
+      "the ids of enclosing elements where one id is not enough; the root is 'luxgate'");
   expect_error(
       "spit.flux-lm",
       "p.xml: error[value-not-set]: --set spit.flux-lm: the project has no element 'spit'; "
@@ -177,17 +176,16 @@ TEST(SetValues, SaysWhatIsWrongWithAPath) {
       "attribute 'flux-lx'; allowed: flux-lm, power-w, package, price, maintenance-factor, llmf, "
       "lsf, lmf, rsmf, opening, interpolation, lamp-set, variant or emitter; did you mean "
       "'flux-lm'?");
-  expect_error(
-      "material.light.id",
-      "p.xml:3:3: error[value-not-set]: --set material.light.id: 'id' of <material> cannot "
-      "be set: it says which element this is; allowed: reflectance");
+  expect_error("material.light.id",
+               "p.xml:3:3: error[value-not-set]: --set material.light.id: 'id' of <material> "
+               "cannot be set: it identifies the element; allowed: reflectance");
   expect_error("mean.at-least",
-               "p.xml:8:35: error[value-not-set]: --set mean.at-least: 'mean' means 2 elements: "
-               "room.desk.mean (line 8), room.far.mean (line 9); one path must mean one");
+               "p.xml:8:35: error[value-not-set]: --set mean.at-least: 'mean' matches 2 elements: "
+               "room.desk.mean (line 8), room.far.mean (line 9); a path must match exactly one");
   expect_error("light.height",
-               "p.xml:3:3: error[value-not-set]: --set light.height: 'light' means 2 elements: "
+               "p.xml:3:3: error[value-not-set]: --set light.height: 'light' matches 2 elements: "
                "material.light "
-               "(line 3), room.light (line 10); one path must mean one");
+               "(line 3), room.light (line 10); a path must match exactly one");
 }
 
 TEST(SetValues, NeverSetsIdsFilesAndWaivers) {

@@ -89,7 +89,7 @@ TEST_F(GitTreeReaderTest, ReadsWhatWasThere) {
   EXPECT_EQ(read("HEAD~1", "sub"), "error: it is a folder");
   EXPECT_EQ(read("HEAD~1", "a.xml/b"), "error: No such file in this revision");
   EXPECT_EQ(failures_, 0u);
-  EXPECT_EQ(read("HEAD", "../a.xml"), "error: it lies outside of the git repository");
+  EXPECT_EQ(read("HEAD", "../a.xml"), "error: it is outside the git repository");
 }
 
 TEST_F(GitTreeReaderTest, ListsFiles) {
@@ -145,7 +145,7 @@ TEST_F(GitTreeReaderTest, RefusesNamesThatSeveralCommitsHave) {
   EXPECT_THAT(read("origin/main", "a.xml"),
               HasSubstr("'origin/main' is the name of several commits of"));
   EXPECT_THAT(problem_, HasSubstr("'refs/tags/origin/main' ("));
-  EXPECT_THAT(problem_, HasSubstr("write the whole name"));
+  EXPECT_THAT(problem_, HasSubstr("write the full name"));
   EXPECT_THAT(read("origin/main...", "a.xml"), HasSubstr("several commits"));
   EXPECT_THAT(read("origin/main~0^{commit}", "a.xml"), HasSubstr("several commits"));
   EXPECT_THAT(read(old.substr(0, 8), "a.xml"), HasSubstr("several commits"));
@@ -181,7 +181,7 @@ TEST_F(GitTreeReaderTest, FindsWhereHeadLeftABranch) {
   git("checkout work");
   EXPECT_EQ(read("main", "a.xml"), "main");
   EXPECT_EQ(read("main...", "a.xml"), "base");
-  EXPECT_THAT(read("none...", "a.xml"), HasSubstr("knows no commit 'none'"));
+  EXPECT_THAT(read("none...", "a.xml"), HasSubstr("has no commit 'none'"));
   git("checkout --orphan alone");
   commit();
   EXPECT_THAT(read("main...", "a.xml"), HasSubstr("have no commit in common"));
@@ -191,16 +191,15 @@ TEST_F(GitTreeReaderTest, SaysWhatIsNoCommit) {
   write("a.xml", "one");
   commit();
   git("update-ref refs/remotes/origin/topic HEAD");
-  EXPECT_THAT(read("none", "a.xml"),
-              HasSubstr("knows no commit 'none'; allowed is a branch, a tag"));
+  EXPECT_THAT(read("none", "a.xml"), HasSubstr("has no commit 'none'; allowed: a branch, a tag"));
   EXPECT_THAT(read("topic", "a.xml"), HasSubstr("say --against refs/remotes/origin/topic"));
-  EXPECT_THAT(read("HEAD:a.xml", "a.xml"), HasSubstr("leads to no commit, it is a blob; allowed"));
-  EXPECT_THAT(read("HEAD^{tree}", "a.xml"), HasSubstr("leads to no commit, it is a tree"));
+  EXPECT_THAT(read("HEAD:a.xml", "a.xml"), HasSubstr("is a blob, not a commit; allowed"));
+  EXPECT_THAT(read("HEAD^{tree}", "a.xml"), HasSubstr("is a tree, not a commit"));
 }
 
 TEST_F(GitTreeReaderTest, NamesRepositoriesThatItCannotRead) {
   EXPECT_EQ(git::GitTreeReader::open(base_ / "x.xml", "main", {}, problem_), nullptr);
-  EXPECT_THAT(problem_, HasSubstr("lies in no git repository"));
+  EXPECT_THAT(problem_, HasSubstr("is not in a git repository"));
   EXPECT_EQ(git::GitTreeReader::open(path("x.xml"), "main", {base_ / "none.git", ""}, problem_),
             nullptr);
   EXPECT_THAT(problem_, HasSubstr("GIT_DIR"));
@@ -220,7 +219,7 @@ TEST_F(GitTreeReaderTest, ReadsABareRepositoryThroughItsName) {
   ASSERT_NE(reader, nullptr) << problem_;
   EXPECT_EQ(reader->read(elsewhere + "/a.xml").bytes, "one");
   EXPECT_EQ(git::GitTreeReader::open(path("a.xml"), "main", {bare, elsewhere}, problem_), nullptr);
-  EXPECT_THAT(problem_, HasSubstr("lies outside of the work tree"));
+  EXPECT_THAT(problem_, HasSubstr("is outside the work tree"));
   EXPECT_EQ(git::GitTreeReader::open(bare + "/a.xml", "main", {}, problem_), nullptr);
   EXPECT_THAT(problem_, HasSubstr("bare git repository"));
 }
@@ -264,7 +263,7 @@ TEST_F(GitTreeReaderTest, SaysThatAFileLiesInASubmodule) {
   git("clone . ../lib");
   git("submodule add ../lib lib");
   commit();
-  EXPECT_THAT(read("HEAD", "lib/a.xml"), HasSubstr("it lies in the submodule 'lib'"));
+  EXPECT_THAT(read("HEAD", "lib/a.xml"), HasSubstr("it is in the submodule 'lib'"));
   EXPECT_EQ(failures_, 1u);
   // A project in it is one of the submodule's own repository.
   const auto reader = git::GitTreeReader::open(path("lib/a.xml"), "HEAD", {}, problem_);
@@ -302,7 +301,7 @@ TEST_F(GitTreeReaderTest, NamesWhatACheckoutHasOthersWrite) {
   commit();
   EXPECT_EQ(read("HEAD", "a.crypt"), "secret");  // the filter is not set up: nor would git run it
   git("config filter.crypt.smudge cat");
-  EXPECT_THAT(read("HEAD", "a.crypt"), HasSubstr("written by the filter 'crypt'"));
+  EXPECT_THAT(read("HEAD", "a.crypt"), HasSubstr("sets the filter 'crypt'"));
   sh(fmt::format("printf 'a' | iconv -f UTF-8 -t UTF-16 > '{}'", path("b.utf16")));
   commit();
   EXPECT_THAT(read("HEAD", "b.utf16"), HasSubstr("written as UTF-16"));
@@ -325,9 +324,9 @@ TEST_F(GitTreeReaderTest, TakesLfsContentsOnlyIfTheirHashIsRight) {
   EXPECT_EQ(read("HEAD", "big.ies"), light);
   EXPECT_EQ(failures_, 0u);
   write(object, "Contents of a large file");
-  EXPECT_THAT(read("HEAD", "big.ies"), HasSubstr("another hash"));
+  EXPECT_THAT(read("HEAD", "big.ies"), HasSubstr("hash of its contents differs"));
   write(object, "short");
-  EXPECT_THAT(read("HEAD", "big.ies"), HasSubstr("another size"));
+  EXPECT_THAT(read("HEAD", "big.ies"), HasSubstr("size of its contents differs"));
   EXPECT_THAT(read("HEAD", "broken.ies"), HasSubstr("without a SHA-256 and a size"));
   fs::create_directories(base_ / "media");
   fs::rename(root_ / ".git/lfs/objects", base_ / "media/objects");
@@ -360,7 +359,7 @@ TEST_F(GitTreeReaderTest, TellsDamagedObjectsFromMissingOnes) {
   EXPECT_THAT(read("HEAD", "a.xml"), HasSubstr("is damaged"));
   EXPECT_EQ(failures_, 1u);
   fs::remove(object);
-  EXPECT_THAT(read("HEAD", "a.xml"), HasSubstr("objects do not hold it"));
+  EXPECT_THAT(read("HEAD", "a.xml"), HasSubstr("not among the repository's objects"));
 }
 
 TEST_F(GitTreeReaderTest, AsksWhoseRepositoryItIs) {
