@@ -49,7 +49,7 @@ template <class T>
 [[noreturn]] void refuse(const Place& place, std::string_view key, const T& says, const T& follows,
                          std::string_view why) {
   throw BadJson(
-      printable(fmt::format("{}/{}: the file says {}, but {} follows from the rest of it ({}: {})",
+      printable(fmt::format("{}/{}: the file says {}, but its other values give {} ({}: {})",
                             place.path, key, shown(says), shown(follows), place.words, why)));
 }
 
@@ -89,7 +89,7 @@ const char* unfit_words(const SpacePart& space, const ProjectPart& project,
   const rules::Requirement& requirement = finding.requirement;
   const bool is_open = std::any_of(requirement.deviations.begin(), requirement.deviations.end(),
                                    [](const auto& deviation) { return !deviation.is_accepted; });
-  if (is_open) return "the plane deviates in what nobody accepts";
+  if (is_open) return "the plane has a deviation that nobody accepts";
   if (requirement.origin.pack.empty() || requirement.state == rules::LightState::initial ||
       (rules::is_of_space(requirement.metric) && !rules::is_of_road(requirement.metric))) {
     return nullptr;
@@ -153,7 +153,8 @@ void check_days(const Place& place, const rules::Finding& finding, std::string_v
 void check_finding(const Place& place, const rules::Finding& finding, std::string_view day) {
   check_days(place, finding, day);
   if (finding.verdict != Verdict::not_judged) return check_decision(place, finding);
-  constexpr const char* kWhy = "what is not judged is neither close nor within a tolerance";
+  constexpr const char* kWhy =
+      "a result that is not judged is neither close nor within a tolerance";
   expect(place, "is_close", finding.is_close, false, kWhy);
   expect(place, "by_tolerance", finding.by_tolerance, false, kWhy);
   expect(place, "doubtful", finding.is_doubtful, false, kWhy);
@@ -182,7 +183,7 @@ void check_last_look(const Place& place, const PlanePart& plane) {
     const bool was_judged = last.findings[i].verdict != Verdict::not_judged;
     const bool is_judged = finding.verdict != Verdict::not_judged;
     const Place of = own.at("findings", i, fmt::format("requirement '{}'", finding.requirement.id));
-    constexpr const char* kWhy = "the last look is the result";
+    constexpr const char* kWhy = "the last sampling round is the result";
     expect(of, "is_judged", was_judged, is_judged, kWhy);
     if (!is_judged) continue;
     const calc::Estimate &seen = last.findings[i].measured, &said = finding.measured;
@@ -207,19 +208,20 @@ void check_groups(const Place& place, const PlanePart& plane) {
     average += share.average_lx.value;
     for (std::size_t i = 0; i < sum.size(); ++i) {
       if (!(share.point_lx[i] >= 0.0))
-        refuse_place(place.at("groups", g), "point_lx", "a light is not below 0");
+        refuse_place(place.at("groups", g), "point_lx", "light must not be below 0");
       sum[i] += share.point_lx[i];
     }
   }
   if (plane.groups.empty()) return;
   for (std::size_t i = 0; i < sum.size(); ++i) {
     if (differ(sum[i], plane.points[i].measured.value)) {
-      refuse_place(place, "groups",
-                   fmt::format("their light at point {} does not add up to the point's", i + 1));
+      refuse_place(
+          place, "groups",
+          fmt::format("their light at point {} does not add up to the value of the point", i + 1));
     }
   }
   if (differ(average, plane.average.value))
-    refuse_place(place, "groups", "their averages do not add up to the plane's");
+    refuse_place(place, "groups", "their averages do not add up to the average of the plane");
 }
 
 void check_plane(const Place& place, const ProjectPart& project, const SpacePart& space,
@@ -295,14 +297,14 @@ Verdict check_member(const Place& place, const Findings& findings,
   for (std::size_t i = 0; i < member.of.size(); ++i) {
     const Findings::Named named = findings.of(place, i, member.of[i]);
     if (!belongs_to(named, member, over)) {
-      refuse_place(place.at("of", i), "requirement", "it is no part of this member");
+      refuse_place(place.at("of", i), "requirement", "it is not part of this member");
     }
     const rules::Finding& finding = *named.finding;
     verdict = verdict_of_both(verdict, finding.verdict);
     lived_with = verdict_of_both(lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
     is_waived = is_waived || finding.is_waived;
   }
-  constexpr const char* kWhy = "from what it is made of";
+  constexpr const char* kWhy = "from its requirements";
   expect(place, "is_waived", member.is_waived, is_waived, kWhy);
   if (member.is_in_part) {
     expect(place, "in_part", true, verdict == Verdict::pass, kWhy);
@@ -329,7 +331,7 @@ void check_room(const Place& place, const ProjectPart& project, const Findings& 
                 const rules::Requirement& asked, const rules::AggregateMember& room) {
   for (std::size_t i = 0; i < room.of.size(); ++i) {
     findings.of(place, i, room.of[i]);
-    refuse_place(place.at("of", i), "requirement", "a room of a building is not made of any");
+    refuse_place(place.at("of", i), "requirement", "a room of a building must not list any");
   }
   const auto space = std::find_if(project.spaces.begin(), project.spaces.end(),
                                   [&](const SpacePart& one) { return one.id == room.name; });
@@ -356,7 +358,7 @@ void check_room(const Place& place, const ProjectPart& project, const Findings& 
       is_judged ? rules::decide(asked, {*room.value, *room.value, *room.value}).verdict
                 : Verdict::not_judged;
   expect(place, "verdict", room.verdict, verdict, "from its value and the limit");
-  expect(place, "is_waived", room.is_waived, false, "a room alone is asked nothing");
+  expect(place, "is_waived", room.is_waived, false, "a single room has no requirement");
 }
 
 void check_sum(const Place& place, const ProjectPart& project, const Findings& findings,
@@ -369,12 +371,12 @@ void check_sum(const Place& place, const ProjectPart& project, const Findings& f
   }
   expect(place, "over", finding.over, rules::AggregateOver::rooms, "of a building");
   if (finding.id != rules::building_finding_id(finding.building_id, sum.requirement.id)) {
-    refuse_place(place, "id", "it is made of the building's and the requirement's");
+    refuse_place(place, "id", "it must consist of the ids of building and requirement");
   }
   std::set<std::string> names;
   for (std::size_t i = 0; i < finding.members.size(); ++i) {
     if (names.insert(finding.members[i].name).second) continue;
-    refuse_place(place.at("members", i), "name", "a room is in a building once");
+    refuse_place(place.at("members", i), "name", "a building lists each room once");
   }
   expect(place, "verdict", finding.verdict, sum.verdict, kWhy);
   expect(place, "is_waived", finding.is_waived, sum.is_waived, kWhy);
@@ -385,7 +387,7 @@ void check_sum(const Place& place, const ProjectPart& project, const Findings& f
   }
   if (sum.verdict == Verdict::not_judged) return;
   const std::optional<double> rooms = rules::sum_of(finding.members);
-  if (!rooms) refuse_place(place, "members", "of one of them it is not known what it has");
+  if (!rooms) refuse_place(place, "members", "the value of one room is not known");
   const calc::Estimate& said = sum.measured;
   const bool is_same =
       is_same_sum(said.value, *rooms) && said.low == said.value && said.high == said.value;
@@ -406,7 +408,7 @@ void check_aggregate(const Place& place, const ProjectPart& project, const Findi
   terms.share = finding.share;
   terms.by_area = finding.by_area;
   const std::optional<Verdict> verdict = combined_verdict(terms, finding.members);
-  if (!verdict) refuse_place(place, "members", "of these nothing is required");
+  if (!verdict) refuse_place(place, "members", "nothing is required of them");
   constexpr const char* kWhy = "from its members";
   expect(place, "verdict", finding.verdict, *verdict, kWhy);
   const bool may_be_waived =
@@ -420,7 +422,7 @@ void check_aggregate(const Place& place, const ProjectPart& project, const Findi
   if (finding.kind != rules::AggregateKind::row_class) return;
   expect(place, "severity", finding.severity, rules::Severity::advice, "classes are advice");
   if (*verdict == Verdict::fail && finding.reached == finding.asked) {
-    refuse_place(place, "reached", "what was asked for fails, and is not reached");
+    refuse_place(place, "reached", "the required class fails and is not reached");
   }
 }
 
@@ -434,7 +436,7 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
     has_ended = has_ended || zone.has_ended;
   }
   if (role.state == rules::RoleState::left_out && role.left_out.empty()) {
-    refuse_place(place, "left_out", "nobody is named who leaves it out");
+    refuse_place(place, "left_out", "the role is left out, but the list is empty");
   }
   const bool says_so = role.state == rules::RoleState::left_out_ended;
   if (has_ended || says_so) {
@@ -443,8 +445,8 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
   }
   rules::Outcome outcome = rules::Outcome::nothing_asked;
   if (role.state == rules::RoleState::asked_in_part) {
-    if (role.of.empty()) refuse_place(place, "of", "nothing is asked of any part");
-    if (role.words.empty()) refuse_place(place, "words", "it is not said of what part");
+    if (role.of.empty()) refuse_place(place, "of", "no part has a requirement");
+    if (role.words.empty()) refuse_place(place, "words", "the part is not named");
     return;
   }
   bool has_waived = false;
@@ -531,7 +533,7 @@ void check_selection(const Place& place, const ProjectPart& project, bool is_par
                                               one.id == calc::DiagnosticId::nothing_selected;
                                      });
   if (says_part ? !is_part : is_part && project.is_judged) {
-    refuse_place(place, "diagnostics", "whether a part was chosen is as in provenance/selection");
+    refuse_place(place, "diagnostics", "it contradicts provenance/selection");
   }
 }
 

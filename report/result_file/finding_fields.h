@@ -80,7 +80,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.is("finding");
   v.field("requirement", requirement.id, {.words = "Its id, unique within the plane."});
   v.field("was", requirement.was, {.presence = only_if(!requirement.was.empty())});
-  v.field("quantity", requirement.metric, {.unknown = "no quantity has that name"});
+  v.field("quantity", requirement.metric, {.unknown = "unknown quantity"});
   v.written("unit", [&] { return std::string_view(rules::unit_of(requirement)); },
             {.choices = requirement_units()});
   v.field("comparison", requirement.comparison);

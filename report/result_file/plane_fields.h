@@ -43,7 +43,7 @@ void describe_route(auto& v, Is<calc::SensorGrid> auto& grid) {
     o.field("stations", route.stations, {.words = "Columns of cells on each leg of the line."});
     o.refuse_if(!(route.line.width_m > 0.0), "width_m", "a number above 0 is needed");
     o.refuse_if(!is_whole(route, grid), "stations", "each leg needs its columns of the grid");
-    o.refuse_if(!calc::route_fault(route.line).empty(), "line_m", "it is no line of a route");
+    o.refuse_if(!calc::route_fault(route.line).empty(), "line_m", "it is not the line of a route");
     assign(grid.route, std::optional(route));
   };
   v.object(
@@ -269,7 +269,7 @@ void describe(auto& v, Is<PlanePart> auto& plane) {
   // Two members have one name.
   std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
   v.field("quantity", quantity,
-          {.choices = plane_quantities(), .unknown = "no kind of point has that name"});
+          {.choices = plane_quantities(), .unknown = "unknown kind of point"});
   for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) {
     if (known.name != quantity) continue;
     assign(plane.kernel, known.kernel);

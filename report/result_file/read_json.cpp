@@ -64,7 +64,7 @@ class Reader : public Visitor {
     } else if (!about.null_if.value_or(false)) {
       return read(*found, value, about);
     }
-    if (!found->is_null()) found->refuse("null is needed, since nothing is judged");
+    if (!found->is_null()) found->refuse("null is needed, because nothing is judged");
   }
   template <class Fields>
   void object(const char* key, const Fields& fields, const About& about = {}) {
@@ -209,7 +209,7 @@ class KeysOnce {
     std::vector<std::string>& keys = open_.back();
     std::string key = parsed.get<std::string>();
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
-      throw BadJson(fmt::format("the key '{}' stands twice in one object", calc::printable(key)));
+      throw BadJson(fmt::format("the key '{}' is given twice in one object", calc::printable(key)));
     }
     keys.push_back(std::move(key));
     return true;

@@ -139,7 +139,7 @@ void describe(auto& v, Is<calc::Diagnostic> auto& diagnostic) {
   std::string name = calc::diagnostic_name(diagnostic.id);
   v.field("id", name, {.words = "Stable name of the message."});
   const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(name);
-  v.refuse_if(!id, "id", "no message of this program has that id");
+  v.refuse_if(!id, "id", "unknown message id");
   assign(diagnostic.id, id.value_or(diagnostic.id));
   v.field("where", diagnostic.where);
   v.field("message", diagnostic.message, {.holds = Holds::prose});
@@ -554,7 +554,7 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   std::vector<calc::DiagnosticId> strict_ids;
   for (const std::string& name : strict) {
     const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(name);
-    v.refuse_if(!id, "strict_warnings", "no message of this program has that id");
+    v.refuse_if(!id, "strict_warnings", "unknown message id");
     if (id) strict_ids.push_back(*id);
   }
   assign(project.strict_warnings, strict_ids);

@@ -18,7 +18,7 @@ namespace {
 void compare(const JsonCursor& at, const nlohmann::json& follows) {
   if (!follows.is_object()) {
     if (at.raw() == follows) return;
-    at.refuse(fmt::format("the file says {}, but {} follows from the rest of it", at.raw().dump(),
+    at.refuse(fmt::format("the file says {}, but its other values give {}", at.raw().dump(),
                           follows.dump()));
   }
   for (const auto& item : follows.items()) {

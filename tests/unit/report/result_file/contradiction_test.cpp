@@ -149,8 +149,10 @@ TEST(Contradiction, SaysWhereWhatAndWhatFollows) {
     if (at(finding + "/verdict") == "fail" && !has_waiver) failing = finding;
   }
   const std::string words = refusal_with(failing + "/verdict", "pass");
-  EXPECT_THAT(words, testing::StartsWith(failing + "/verdict: the file says 'pass', but 'fail' "
-                                                   "follows from the rest of it (project '"));
+  EXPECT_THAT(
+      words,
+      testing::StartsWith(
+          failing + "/verdict: the file says 'pass', but its other values give 'fail' (project '"));
   EXPECT_THAT(words, HasSubstr(", plane '"));
   EXPECT_THAT(words,
               HasSubstr(", requirement '" + at(failing + "/requirement").get<std::string>()));
@@ -222,7 +224,7 @@ TEST(Contradiction, TheLastLookIsTheResult) {
                               std::to_string(i) + "/measured/value";
       const double value = at(own);
       EXPECT_THAT(refusal_with(own, value * (1.0 + 1e-12)),
-                  HasSubstr("the last look is the result"))
+                  HasSubstr("the last sampling round is the result"))
           << own;
       ++judged;
     }
@@ -338,7 +340,7 @@ TEST(Contradiction, APassNeedsAPlaneThatFits) {
     return refusal_with(standard + "/deviations", json::array({std::move(deviation)}));
   };
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", false}}),
-              HasSubstr("the plane deviates in what nobody accepts"));
+              HasSubstr("the plane has a deviation that nobody accepts"));
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}}),
               HasSubstr("/deviations/0/accepted: the file says true, but false follows"));
   const json stated = {{"reason", "r"}, {"owner", "o"}, {"until", "2026-12-30"}};

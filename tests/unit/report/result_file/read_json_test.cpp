@@ -372,7 +372,7 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
             "/projects/0/spaces/0/planes/0/findings/0/verdict: one of 'pass', 'fail', 'undecided', "
             "'not-judged' is needed");
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/quantity", "mean"),
-            "/projects/0/spaces/0/planes/0/findings/0/quantity: no quantity has that name");
+            "/projects/0/spaces/0/planes/0/findings/0/quantity: unknown quantity");
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1/0", 2),
             "/projects/0/spaces/0/planes/0/points/rows/1: the cell is outside the grid");
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1", json::array({1})),
@@ -406,7 +406,7 @@ TEST(ReadJson, AKeyThatStandsTwiceIsNoResult) {
   std::string problem;
   EXPECT_EQ(read_json(R"({"luxgate_result": 1, "outcome": "fail", "outcome": "pass"})", problem),
             std::nullopt);
-  EXPECT_THAT(problem, testing::HasSubstr("the key 'outcome' stands twice in one object"));
+  EXPECT_THAT(problem, testing::HasSubstr("the key 'outcome' is given twice in one object"));
   EXPECT_EQ(read_json(R"({"a": [{"b": 1}, {"b": 2}], "c": {"a": {}, "b": 1}})", problem),
             std::nullopt);
   EXPECT_THAT(problem, testing::Not(testing::HasSubstr("twice")));
@@ -458,7 +458,8 @@ TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
     EXPECT_THAT(problem_with("spaces/0/road/" + std::string(key), wrong),
                 HasSubstr("each lane needs an observer"));
   }
-  EXPECT_THAT(problem_with("spaces/0/road_energy/area_m2", 1), HasSubstr("follows from the rest"));
+  EXPECT_THAT(problem_with("spaces/0/road_energy/area_m2", 1),
+              HasSubstr("but its other values give"));
 }
 
 TEST(ReadJson, EveryLookIsOfEveryFinding) {
@@ -501,7 +502,7 @@ TEST(ReadJson, RefusesARouteWithoutItsCells) {
   EXPECT_EQ(with("/stations", {18, 0}), needs);
   EXPECT_EQ(with("/stations", json::array()), needs);
   EXPECT_EQ(with("/width_m", 0), at + "/width_m: a number above 0 is needed");
-  EXPECT_EQ(with("/width_m", 7), at + "/line_m: it is no line of a route");
+  EXPECT_EQ(with("/width_m", 7), at + "/line_m: it is not the line of a route");
 }
 
 TEST(ReadJson, SurvivesAnyReplacedValueOfARoute) {
