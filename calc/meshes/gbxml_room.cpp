@@ -176,8 +176,7 @@ class RoomBuilder {
     }
     for (const std::uint32_t c : mended->ring[0]) {
       if (plane.distance_m(opening.corner_m[c]) <= kFlatness_m) continue;
-      return leave_out(opening.line, opening.id, opening.corner_m,
-                       "it does not lie in its surface");
+      return leave_out(opening.line, opening.id, opening.corner_m, "it is not in its surface");
     }
     note(*mended, opening.line, opening.id);
     std::vector<ConvexPiece> own = pieces_of(flattened(plane, opening.corner_m), mended->triangle);

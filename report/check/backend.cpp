@@ -139,7 +139,7 @@ BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow
     return choice;
   }
   if (request.backend != Backend::automatic) {
-    return {request.backend, request.gl_device, "asked for with --backend",
+    return {request.backend, request.gl_device, "selected with --backend",
             request.stages.value_or(GpuStages())};
   }
   return choose_automatically(hardware.list(), work, hardware.rates_of());

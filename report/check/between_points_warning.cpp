@@ -244,7 +244,7 @@ std::optional<FlatteringPoints> flattering_points(const PlaneJob& job,
       const glm::dvec3& at = job.grid->position_m[doubt->light.point];
       flattering.where += fmt::format(" at ({:.4g}, {:.4g}, {:.4g}) m", at.x, at.y, at.z);
     }
-    if (cells.is_covered()) flattering.where += ", where surfaces lie and nothing can be measured,";
+    if (cells.is_covered()) flattering.where += ", where surfaces are and nothing can be measured,";
     if (!requirement.scene.empty())
       flattering.where += fmt::format(" in scene '{}'", requirement.scene);
     return flattering;

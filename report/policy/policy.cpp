@@ -336,13 +336,14 @@ std::string range_text(std::string_view of, const std::optional<double>& at_leas
 std::string every_space_text(PolicyEverySpace asked) {
   switch (asked) {
     case PolicyEverySpace::row:
-      return "each space must be asked a row of these (if there are none, something)\n";
+      return "each space must have a requirement of these rows, or any requirement if there are "
+             "none\n";
     case PolicyEverySpace::anything:
-      return "each space must be asked something\n";
+      return "each space must have a requirement\n";
     case PolicyEverySpace::nothing:
       break;
   }
-  return "spaces need not be asked something\n";
+  return "spaces need no requirement\n";
 }
 
 // Of a row, behind its own line.
@@ -407,7 +408,7 @@ std::string explain_policy(const Policy& policy) {
   text += permit_text("may waive what fails", policy.waivers);
   text += permit_text("may state a deviation from a standard", policy.deviations);
   text += permit_text("may leave out a zone of a row", policy.left_out);
-  text += fmt::format("rows {} asked below what they require\n",
+  text += fmt::format("rows {} required at a level below their own\n",
                       policy.allows_lowered_levels ? "may be" : "may not be");
   text += every_space_text(policy.every_space);
   for (const std::string& project : policy.projects) {
@@ -415,7 +416,8 @@ std::string explain_policy(const Policy& policy) {
   }
   for (const PolicyRow& row : policy.rows) {
     text += fmt::format(
-        "must be asked as a whole: {} {}, in spaces like '{}' of projects like '{}', at least {}\n",
+        "must be required as a whole: {} {}, in spaces like '{}' of projects like '{}', at least "
+        "{}\n",
         row.pack, row.row, row.spaces.pattern, row.projects, row.at_least);
     text += zones_text(row);
   }

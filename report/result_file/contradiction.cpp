@@ -453,15 +453,16 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
   for (std::size_t i = 0; i < role.of.size(); ++i) {
     const rules::Finding& finding = *findings.of(place, i, role.of[i]).finding;
     expect(place.at("of", i), "user_supplied", is_user_supplied,
-           finding.requirement.origin.is_user_supplied, "of the row, from what is asked");
+           finding.requirement.origin.is_user_supplied, "of the row, from its requirements");
     const rules::Outcome of_one = outcome_of(finding);
     outcome = graver(outcome, of_one);
     has_waived = has_waived || of_one == rules::Outcome::waived;
   }
   if (!role.of.empty()) {
-    expect(place, "state", role.state, rules::state_of(outcome, has_waived), "from what is asked");
+    expect(place, "state", role.state, rules::state_of(outcome, has_waived),
+           "from its requirements");
   } else if (rules::is_of_findings(role.state)) {
-    expect(place, "state", role.state, rules::RoleState::never_asked, "nothing is asked");
+    expect(place, "state", role.state, rules::RoleState::never_asked, "nothing is required");
   }
 }
 

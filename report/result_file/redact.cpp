@@ -35,7 +35,9 @@ std::string last_name(std::string_view path) {
 bool is_path_like(std::string_view word) {
   const std::size_t slash = word.find('/');
   if (slash == 0 || slash == std::string_view::npos || word.starts_with("../")) return false;
-  if (word.find("/m2") != std::string_view::npos) return false;
+  for (const std::string_view unit : {"/m2", "/m²"}) {
+    if (word.find(unit) != std::string_view::npos) return false;
+  }
   return slash > 3 || word.find('.', slash) != std::string_view::npos || word.rfind('/') != slash;
 }
 

@@ -270,10 +270,10 @@ explained = luxgate("policy", "explain", "policy.xml")
 (WORK / "zone-policy.xml").write_text(change(only, (hashed, "0" * 64)))
 zones_explained = luxgate("policy", "explain", "zone-policy.xml").stdout
 for words in ("  on zones of workplaces, unchanged\n", "  role 'task' on at least 0.5 of the floor\n", "fact 'need' of own:1: at least 200\n", "photometry that may be used: 0000",
-              "each space must be asked a row of these"):
+              "each space must have a requirement of these rows"):
     expect(words in zones_explained, f"explain: '{words}' is not in {zones_explained}")
 for words in ("may waive what fails: A. Meier, Q. Board, for at most 200 days", "may state a deviation from a standard: nobody", sha,
-              "must be asked as a whole: own:1 office, in spaces like 'office-*' of projects like 'design/*', at least 1", "flux-ratio: at most 1", "must be written: json"):
+              "must be required as a whole: own:1 office, in spaces like 'office-*' of projects like 'design/*', at least 1", "flux-ratio: at most 1", "must be written: json"):
     expect(explained.returncode == 0 and words in explained.stdout, f"explain: '{words}' is not in {explained.stdout}{explained.stderr}")
 expect(luxgate("policy", "check", "policy.xml").returncode == 0, "a good policy is refused")
 for name, text, said in [

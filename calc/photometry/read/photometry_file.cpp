@@ -160,7 +160,7 @@ std::optional<PhotometricWeb> only_light(LuminaireLight light, const std::string
     choices.push_back({emitter.id, emitter.web.source().luminaire_name});
   }
   diagnostics.report(DiagnosticId::photometry_choice_needed, place_of_choice(options, name),
-                     choices.size(), "emitters, of which one is wanted here", "emitter",
+                     choices.size(), "emitters, of which only one can be used here,", "emitter",
                      list_choices(choices));
   return std::nullopt;
 }

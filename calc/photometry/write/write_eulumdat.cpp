@@ -163,7 +163,7 @@ class EulumdatWriter {
     }
     // With its height it would read as a box or a cylinder.
     if (!opening.is_body() && !is_flat_enough(length_m, width_m, height_m)) {
-      warn("a flat one with a height of more than a tenth of its size: the height is left out");
+      warn("a flat opening with a height of more than a tenth of its size: the height is left out");
       height_m = 0.0;
     }
     if (is_written_round) {

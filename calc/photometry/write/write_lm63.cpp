@@ -55,7 +55,9 @@ std::string opening_text(const LuminousOpening& opening, const SourceLocation& f
     case OpeningShape::disk:
       // With its height it would read as a box or a cylinder.
       if (!is_flat_enough(length, width, height)) {
-        warn("a flat one with a height of more than a tenth of its size: the height is left out");
+        warn(
+            "a flat opening with a height of more than a tenth of its size: the height is left "
+            "out");
         height = 0.0;
       }
       break;

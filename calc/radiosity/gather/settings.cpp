@@ -37,7 +37,7 @@ std::string validate(const RadiositySettings& settings) {
                        texels, kFewestShadowMapTexels, kMostShadowMapTexels);
   }
   if (texels != 0 && settings.method != Method::instant_radiosity) {
-    return "shadow maps stand for rays in instant radiosity only";
+    return "shadow maps can replace rays in instant radiosity only";
   }
   if (!(settings.time_limit_s >= 0.0) || !std::isfinite(settings.time_limit_s)) {
     return fmt::format("time limit is {} s; allowed: 0 (none) or more", settings.time_limit_s);

@@ -27,8 +27,9 @@ std::string trace_batch(const Tracer& tracer, const Emitter& emitter, std::uint6
     return fmt::format("a light path did not end after {} reflections", kMostReflections);
   }
   if (traced.has_too_many_vertices) {
-    return fmt::format("one look takes more than {} light vertices; fewer paths may do",
-                       kMostVertices);
+    return fmt::format(
+        "one sampling round takes more than {} light vertices; fewer paths may be enough",
+        kMostVertices);
   }
   batch.absorbed_lm = traced.absorbed_lm;
   batch.escaped_lm = traced.escaped_lm;

@@ -21,7 +21,8 @@ std::string take_allowed_loss(const std::string& text, report::Gate& gate) {
   const std::optional<double> share =
       parse_share(sign == std::string::npos ? text : text.substr(sign + 1));
   if (!share || !(*share >= 0.0 && *share < 1.0)) {
-    return "a share from 0 to below 1 is needed, as 0.01 or 1%, or one of a quantity, as Uo=2%";
+    return "a share from 0 to below 1 is needed, such as 0.01 or 1%, or with a quantity, such as "
+           "Uo=2%";
   }
   if (sign == std::string::npos) {
     gate.allowed_worse = *share;
@@ -37,7 +38,7 @@ std::string take_allowed_loss(const std::string& text, report::Gate& gate) {
 
 ValueParser reason(std::string& target) {
   return [&target](const std::string& text) -> std::string {
-    if (calc::trim(text).empty()) return "a reason is needed, which then stands in reports";
+    if (calc::trim(text).empty()) return "a reason is needed; reports show it";
     target = text;
     return "";
   };

@@ -340,7 +340,7 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) {
     return fmt::format(
-        "'{}' is a link: pages of '{}' need a folder of their own, in which old ones "
+        "'{}' is a link, but the pages of '{}' need their own folder, in which old pages "
         "are removed; delete the link",
         folder.string(), index);
   }
@@ -351,7 +351,7 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
   }
   for (const OutputFormat& other : planned) {
     if (is_page_of(folder, other.file))
-      return fmt::format("'{}' would be written twice: '{}' has pages of such names", other.file,
+      return fmt::format("'{}' would be written twice: '{}' has a page of this name", other.file,
                          index);
   }
   return writability((folder / "p1s1.html").string());

@@ -298,8 +298,8 @@ class PrintingProcess {
       const double limit_s = kLeastLimit_s + kLimitByMebibyte_s * mebibytes;
       if (past.count() > limit_s) {
         problem = fmt::format(
-            "it was not done after {:.0f} s, all that a page of {:.1f} MiB is given; print it when "
-            "the machine is less busy, or fewer rooms at a time",
+            "it was not done after {:.0f} s, the limit for a page of {:.1f} MiB; print when the "
+            "machine is less busy, or fewer rooms at a time",
             limit_s, mebibytes);
       }
       if (!is_left_ && problem.empty()) continue;
@@ -348,7 +348,7 @@ FoundChromium find_chromium(const Environment& environment) {
     const bool is_path = asked.find('/') != asked.npos;
     const std::string path = is_path ? asked : program_in(environment.search_path, asked);
     if (is_program(path)) return {path, ""};
-    return {"", fmt::format("LUXGATE_CHROMIUM is '{}', and there is no such program",
+    return {"", fmt::format("LUXGATE_CHROMIUM is '{}', which is not a program on this machine",
                             calc::printable(asked))};
   }
   for (const char* name : kNames) {
@@ -358,8 +358,8 @@ FoundChromium find_chromium(const Environment& environment) {
   }
   return {
       "",
-      "Chromium prints it, and there is none: install it (Debian and Ubuntu: 'apt install "
-      "chromium'), or name a Chromium or Chrome by LUXGATE_CHROMIUM; '--format html' needs none"};
+      "Chromium, which prints it, was not found; install it (Debian and Ubuntu: 'apt install "
+      "chromium'), or name a Chromium or Chrome by LUXGATE_CHROMIUM. '--format html' needs none"};
 }
 
 PdfPrinter::PdfPrinter(const std::string& chromium) {

@@ -180,7 +180,7 @@ TEST(Backend, WhatIsAskedForIsTaken) {
     const check::BackendChoice choice =
         check::choose_backend(request, 0, hardware, [] { return calc::DeviceWork{}; });
     EXPECT_EQ(choice.backend, backend);
-    EXPECT_EQ(choice.why, "asked for with --backend");
+    EXPECT_EQ(choice.why, "selected with --backend");
   }
 }
 
@@ -200,7 +200,7 @@ TEST(Backend, StagesAreNamed) {
     return check::choose_backend(request, 0, hardware, [] { return calc::DeviceWork(); });
   };
   EXPECT_EQ(check::backend_line(chosen()),
-            "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
+            "backend: gpu: selected with --backend\ngpu stages: light-paths, near-field\n");
   request.stages.reset();
   EXPECT_EQ(chosen().stages, check::GpuStages());
   EXPECT_THAT(check::backend_line(chosen()),

@@ -200,6 +200,7 @@ TEST(Redact, PathsInAnyText) {
   EXPECT_EQ(redacted("a|/home/anna/x.ies"), "a|x.ies");
   EXPECT_EQ(redacted("/home/anna/x.ies gives 12 W/m2"), "x.ies gives 12 W/m2");
   EXPECT_EQ(redacted("12.5 kWh/m2/a of 40 W/m2"), "12.5 kWh/m2/a of 40 W/m2");
+  EXPECT_EQ(redacted("12.5 kWh/m²/a of 40 W/m²"), "12.5 kWh/m²/a of 40 W/m²");
 }
 
 TEST(Redact, IsToldOnlyWhereItWasDone) {

@@ -216,7 +216,7 @@ TEST(GldfTogether, OneLightIsWantedByOthers) {
   options.emitter = "all";
   EXPECT_FALSE(parse_photometry(gldf(two_emitters()), "a.gldf", diagnostics, options));
   EXPECT_THAT(test_support::diagnostics_text(diagnostics),
-              HasSubstr("of which one is wanted here"));
+              HasSubstr("of which only one can be used here"));
 }
 
 Project project_with(const std::string& type, const std::string& luminaire) {
