@@ -207,7 +207,7 @@ void JunitWriter::add(const ProjectPart& project) {
     add_warning_case(suite, project, warning, ++number[warning.id]);
   });
   std::string notes;
-  // A suite of which nothing was asked has no failure either: it must not look like a pass.
+  // A suite of which nothing is required has no failure either: it must not look like a pass.
   if (const rules::Outcome outcome = outcome_of(project);
       outcome == rules::Outcome::nothing_asked) {
     notes += std::string(outcome_words(outcome)) + "\n";

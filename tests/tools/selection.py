@@ -55,7 +55,7 @@ expect("selection" not in whole["provenance"], "a whole check has a selection")
 # Every format says it.
 for kind in TEXTS:
     text = run("a.xml", "--plane", "desk", "--format", kind, code=0).stdout
-    words = "Only a part of what is required was judged, chosen by --plane desk." if kind == "text" else "only 1 of 2 requirements were chosen, by --plane desk"
+    words = "Only part of the requirements was judged, chosen by --plane desk." if kind == "text" else "only 1 of 2 requirements were chosen, by --plane desk"
     expect(words in text, f"{kind} does not say that a part was judged")
 run("a.xml", "--plane", "desk", "--strict=part-selected", code=2)
 for language, met in (("en", "All requirements are met"), ("de", "Alle Anforderungen sind erfüllt"), ("fr", "Toutes les exigences")):
@@ -144,7 +144,7 @@ for more, code, says in (([], 2, "A was judged of the part of --plane desk, B of
     done = subprocess.run([PROGRAM, "compare", "desk.json", "whole.json", *more], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == code and says in done.stderr, f"compare {more}: {done.returncode}, {done.stderr}{done.stdout}")
 again = subprocess.run([PROGRAM, "report", "desk.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
-expect(again.returncode == 0 and "Only a part of what is required was judged" in again.stdout, f"report: {again.stdout}{again.stderr}")
+expect(again.returncode == 0 and "Only part of the requirements was judged" in again.stdout, f"report: {again.stdout}{again.stderr}")
 
 print("\n".join(problems))
 sys.exit(1 if problems else 0)

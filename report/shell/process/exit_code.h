@@ -6,7 +6,7 @@
 namespace cli {
 
 enum ExitCode : int {
-  kAllMet = 0,  // every requirement is met or waived, or nothing was asked
+  kAllMet = 0,  // every requirement is met or waived, or nothing is required
   kNotMet = 1,  // at least one requirement is not met
   // usage, input, file or internal error, a plane that could not be judged, or a warning that
   // counts

@@ -16,7 +16,7 @@ namespace cli {
 namespace {
 
 std::vector<ExitMeaning> check_exit_codes() {
-  return {{kAllMet, "every requirement is met or waived, or nothing was asked: a warning says so"},
+  return {{kAllMet, "every requirement is met or waived, or nothing is required: a warning says so"},
           {kNotMet, "at least one requirement is not met"},
           {kNotJudged,
            "not judged: usage, input or file error, a plane or project that could not be judged, "

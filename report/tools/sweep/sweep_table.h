@@ -83,7 +83,7 @@ OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows);
 std::string margin_words(const SweepRow& row);
 // "540.0 W", with what is not known.
 std::string power_words(const SweepRow& row);
-// "1078.8", with how many luminaires state none.
+// "1078.8", with how many luminaires state no power.
 std::string price_words(const SweepRow& row);
 // "desk: Uo"
 std::string requirement_words(const SweepRow& row);

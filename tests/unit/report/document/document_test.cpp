@@ -31,7 +31,7 @@ TEST(Document, ProjectThatWasNotJudgedCountsOnce) {
 TEST(Document, SummaryTellsProjectsFromRequirements) {
   EXPECT_EQ(summary_words(totals_of(sample_document())),
             "6 requirements: 2 pass, 2 fail, 1 undecided, 1 not judged; 1 project not judged");
-  EXPECT_EQ(summary_words({}), "0 requirements: nothing was asked");
+  EXPECT_EQ(summary_words({}), "0 requirements: nothing is required");
 }
 
 Document with_verdicts(const std::vector<rules::Verdict>& verdicts) {
@@ -123,36 +123,36 @@ TEST(Document, NothingAskedDoesNotPass) {
   EXPECT_EQ(outcome_of(Document{}), rules::Outcome::nothing_asked);
 }
 
-// The exit code said "nothing was asked" (0) while Markdown and HTML said "not judged" (2).
+// The exit code said "nothing is required" (0) while Markdown and HTML said "not judged" (2).
 TEST(NothingAsked, IsWhatEveryFormatSays) {
   using testing::AllOf, testing::HasSubstr, testing::Not;
   Document advice = with_verdicts({rules::Verdict::fail});
   advice.projects[0].spaces[0].planes[0].findings[0].requirement.severity = rules::Severity::advice;
   for (const Document& document : {with_verdicts({}), advice}) {
-    EXPECT_THAT(rendered("text", document), HasSubstr("\n0 requirements: nothing was asked\n"));
+    EXPECT_THAT(rendered("text", document), HasSubstr("\n0 requirements: nothing is required\n"));
     EXPECT_THAT(rendered("github", document),
-                HasSubstr("luxgate: 0 requirements: nothing was asked\n"));
+                HasSubstr("luxgate: 0 requirements: nothing is required\n"));
     EXPECT_THAT(rendered("markdown", document),
-                AllOf(HasSubstr("### luxgate: ○ nothing was asked: "), Not(HasSubstr("not judged")),
+                AllOf(HasSubstr("### luxgate: ○ nothing is required: "), Not(HasSubstr("not judged")),
                       Not(HasSubstr("pass"))));
     EXPECT_THAT(rendered("junit", document),
-                AllOf(HasSubstr("nothing was asked"), HasSubstr("errors=\"0\""),
+                AllOf(HasSubstr("nothing is required"), HasSubstr("errors=\"0\""),
                       HasSubstr("failures=\"0\"")));
     EXPECT_THAT(render_html(document),
                 AllOf(HasSubstr("<title>○ Small office – "),
                       HasSubstr("<div class=\"banner nothing-asked\""),
-                      HasSubstr("<p class=\"outcome\">Nothing was asked</p>")));
+                      HasSubstr("<p class=\"outcome\">Nothing is required</p>")));
     EXPECT_THAT(rendered("json", document),
                 HasSubstr("\"counts\": {\n  \"pass\": 0,\n  \"fail\": 0,\n  \"undecided\": 0,\n  "
                           "\"not_judged\": 0,\n  \"waived\": 0,\n  \"with_deviations\": 0\n }"));
   }
   const Texts german(Language::german, true);
   EXPECT_THAT(rendered("text", with_verdicts({}), {{}, german}),
-              HasSubstr("0 Anforderungen: nichts war gefordert\n"));
+              HasSubstr("0 Anforderungen: nichts ist gefordert\n"));
   EXPECT_THAT(rendered("markdown", with_verdicts({}), {{}, german}),
-              HasSubstr("### luxgate: ○ nichts war gefordert: "));
+              HasSubstr("### luxgate: ○ nichts ist gefordert: "));
   EXPECT_THAT(render_html(with_verdicts({}), german),
-              HasSubstr("<p class=\"outcome\">Nichts war gefordert</p>"));
+              HasSubstr("<p class=\"outcome\">Nichts ist gefordert</p>"));
 }
 
 // One project of which options choose nothing.

@@ -62,9 +62,9 @@ TEST(LuminaireSchedule, HasWhatIsUsedAndNamesTheRest) {
   EXPECT_TRUE(schedule.totals.is_power_known);
   EXPECT_THAT(
       schedule_remarks({}, schedule),
-      ElementsAre("Described in the project and not used, so not counted: B (idle).",
-                  "Road: the 3 luminaires counted here are those that the calculation needs. "
-                  "How many the road takes follows from its length: 1 for each spacing."));
+      ElementsAre("In the project but not used, therefore not counted: B (idle).",
+                  "Road: the calculation uses the 3 luminaires counted here. "
+                  "The number for the road follows from its length: 1 for each spacing."));
 }
 
 // Readers compare the schedule with the makers' lists, and add up what they read.

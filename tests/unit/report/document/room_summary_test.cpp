@@ -154,12 +154,12 @@ TEST(RoomSummary, NoFactorWhereUniformityFailsToo) {
   uniformity.requirement.metric = rules::Metric::uniformity_min_avg;
   uniformity.requirement.limit = 0.6;
   set_average(uniformity, 0.7, 0.01);
-  EXPECT_THAT(rendered("text", document), HasSubstr("with all light at ×"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("flux of all luminaires ×"));
   set_average(uniformity, 0.3, 0.01);
-  EXPECT_THAT(rendered("text", document), Not(HasSubstr("with all light at ×")));
+  EXPECT_THAT(rendered("text", document), Not(HasSubstr("flux of all luminaires ×")));
   EXPECT_THAT(rendered("text", document), HasSubstr("uniformity fails, too."));
   uniformity.requirement.scene = "night";  // another light
-  EXPECT_THAT(rendered("text", document), HasSubstr("with all light at ×"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("flux of all luminaires ×"));
 }
 
 // Each with its value: two percentiles are not one failure, and neither are two of one plane.
@@ -225,7 +225,7 @@ TEST(RoomSummary, CausesStandBelowTheRoomsOnTheTerminal) {
   document.projects[0].spaces[3].planes[0] = document.projects[0].spaces[1].planes[0];
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("Not met\n  Office, Annex\n    "));
-  EXPECT_THAT(text, HasSubstr("required ≥ 500 lx\n    └ Reaches the limit with all light at ×"));
+  EXPECT_THAT(text, HasSubstr("required ≥ 500 lx\n    └ The flux of all luminaires ×"));
   EXPECT_THAT(text, Not(HasSubstr("room / plane")));
   FormatStyle style;
   style.terminal.lists_passes = true;
@@ -268,12 +268,12 @@ TEST(RoomSummary, OfTwoLimitsThatAreMetTheLeastIsShown) {
 // Nobody mends it by more light of the others.
 TEST(RoomSummary, WhatFailsForMissingLightHasNoFactor) {
   Document document = rooms();
-  EXPECT_THAT(rendered("text", document), HasSubstr("all light at"));
+  EXPECT_THAT(rendered("text", document), HasSubstr("flux of all luminaires"));
   finding(document.projects[0].spaces[1], 0).reason =
       calc::say<calc::Sentence::light_is_lost>("L7");
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("'L7' is outside the room"));
-  EXPECT_THAT(text, Not(HasSubstr("all light at")));
+  EXPECT_THAT(text, Not(HasSubstr("flux of all luminaires")));
 }
 
 TEST(RoomSummary, ARoadHasItsLuminanceThoughItsRoleIsAnother) {

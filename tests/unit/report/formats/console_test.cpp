@@ -64,7 +64,7 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
     no limit  Office / Work plane
               └ average 512 ± 5 lx, minimum 424 ± 5 lx, Uo 0.83 ± 0.01
 
-0 requirements: nothing was asked
+0 requirements: nothing is required
 )");
 }
 

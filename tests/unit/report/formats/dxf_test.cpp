@@ -534,10 +534,10 @@ TEST(Dxf, VerdictsAreColoursAndWords) {
   findings.pop_back();
   EXPECT_EQ(label_of(document), "Work plane: pass, 3");
   findings.clear();
-  EXPECT_EQ(label_of(document), "Work plane: nothing was asked, 8");
+  EXPECT_EQ(label_of(document), "Work plane: nothing is required, 8");
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.unseen_points = 1;
-  EXPECT_EQ(label_of(document), "Work plane: nothing was asked (Doubt), 8");
+  EXPECT_EQ(label_of(document), "Work plane: nothing is required (Doubt), 8");
 }
 
 TEST(Dxf, WhatWasNotComputedIsNamedAndHasNoValues) {

@@ -149,7 +149,7 @@ TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
     kinds.push_back(words.substr(0, words.find(" |")));
   EXPECT_THAT(kinds, ElementsAre("stated deviation", "deviation that is not accepted",
                                  "limit weaker than its row", "met by its tolerance alone",
-                                 "left out of its row", "left out, but the last day is over"));
+                                 "omitted from its row", "omitted, but the last day is over"));
 }
 
 TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
@@ -192,7 +192,7 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
                               "<td class=\"num\">100.0 W</td><td class=\"num\">2.00 W/m²</td>"
                               "<td class=\"num\"></td><td class=\"num\">400 kWh</td>"
                               "<td class=\"num\">8.0 kWh/m²</td>"));
-  EXPECT_THAT(html, HasSubstr("rooms without luminaires, in no sum: 1, 135.00 m²"));
+  EXPECT_THAT(html, HasSubstr("rooms without luminaires, not in any total: 1, 135.00 m²"));
   project.spaces.pop_back();
   project.spaces[1].energy.reset();
   project.spaces[1].power.without_power = 1;
@@ -226,7 +226,7 @@ TEST(HtmlEnergy, ARoadHasAllThatIsDrawnAndSaysWhatASpacingHas) {
   EXPECT_THAT(rows[1], HasSubstr("not in this report |  | 1 | 57.0 W |"));  // cut short
   EXPECT_THAT(html_energy({}, project, 0), HasSubstr("<td class=\"num\">285.0 W</td>"));
   EXPECT_THAT(html_energy({}, project, 0),
-              HasSubstr("luminaires of roads: 4, as many as the calculation needs"));
+              HasSubstr("luminaires of roads: 4, as many as the calculation uses"));
 }
 
 TEST(HtmlLuminaires, OneRowForEachTypeThatIsUsedAndTheOthersByName) {
@@ -302,7 +302,7 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
   row.maintenance.lmf = 0.95;
   row.maintenance.rsmf = 0.97;
   project.luminaires = {row};
-  EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr("is not stated in the project"));
+  EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr("The project does not state when luminaires"));
   project.maintenance_plan.clean_luminaires_months = 1.0;
   EXPECT_THAT(html_maintenance({}, project, 0),
               HasSubstr("Luminaires are cleaned</th><td>every month<"));

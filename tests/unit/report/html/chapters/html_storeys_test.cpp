@@ -238,7 +238,7 @@ TEST(HtmlStoreys, StrangeLuminairesDoNotBreakIt) {
   EXPECT_THAT(html, HasSubstr("Luminaires outside the plan, not drawn: 3."));
   EXPECT_THAT(html, Not(HasSubstr("–L")));
   for (int i = 0; i < 3000; ++i) project.spaces[0].luminaires.push_back({{1, 1, 2}, "panel"});
-  EXPECT_THAT(shown(project), HasSubstr("The luminaires are too many for outlines and marks"));
+  EXPECT_THAT(shown(project), HasSubstr("Too many luminaires for outlines and marks"));
 }
 
 TEST(HtmlStoreys, HaveASitePlanOfARoad) {

@@ -170,7 +170,7 @@ TEST(HtmlLayout, WhatIsTooMuchIsTold) {
   space.planes[0].points.assign(1201, space.planes[0].points[0]);
   space.bodies_left_out = 3;
   const std::string html = shown(document);
-  for (const char* words : {"too many for marks", "too many to be drawn", "3 "})
+  for (const char* words : {"Too many luminaires for marks", "Too many points to be drawn", "3 "})
     EXPECT_THAT(html, HasSubstr(words));
   EXPECT_THAT(html, Not(HasSubstr("class=\"number\"")));
   EXPECT_THAT(html, Not(HasSubstr("class=\"points\"")));
@@ -184,7 +184,7 @@ TEST(HtmlLayout, ThousandsOfPlanesHaveNoLetters) {
   for (std::size_t k = 0; k < planes.size(); ++k)
     planes[k].grid.origin_m.x = 0.002 * static_cast<double>(k);
   const std::string html = shown(document);
-  EXPECT_THAT(html, HasSubstr("The planes are too many for letters."));
+  EXPECT_THAT(html, HasSubstr("Too many planes for letters."));
   EXPECT_THAT(html, Not(HasSubstr("class=\"letter\"")));
   EXPECT_THAT(html, Not(HasSubstr("layout-key")));
   EXPECT_THAT(html, HasSubstr("class=\"area\""));
@@ -265,12 +265,12 @@ TEST(HtmlLayout, RoomsFromFilesAreDrawnByTheLinesOfTheirSurfaces) {
   // From above the post is a point; the elevation has both.
   EXPECT_EQ(drawing.numbers("surface", 0).size(), 4U);
   EXPECT_EQ(drawing.numbers("surface", 1).size(), 8U);
-  EXPECT_THAT(html, HasSubstr("bend or end"));
-  EXPECT_THAT(html, HasSubstr("heights are over z = 0."));
+  EXPECT_THAT(html, HasSubstr("bends and ends"));
+  EXPECT_THAT(html, HasSubstr("heights are above z = 0."));
   EXPECT_THAT(shown(hall()), Not(HasSubstr("z = 0")));
-  EXPECT_THAT(html, Not(HasSubstr("such lines")));
+  EXPECT_THAT(html, Not(HasSubstr("of these lines")));
   space.surface_lines_left_out = 7;
-  EXPECT_THAT(shown(document), HasSubstr("7 such lines"));
+  EXPECT_THAT(shown(document), HasSubstr("The 7 shortest of these lines"));
 }
 
 }  // namespace

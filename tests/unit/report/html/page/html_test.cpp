@@ -163,14 +163,14 @@ TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
   EXPECT_THAT(html, HasSubstr("row &lt;2&gt;"));
   EXPECT_EQ(tree.select_nodes("//svg[@class='polar']").size(), 1U);
   EXPECT_THAT(html, HasSubstr("outer ring 500 cd"));
-  EXPECT_THAT(html, HasSubstr("Reaches the limit with all light at ×1.08."));
+  EXPECT_THAT(html, HasSubstr("The flux of all luminaires ×1.08 would reach the limit."));
 }
 
 TEST(Html, HousingsAreWithTheirType) {
   Document document = sample_document();
   EXPECT_THAT(render_html(document), HasSubstr("housing of white metal, 0.08 m deep"));
   document.projects[0].luminaires.at(0).housing_depth_m = 0.0;
-  EXPECT_THAT(render_html(document), HasSubstr("face of white metal that takes up light"));
+  EXPECT_THAT(render_html(document), HasSubstr("light-absorbing face of white metal"));
 }
 
 TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {

@@ -48,11 +48,11 @@ TEST(HtmlRoomData, TellsSizeSurfacesAndPower) {
   for (const char* words :
        {"5.00 × 4.00 m, 2.80 m high", "20.00 m²", "Floor, reflectance</th><td>dark 0.20",
         "Walls, reflectance</th><td>white 0.70", "Objects, reflectance</th><td>oak 0.35, dark 0.20",
-        "2 × panel", "60.0 W", "3.00 W/m²", "of the average of Work plane"}) {
+        "2 × panel", "60.0 W", "3.00 W/m²", "relative to the average of Work plane"}) {
     EXPECT_THAT(html, HasSubstr(words));
   }
   EXPECT_THAT(html, HasSubstr("0.600"));  // 3 W/m² by 5 times 100 lx
-  EXPECT_THAT(html, Not(HasSubstr("no rectangle")));
+  EXPECT_THAT(html, Not(HasSubstr("not a rectangle")));
   EXPECT_THAT(shown(office(), Language::german), HasSubstr("5,00 × 4,00 m, 2,80 m hoch"));
 }
 
@@ -80,7 +80,7 @@ TEST(HtmlRoomData, UnknownPowerIsNotZero) {
   Document document = office();
   document.projects[0].spaces[0].power.without_power = 1;
   const std::string html = shown(document);
-  EXPECT_THAT(html, HasSubstr("not known: 1 of 2 luminaires state none"));
+  EXPECT_THAT(html, HasSubstr("not known: 1 of 2 luminaires state no power"));
   EXPECT_THAT(html, Not(HasSubstr("W/m²")));
 }
 
@@ -88,7 +88,7 @@ TEST(HtmlRoomData, AnOutlineThatIsNoRectangleIsToldAndNothingMakesNothing) {
   Document document = office();
   SpacePart& space = document.projects[0].spaces[0];
   space.footprint_m = {{0, 0}, {5, 0}, {5, 4}, {2, 4}, {2, 2}, {0, 2}};
-  EXPECT_THAT(shown(document), HasSubstr("of the outline, which is no rectangle"));
+  EXPECT_THAT(shown(document), HasSubstr("of the outline (not a rectangle)"));
   space = {};
   EXPECT_EQ(shown(document), "");
 }

@@ -229,7 +229,7 @@ TEST(IfcResults, NothingThatIsNoPassLooksLikeOne) {
   // Nothing asked, or waived.
   report::Document nothing = document;
   nothing.projects[0].spaces[0].planes[0].findings.clear();
-  EXPECT_EQ(Written(model(), nothing).words(kRoom, "Verdict"), "nothing was asked");
+  EXPECT_EQ(Written(model(), nothing).words(kRoom, "Verdict"), "nothing is required");
   report::Document waived = result();
   waived.projects[0].spaces[0].planes[0].findings[1].is_waived = true;
   EXPECT_EQ(Written(model(), waived).words(kPlane, "minimum: verdict"),
