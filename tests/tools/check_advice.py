@@ -60,7 +60,7 @@ def check(luxgate, path, *options, advice=True):
     return done.returncode, json.loads(told["json"])["projects"][0], told
 
 
-def says_in_all(told, words, title="What would make it pass"):
+def says_in_all(told, words, title="Suggested dimming levels"):
     expect(re.search(r'<h3 id="advice1"[^>]*>' + title, told["html"]) and title in told["text"]
            and f"**{title}**" in told["markdown"], f"every format has the title: {told['text']}")
     for one in words:
@@ -111,14 +111,14 @@ def main():
 
     # Nobody has asked; nothing to be said.
     code, found, told = check(luxgate, path, advice=False)
-    expect(code == 1 and "advice" not in found and "would make it pass" not in told["html"] + told["text"], "not asked")
+    expect(code == 1 and "advice" not in found and "Suggested dimming levels" not in told["html"] + told["text"], "not asked")
     code, found, told = check(luxgate, case("met", '<require quantity="average" at-least="50"/>'))
-    expect(code == 0 and found["advice"] == [] and "would make it pass" not in told["html"] + told["text"]
+    expect(code == 0 and found["advice"] == [] and "Suggested dimming levels" not in told["html"] + told["text"]
            + told["markdown"], f"all is met: {code} {found.get('advice')}")
     code, found, told = check(luxgate, case("besides", '<require quantity="average" at-least="50"/>'
                                                        '<require quantity="power-density" at-most="0.5"/>'))
     expect(code == 1 and found["advice"] == [], f"what is not met hangs on no levels: {code} {found.get('advice')}")
-    says_in_all(told, ["does not hang on the levels"])
+    says_in_all(told, ["do not depend on dimming levels"])
 
     # More light, and what excludes each other.
     both = '<require id="mean" quantity="average" at-least="180"/><require id="top" quantity="maximum" at-most="60"/>'
@@ -130,7 +130,7 @@ def main():
     code, found, told = check(luxgate, case("weak", '<require id="mean" quantity="average" at-least="900"/>'))
     one = found["advice"][0]
     expect(one["outcome"] == "more-light" and max(group["level"] for group in one["groups"]) > 1, f"more light: {one}")
-    says_in_all(told, ["With so much more light 1 of 1 requirements would pass", "nobody has checked that",
+    says_in_all(told, ["With this much more light, 1 of 1 requirements would pass", "this is not checked",
                        "Office, Desk: average ≥ 900 lx"])
     code, found, told = check(luxgate, case("other", '<require id="g" quantity="uniformity-gradient" at-most="1"/>'
                                             .replace("uniformity-", "")))
@@ -151,7 +151,7 @@ def main():
     code, found, told = check(luxgate, path)
     one = found["advice"][0] if found and found["advice"] else {}
     expect(code == 1 and one.get("outcome") == "none-found" and "nothing was looked for" in one["reason"], f"a road: {one}")
-    expect("does not hang" not in told["html"] + told["text"], "road luminance hangs on levels")
+    expect("do not depend on dimming levels" not in told["html"] + told["text"], "road luminance hangs on levels")
     # Levels that save power of what passes mend nothing.
     path = write(os.path.join(work, "road-2.xml"), road.replace(
         "REQUIRE", '<require quantity="road-luminance" at-least="0.9" scene="s"/><strip id="way" side="right" gap="0.5" '
@@ -197,7 +197,7 @@ def main():
     expect("a <b>" not in told["html"] and "[x](http" not in told["markdown"] and "<b> [x]" in told["text"], "no markup")
 
     # Other languages.
-    for tag, title in (("de", "Womit es bestehen würde"), ("fr", "Ce qui permettrait de réussir")):
+    for tag, title in (("de", "Vorgeschlagene Dimmstufen"), ("fr", "Niveaux de gradation proposés")):
         for name in ("dark", "both", "weak"):
             told = check(luxgate, os.path.join(work, name + ".xml"), "--language", tag)[2]
             says_in_all(told, [], title)

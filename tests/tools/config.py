@@ -146,7 +146,7 @@ questions = json.loads(gate.stdout)["revision"]["questions"]
 expect([(one["change"], one["part"], one["after"]) for one in questions] == [("exchanged", "confidence", "confidence 0.6")], str(questions))
 (team.folder / "luxgate.toml").write_text("tolerance = 0.09\n")
 gate = check("a.xml", "--against", "HEAD", "--gate", "regression", at="team/designs", code=1, says="config-of-revision")
-expect("tolerance 0.09" in gate.stdout and "asks less" in gate.stdout, gate.stdout)
+expect("tolerance 0.09" in gate.stdout and "requires less" in gate.stdout, gate.stdout)
 (team.folder / "luxgate.toml").unlink()
 # Not by a link, either, in place of the folder that has settings of its own.
 (team.folder / "designs" / "luxgate.toml").write_text("tolerance = 0.07\n")

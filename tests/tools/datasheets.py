@@ -56,10 +56,10 @@ expect(code == 0 and sheets("m.html", WORK / "in") == sheets("with.html"), f"mov
 with open(WORK / "in/spot.ies", "a") as file:
     file.write("\n")
 luxgate("report", "r.json", "--datasheets", "--language", "fr", "--format", "html=other.html")
-expect("le fichier photométrique n’est plus celui du calcul" in sheets("other.html") and "<table" not in sheets("other.html"), "a changed file is shown")
+expect("le fichier photométrique n’est pas celui du calcul" in sheets("other.html") and "<table" not in sheets("other.html"), "a changed file is shown")
 (WORK / "in/spot.ies").unlink()
 luxgate("report", "r.json", "--datasheets", "--format", "html=none.html")
-expect("the photometry file is not where the result says" in sheets("none.html"), "a missing file is not said")
+expect("the photometry file is not at the place that the result names" in sheets("none.html"), "a missing file is not said")
 
 print("\n".join(problems) or "data sheets are as they should be")
 sys.exit(bool(problems))

@@ -179,7 +179,7 @@ street = own["spaces"][2]
 if not (street["power"]["of_spacing"] and street["power"]["luminaires"] == 1 and len(street["luminaires"]) > 1):
     problems.append(f"the road is not one: {street['power']}, {len(street['luminaires'])} drawn")
 text = re.sub("<[^>]*>", "", (WORK / "own.html").read_text(encoding="utf-8"))
-for words in ("not used, so not counted: B (spare)", f"Street: the {len(street['luminaires'])} luminaires counted here"):
+for words in ("not used, therefore not counted: B (spare)", f"Street: the calculation uses the {len(street['luminaires'])} luminaires counted here"):
     if words not in text:
         problems.append(f"the report does not say '{words}'")
 

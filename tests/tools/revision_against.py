@@ -144,9 +144,9 @@ import_rules(TABLE, PACK)
 ruled.commit()
 import_rules(TABLE.replace("desk,300,500", "desk,200,500"), PACK)
 for rules in ("packs", "packs/own.xml"):
-    expect(f"rules {rules}", check(ruled.folder, "project.xml", "--rules", rules, "--against", "HEAD", *GATE), 1, "▼ asks less", "≥ 300 lx", "≥ 200 lx")
+    expect(f"rules {rules}", check(ruled.folder, "project.xml", "--rules", rules, "--against", "HEAD", *GATE), 1, "▼ requires less", "≥ 300 lx", "≥ 200 lx")
 shutil.copy(PACK, WORK / "own.xml")
-expect("rules outside", check(ruled.folder, "project.xml", "--rules", WORK / "own.xml", "--against", "HEAD"), 0, without=["asks less"])
+expect("rules outside", check(ruled.folder, "project.xml", "--rules", WORK / "own.xml", "--against", "HEAD"), 0, without=["requires less"])
 shutil.move(PACK.parent, ruled.folder / "later")
 expect("rules that are new", check(ruled.folder, "project.xml", "--rules", "later", "--against", "HEAD"), 0, "later were not there at HEAD")
 

@@ -50,24 +50,24 @@ GATE = ("--gate", "regression")
 OPEN = "nothing became worse"
 # Name of the case: what changes, exit code with the gate, what is said.
 CASES = {
-    "unchanged": ({}, 0, [OPEN, "2 unchanged", "failures that were there before and do not count: 1"]),
+    "unchanged": ({}, 0, [OPEN, "2 unchanged", "failures present before, not counted: 1"]),
     "another folder": ({}, 0, [OPEN]),
     "renamed": (dict(name="Other", room="Other"), 0, [OPEN]),
     "better": (dict(columns=4), 0, ["▲ better", OPEN]),
-    "a limit lowered": (dict(limit="80"), 1, ["▼ asks less", "≥ 100 lx", "≥ 80 lx", "--accept-weaker"]),
-    "a limit raised": (dict(limit="110"), 0, ["▲ asks more", OPEN]),
+    "a limit lowered": (dict(limit="80"), 1, ["▼ requires less", "≥ 100 lx", "≥ 80 lx", "--accept-weaker"]),
+    "a limit raised": (dict(limit="110"), 0, ["▲ requires more", OPEN]),
     "a limit raised too far": (dict(limit="5000"), 1, ["✗ broken"]),
-    "a plane deleted": (dict(far=False), 1, ["▼ asks less", "plane", "– no longer asked"]),
-    "a plane by another id": (dict(plane="table"), 1, ["▼ asks less", "▲ asks more", 'was="desk" in it says so']),
+    "a plane deleted": (dict(far=False), 1, ["▼ requires less", "plane", "– no longer required"]),
+    "a plane by another id": (dict(plane="table"), 1, ["▼ requires less", "▲ requires more", 'was="desk" in it says so']),
     "a plane that says what it was": (dict(plane="table", was_plane=' was="desk"'), 0, ["id of the plane", "table", OPEN]),
     "a room that says what it was": (dict(room_id="hall", was_room=' was="room"'), 0, ["id of the room", "hall", OPEN]),
-    "renamed and easier": (dict(plane="table", was_plane=' was="desk"', limit="90"), 1, ["▼ asks less", "≥ 90 lx"]),
-    "lumens stated by hand": (dict(flux=' flux-lm="3600"'), 1, ["luminous flux, stated by hand"]),
+    "renamed and easier": (dict(plane="table", was_plane=' was="desk"', limit="90"), 1, ["▼ requires less", "≥ 90 lx"]),
+    "lumens stated by hand": (dict(flux=' flux-lm="3600"'), 1, ["luminous flux, entered by hand"]),
     "a maintenance factor raised": (dict(mf="0.9"), 1, ["maintenance factor", "0.8", "0.9"]),
     "fewer points": (dict(points=3), 1, ["6 x 4 points", "3 x 4 points"]),
-    "a smaller area": (dict(width="2"), 1, ["▼ asks less", "area", "6 m2", "4 m2"]),
-    "a wider margin": (dict(margin="0.3"), 1, ["▼ asks less", "margin"]),
-    "a waiver": (dict(far_waiver=WAIVER), 1, ["▼ asks less", "waiver", "A. Meier until 2099-12-31"]),
+    "a smaller area": (dict(width="2"), 1, ["▼ requires less", "area", "6 m2", "4 m2"]),
+    "a wider margin": (dict(margin="0.3"), 1, ["▼ requires less", "margin"]),
+    "a waiver": (dict(far_waiver=WAIVER), 1, ["▼ requires less", "waiver", "A. Meier until 2099-12-31"]),
     "one luminaire less": (dict(columns=2), 1, ["▼ worse", "4: 2 removed, 4 moved"]),
     "a little darker": (dict(candela="995 955.2 855.7 696.5 477.6 238.8 0"), 0, ["▼ worse", OPEN, "photometry"]),
     "darker under the same name": (dict(candela="900 864 774 630 432 216 0"), 1, ["▼ worse", "photometry", "spot.ies"]),
@@ -78,7 +78,7 @@ for name, (changes, code, words) in CASES.items():
 
 lowered = write("a-limit-lowered", limit="80")
 expect("accepted", check(lowered, *GATE, "--accept-weaker", "the client agreed"), 0, "the client agreed", OPEN)
-expect("all", check(lowered), 1, "▼ asks less", "FAIL", without=["Gate for regressions"])
+expect("all", check(lowered), 1, "▼ requires less", "FAIL", without=["Regression gate"])
 darker = write("darker-under-the-same-name", candela="900 864 774 630 432 216 0")
 expect("allowed", check(darker, *GATE, "--allow-worse", "15%"), 0, OPEN)
 expect("allowed of this", check(darker, *GATE, "--allow-worse", "average=15%", "--allow-worse", "minimum=15%"), 0, OPEN)
@@ -87,17 +87,17 @@ expect("not a share", check(darker, *GATE, "--allow-worse", "100%"), 2, "a share
 expect("not a quantity", check(darker, *GATE, "--allow-worse", "avrage=1%"), 2, "average")
 
 unreadable = write("unreadable", limit="none")
-expect("unreadable", check(unreadable, *GATE), 2, "Gate for regressions: not judged")
+expect("unreadable", check(unreadable, *GATE), 2, "Regression gate: not judged")
 
 # Every format tells of it.
 for kind, words in {
     "json": ['"weaker"', '"limit"', '"allowed_worse"'],
-    "markdown": ["### luxgate: ✗ fail", "asks less", "≥ 80 lx", "fail, as before"],
+    "markdown": ["### luxgate: ✗ fail", "requires less", "≥ 80 lx", "fail, as before"],
     "github": ["::error", "weaker-question", "≥ 80 lx"],
     "gitlab": ["luxgate/weaker-question", "critical"],
     "junit": ['name="revision"', 'failures="1"', "failed before the revision"],
     "csv": ["weaker question", "≥ 80 lx"],
-    "html": ['<section id="revision">', "asks less", "≥ 80 lx"],
+    "html": ['<section id="revision">', "requires less", "≥ 80 lx"],
     "sarif": ["weaker-question", '"baselineState": "unchanged"', '"baselineState": "new"'],
 }.items():
     expect(kind, check(lowered, *GATE, "-q", "--format", kind), 1, *words)
@@ -117,35 +117,35 @@ expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the pla
 other = WORK / "lowered.json"
 luxgate("check", lowered, "--pictures", "off", "-q", "--format", f"json={other}")
 beside = luxgate("report", other, "--baseline", BASELINE, *GATE)
-expect("report", beside, 1, "▼ asks less", "Gate for regressions: stopped")
+expect("report", beside, 1, "▼ requires less", "Regression gate: stopped")
 if beside.stdout != check(lowered, *GATE).stdout:
     problems.append("report --baseline: another text than check --baseline")
-expect("report without gate", luxgate("report", other, "--baseline", BASELINE), 0, "▼ asks less")
+expect("report without gate", luxgate("report", other, "--baseline", BASELINE), 0, "▼ requires less")
 expect("report without baseline", luxgate("report", other, *GATE), 2, "--gate regression needs a --baseline")
-expect("compare", luxgate("compare", other, BASELINE), 1, "▼ asks less", "ASKED OR JUDGED OTHERWISE: 0 of")
-expect("compare itself", luxgate("compare", other, other), 0, "Alike: 0 of", without=["asks less"])
-expect("compare values only", luxgate("compare", other, BASELINE, "--partial"), 0, "Alike: 0 of", without=["asks less"])
+expect("compare", luxgate("compare", other, BASELINE), 1, "▼ requires less", "ASKED OR JUDGED OTHERWISE: 0 of")
+expect("compare itself", luxgate("compare", other, other), 0, "Alike: 0 of", without=["requires less"])
+expect("compare values only", luxgate("compare", other, BASELINE, "--partial"), 0, "Alike: 0 of", without=["requires less"])
 expect("compare markdown", luxgate("compare", other, BASELINE, "--format", "markdown"), 1,
-       "### luxgate compare: ASKED OR JUDGED OTHERWISE", "| ▼ asks less |", "| desk |")
+       "### luxgate compare: ASKED OR JUDGED OTHERWISE", "| ▼ requires less |", "| desk |")
 expect("compare json", luxgate("compare", other, BASELINE, "--format", "json"), 1, '"alike": false', '"weaker"')
 expect("compare html", luxgate("compare", other, BASELINE, "--format", "html"), 1, '<section id="revision">')
 gone = WORK / "gone.json"
 luxgate("check", write("a-plane-deleted", far=False), "--pictures", "off", "-q", "--format", f"json={gone}")
-expect("compare what is gone", luxgate("compare", gone, BASELINE), 1, "– no longer asked", "only one has some values")
+expect("compare what is gone", luxgate("compare", gone, BASELINE), 1, "– no longer required", "only one has some values")
 
 # Twelve designs, one of them changed: a few lines, whatever the others are.
 designs = [write(f"design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]
 luxgate("check", *designs, "--pictures", "off", "-q", "--format", f"json={BASELINE}")
 write("design-7", name="Design 7", columns=3, limit="90")
 done = check(designs[0], *designs[1:], *GATE)
-expect("twelve", done, 1, "design-7/project.xml: Office / desk", "▼ worse", "▼ asks less")
+expect("twelve", done, 1, "design-7/project.xml: Office / desk", "▼ worse", "▼ requires less")
 if len(done.stdout.splitlines()) > 30:
     problems.append(f"twelve: {len(done.stdout.splitlines())} lines")
 moved = [write(f"moved/design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]
 expect("twelve moved", check(moved[0], *moved[1:], *GATE), 0, OPEN, without=["asks", "worse:"])
-expect("one of twelve", check(moved[0], *GATE), 1, "▼ asks less", "project")
+expect("one of twelve", check(moved[0], *GATE), 1, "▼ requires less", "project")
 
-# What a workplace says of its task and its walls asks less of them, where the row asks for more than that.
+# What a workplace says of its task and its walls requires less of them, where the row asks for more than that.
 CELL = """<luxgate version="1" name="Cell" maintenance-factor="0.8"><material id="light" reflectance="0.7"/>
 <luminaire-type id="spot" photometry="spot.ies"/><room id="cell" size="5 4 2.8" ceiling="light" walls="light" floor="light">
 <luminaire-grid id="L" type="spot" origin="0 0 2.79" size="5 4" columns="3" rows="2"/>
@@ -166,12 +166,12 @@ def told(row, before, after):
 
 
 UNKNOWN, FRONT = ' task-place="unknown"', ' front-wall="2"'
-expect("an unknown place", told("34.2", "", UNKNOWN), 1, "▼ asks less", "Uo", "0.60", "0.40")
-expect("a known place", told("34.2", UNKNOWN, ""), 0, "▲ asks more", OPEN)
-expect("an unknown place of a row that asks no more", told("34.7", "", UNKNOWN), 0, OPEN, without=["asks less"])
-expect("a wall in front", told("34.2", "", FRONT), 1, "▼ asks less", "≥ 150 lx", "≥ 75 lx")
-expect("another wall in front", told("34.2", ' front-wall="1"', FRONT), 1, "▼ asks less", "▲ asks more")
-expect("walls alike", told("34.2", FRONT, ""), 0, "▲ asks more", OPEN)
+expect("an unknown place", told("34.2", "", UNKNOWN), 1, "▼ requires less", "Uo", "0.60", "0.40")
+expect("a known place", told("34.2", UNKNOWN, ""), 0, "▲ requires more", OPEN)
+expect("an unknown place of a row that asks no more", told("34.7", "", UNKNOWN), 0, OPEN, without=["requires less"])
+expect("a wall in front", told("34.2", "", FRONT), 1, "▼ requires less", "≥ 150 lx", "≥ 75 lx")
+expect("another wall in front", told("34.2", ' front-wall="1"', FRONT), 1, "▼ requires less", "▲ requires more")
+expect("walls alike", told("34.2", FRONT, ""), 0, "▲ requires more", OPEN)
 
 # Bad input.
 expect("no baseline", luxgate("check", base, *GATE), 2, "--baseline")

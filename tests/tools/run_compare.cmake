@@ -99,7 +99,7 @@ file(WRITE ${WORK}/easier/project.xml "${easier}")
 execute_process(COMMAND ${LUXGATE} check easier/project.xml --quiet --pictures off --format json=easier.json
   WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_QUIET)
 run_in_work(1 compare easier.json r.json --plane planar)
-expect_in("${out}" "asks less")
+expect_in("${out}" "requires less")
 run_in_work(0 compare easier.json r.json --plane four)
 
 # Averages are judged by the intervals of both results.

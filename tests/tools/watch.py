@@ -81,7 +81,7 @@ run.wait("first", "✓ pass", "1 requirement: 1 pass", without=["after the save"
 small_designs.write(project, **MET, limit="5000")
 run.wait("a limit", "✗ broken", "≥ 5000 lx", "s after the save")
 small_designs.write(project, **MET)
-run.wait("back", "✓ fixed", "asks less")
+run.wait("back", "✓ fixed", "requires less")
 (WORK / "spot.ies").write_text(small_designs.PHOTOMETRY.format(candela=DARK))
 run.wait("photometry", "▼ worse", "photometry")
 other = WORK / "other.tmp"
@@ -159,7 +159,7 @@ time.sleep(0.3)
 small_designs.write(project, **MET, limit="5000")
 run.wait("served", "✗ broken")
 listener.join(PATIENCE_S)
-if listener.is_alive() or "asks more" not in get(url + "report")[1]:
+if listener.is_alive() or "requires more" not in get(url + "report")[1]:
     problems.append(f"news: {news}")
 run.end("served", 1)
 

@@ -207,7 +207,7 @@ expect("not judged" in column(sheets["Projects"], "Verdict") and "error" in colu
 # Against an earlier result: what is asked less.
 weaker = small_designs.write(WORK / "doubts.xml", far_waiver=small_designs.WAIVER, limit="80")
 sheets, _ = both("revised", weaker, code=0, options=["--max-paths", "256", "--baseline", "doubts.json"], more=["Revision"])
-expect("asks less" in str(sheets["Revision"]) and "≥ 80 lx" in str(sheets["Revision"]), "the revision is not told")
+expect("requires less" in str(sheets["Revision"]) and "≥ 80 lx" in str(sheets["Revision"]), "the revision is not told")
 expect("weaker question" in column(sheets["Requirements"], "Verdict"), "a weaker question is no row")
 
 # Somebody else's reader takes it.

@@ -16,13 +16,14 @@ namespace cli {
 namespace {
 
 std::vector<ExitMeaning> check_exit_codes() {
-  return {{kAllMet, "every requirement is met or waived, or nothing is required: a warning says so"},
-          {kNotMet, "at least one requirement is not met"},
-          {kNotJudged,
-           "not judged: usage, input or file error, a plane or project that could not be judged, "
-           "or a warning that --strict makes count"},
-          {kUndecided, "nothing failed, but a result's interval holds its limit: undecided"},
-          {kInterrupted, "interrupted; no report was written"}};
+  return {
+      {kAllMet, "every requirement is met or waived, or nothing is required: a warning says so"},
+      {kNotMet, "at least one requirement is not met"},
+      {kNotJudged,
+       "not judged: usage, input or file error, a plane or project that could not be judged, "
+       "or a warning that --strict makes count"},
+      {kUndecided, "nothing failed, but a result's interval holds its limit: undecided"},
+      {kInterrupted, "interrupted; no report was written"}};
 }
 
 std::vector<Option> document_options(CheckOptions& options) {

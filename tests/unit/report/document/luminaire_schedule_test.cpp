@@ -60,11 +60,10 @@ TEST(LuminaireSchedule, HasWhatIsUsedAndNamesTheRest) {
   EXPECT_EQ(schedule.totals.flux_lm, 20000);
   EXPECT_EQ(schedule.totals.power_w, 200);
   EXPECT_TRUE(schedule.totals.is_power_known);
-  EXPECT_THAT(
-      schedule_remarks({}, schedule),
-      ElementsAre("In the project but not used, therefore not counted: B (idle).",
-                  "Road: the calculation uses the 3 luminaires counted here. "
-                  "The number for the road follows from its length: 1 for each spacing."));
+  EXPECT_THAT(schedule_remarks({}, schedule),
+              ElementsAre("In the project but not used, therefore not counted: B (idle).",
+                          "Road: the calculation uses the 3 luminaires counted here. "
+                          "The number for the road follows from its length: 1 for each spacing."));
 }
 
 // Readers compare the schedule with the makers' lists, and add up what they read.

@@ -261,7 +261,7 @@ TEST(Markdown, SaysWhatALongTableLeavesOut) {
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.findings.assign(130, plane.findings[1]);
   const std::string text = rendered("markdown", document);
-  EXPECT_THAT(text, HasSubstr("30 more are left out here."));
+  EXPECT_THAT(text, HasSubstr("30 more are not listed here."));
   EXPECT_LT(text.size(), 65536u);  // GitHub's limit of a comment
 }
 

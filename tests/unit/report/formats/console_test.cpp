@@ -145,8 +145,9 @@ TEST(Console, AdviceAmongFoldedPassesIsNamed) {
   Document document = workplace_document();
   document.projects[0].spaces[0].planes[1].findings[0].requirement.severity =
       rules::Severity::advice;
-  EXPECT_THAT(rendered("text", document),
-              HasSubstr("└ task, surround (advice: does not count); nearest to its limit: task, "));
+  EXPECT_THAT(
+      rendered("text", document),
+      HasSubstr("└ task, surround (recommendation: does not count); nearest to its limit: task, "));
 }
 
 TEST(Console, NotesOfFoldedPassesAreSaid) {
@@ -186,8 +187,9 @@ TEST(Console, RowsOfWhichTheSameIsToBeSaidShareALine) {
   rows[1].roles[0].state = rules::RoleState::never_asked;
   const std::string text = rendered("text", document);
   EXPECT_THAT(text, HasSubstr("└ a, c, d and 1 more, EN 12464-1:2021 34.2: the whole row is met"));
-  EXPECT_THAT(text, HasSubstr("└ b, EN 12464-1:2021 34.2: nothing of the row that counts is asked; "
-                              "never asked: task"));
+  EXPECT_THAT(text,
+              HasSubstr("└ b, EN 12464-1:2021 34.2: no part of the row that counts is required; "
+                        "not requested: task"));
 }
 
 TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
@@ -235,7 +237,7 @@ TEST(Console, WhatWasNotJudgedSaysWhy) {
   EXPECT_THAT(text, HasSubstr(": close: usual rounding would change the verdict\n"));
   for (const std::string& one : {listed, text}) {
     EXPECT_THAT(one, HasSubstr("└ the plane was not computed\n"));
-    EXPECT_THAT(one, HasSubstr("yard.xml\n  – not judged: it could not be read"));
+    EXPECT_THAT(one, HasSubstr("yard.xml\n  – not judged: the project could not be read"));
     EXPECT_THAT(
         one, HasSubstr("see the errors\n    cannot read 'yard.ies': No such file or directory\n"));
   }

@@ -148,14 +148,13 @@ TEST(StandardWords, ARowIsNotMetByWaivingIt) {
     EXPECT_THAT(legible(format, document), Not(HasSubstr("whole row is met"))) << format.name;
   }
   const rules::RowCoverage row = document.projects[0].spaces[0].coverage[0];
-  EXPECT_EQ(
-      coverage_words({}, row),
-      "desk, EN 12464-1:2021 14.1: met but for what is waived or left out; waived: task; left "
-      "out: surround, wall.2");
+  EXPECT_EQ(coverage_words({}, row),
+            "desk, EN 12464-1:2021 14.1: met, except for waived or omitted parts; waived: task; "
+            "omitted: surround, wall.2");
   rules::RowCoverage failed = row;
   failed.roles[0].state = rules::RoleState::failed;
   EXPECT_EQ(coverage_words({}, failed),
-            "desk, EN 12464-1:2021 14.1: not all that is asked of the row is met; left out: "
+            "desk, EN 12464-1:2021 14.1: the required part of the row is not fully met; omitted: "
             "surround, wall.2");
 }
 
@@ -176,12 +175,12 @@ TEST(StandardWords, ARowIsNotWholeWithWhatIsImpossible) {
   }
   rules::RowCoverage& row = document.projects[0].spaces[0].coverage[0];
   EXPECT_EQ(coverage_words({}, row),
-            "desk, EN 12464-1:2021 34.2: all of the row that can be judged here is met; not "
-            "possible here: lamp (made-up reason)");
+            "desk, EN 12464-1:2021 34.2: every part of the row that can be judged here is met; "
+            "not possible here: lamp (made-up reason)");
   row.roles[0].state = rules::RoleState::failed;
   EXPECT_EQ(coverage_words({}, row),
-            "desk, EN 12464-1:2021 34.2: not all that is asked of the row is met; not possible "
-            "here: lamp (made-up reason)");
+            "desk, EN 12464-1:2021 34.2: the required part of the row is not fully met; "
+            "not possible here: lamp (made-up reason)");
 }
 
 // Only in clauses of packs it is a level; the project's words stay its own.

@@ -137,7 +137,7 @@ TEST(Warnings, ThatCountLeaveNoHeadlineGreen) {
 TEST(Warnings, MarkdownLeavesOutWhatIsTooMuch) {
   Document document = warned();
   document.projects[0].diagnostics.assign(23, document.projects[0].diagnostics[0]);
-  EXPECT_THAT(rendered("markdown", document), HasSubstr("\n3 more are left out here.\n"));
+  EXPECT_THAT(rendered("markdown", document), HasSubstr("\n3 more are not listed here.\n"));
 }
 
 TEST(Warnings, ThatCountDoSoAgainWhenTheResultIsRead) {

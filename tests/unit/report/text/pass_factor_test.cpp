@@ -16,7 +16,8 @@ TEST(PassFactor, IsLimitOverMeasuredWithTheIntervalTurned) {
   EXPECT_DOUBLE_EQ(factor->high, 500.0 / 392);
   // With that much light the upper end is proved to pass.
   EXPECT_GE(factor->high * finding.measured.low, 500 - 1e-9);
-  EXPECT_EQ(pass_factor_words({}, finding), "The flux of all luminaires ×1.28 would reach the limit.");
+  EXPECT_EQ(pass_factor_words({}, finding),
+            "The flux of all luminaires ×1.28 would reach the limit.");
 }
 
 TEST(PassFactor, HasDigitsEnoughForNarrowIntervals) {
@@ -30,10 +31,12 @@ TEST(PassFactor, LessLightForAnUpperLimit) {
   rules::Finding finding = sample_finding(rules::Metric::maximum, 60, estimate(80, 0));
   finding.requirement.comparison = rules::Comparison::at_most;
   finding.verdict = rules::Verdict::fail;
-  EXPECT_EQ(pass_factor_words({}, finding), "The flux of all luminaires ×0.75 would meet the limit.");
+  EXPECT_EQ(pass_factor_words({}, finding),
+            "The flux of all luminaires ×0.75 would meet the limit.");
   // The end that proves it: 60 / 84 = 0.714.
   finding.measured = estimate(80, 4);
-  EXPECT_EQ(pass_factor_words({}, finding), "The flux of all luminaires ×0.71 would meet the limit.");
+  EXPECT_EQ(pass_factor_words({}, finding),
+            "The flux of all luminaires ×0.71 would meet the limit.");
 }
 
 // An interval of 1 to 60 000 lx under an upper limit of 55 000 lx asks for no other light.

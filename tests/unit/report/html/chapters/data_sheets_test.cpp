@@ -90,7 +90,7 @@ TEST(DataSheets, SayWhyThereIsNone) {
   project.luminaires = {row("a", "abc")};
   const DataSheets sheets =
       data_sheets({Language::german, true}, project, 0, OneLight(Text::sheet_other_file), 0);
-  EXPECT_THAT(sheets.html, HasSubstr("Kein Datenblatt: die photometrische Datei ist nicht mehr"));
+  EXPECT_THAT(sheets.html, HasSubstr("Kein Datenblatt: die photometrische Datei ist nicht die"));
   EXPECT_THAT(sheets.html, HasSubstr("a &amp; b.ies abc"));
   EXPECT_THAT(sheets.html, Not(HasSubstr("<table")));
 }
@@ -124,7 +124,7 @@ TEST(DataSheets, WhatIsNotStatedIsSaid) {
   EXPECT_THAT(one, HasSubstr("a &amp; b.ies"));
   const std::string several = sheet_body({}, batwing(15, 2));
   EXPECT_THAT(several, HasSubstr("2 that shine together"));
-  EXPECT_THAT(several, HasSubstr("several emitters shine together, and a size"));
+  EXPECT_THAT(several, HasSubstr("several emitters are lit together, and their total size"));
   EXPECT_THAT(several, Not(HasSubstr("4 H × 8 H")));
 }
 

@@ -262,7 +262,7 @@ TEST(HtmlLuminaires, OneRowForEachTypeThatIsUsedAndTheOthersByName) {
   EXPECT_THAT(rows[0], HasSubstr("| 1.01 <Office>"));
   EXPECT_THAT(html, HasSubstr("All luminaires</th><td class=\"num\">7200</td>"
                               "<td class=\"num\">60.0</td>"));
-  EXPECT_THAT(html, HasSubstr("not used, so not counted: A (spare)."));
+  EXPECT_THAT(html, HasSubstr("not used, therefore not counted: A (spare)."));
 }
 
 // Those that face up; of equal ones the first.
@@ -302,7 +302,8 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
   row.maintenance.lmf = 0.95;
   row.maintenance.rsmf = 0.97;
   project.luminaires = {row};
-  EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr("The project does not state when luminaires"));
+  EXPECT_THAT(html_maintenance({}, project, 0),
+              HasSubstr("The project does not state when luminaires"));
   project.maintenance_plan.clean_luminaires_months = 1.0;
   EXPECT_THAT(html_maintenance({}, project, 0),
               HasSubstr("Luminaires are cleaned</th><td>every month<"));

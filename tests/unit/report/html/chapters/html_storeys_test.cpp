@@ -174,7 +174,7 @@ TEST(HtmlStoreys, LeaveOutWhatIsNotThere) {
   project.spaces.push_back(inner);
   const std::string html = shown(project);
   EXPECT_THAT(html, HasSubstr("not drawn: Storey at +3.10 m."));
-  EXPECT_THAT(html, HasSubstr("overlap other rooms of their height: 1.03 Box."));
+  EXPECT_THAT(html, HasSubstr("overlap other rooms at their height: 1.03 Box."));
 }
 
 TEST(HtmlStoreys, SmallRoomsHaveNumbersWithAList) {

@@ -394,7 +394,7 @@ TEST(Html, SaysWhatTheIntervalsMean) {
   document.projects[0].spaces[0].planes[0].looks_planned = 9;
   document.projects[0].spaces[0].planes[0].counters.active_points = {2, 2, 1};
   const std::string html = render_html(document);
-  EXPECT_THAT(html, HasSubstr("95 %, over all planned looks of a plane"));
+  EXPECT_THAT(html, HasSubstr("95 %, over all planned sampling rounds of a plane"));
   EXPECT_THAT(html, HasSubstr("3 of 9 planned"));
 }
 
@@ -582,7 +582,7 @@ TEST(Html, RatingsHaveNoUnitInFindingsLooksAndKeys) {
     const std::string html = render_html(document);
     parsed(html);
     EXPECT_THAT(html, HasSubstr("18.5 ± 0.3"));
-    EXPECT_THAT(html, HasSubstr("How the verdicts were reached: 2 looks"));
+    EXPECT_THAT(html, HasSubstr("Course of the verdicts: 2 sampling rounds"));
     EXPECT_THAT(html, HasSubstr("above 17<"));  // in the key of the hatching
     for (const char* wrong : {"18.5 ± 0.3 lx", "isolux, lx", "isolux of", "17 lx", "17.00"}) {
       EXPECT_THAT(html, Not(HasSubstr(wrong))) << wrong;
@@ -726,14 +726,14 @@ TEST(SameBits, ARunThatTimeCutShortIsTheSameNowhere) {
 
 // A client must not read the light of all luminaires as that of an emergency.
 TEST(Html, SaysOfWhichLightPicturesAre) {
-  constexpr const char* kWords = "are of all luminaires at full output";
+  constexpr const char* kWords = "show all luminaires at full output";
   Document document = small_document();
   EXPECT_THAT(render_html(document), Not(HasSubstr(kWords)));
   rules::Requirement& asked = document.projects[0].spaces[0].planes[0].findings[0].requirement;
   asked.scene = "battery";
   asked.direct_only = true;
   const std::string html = render_html(document);
-  EXPECT_THAT(html, HasSubstr("here: scene battery, direct light only."));
+  EXPECT_THAT(html, HasSubstr("other light, too: scene battery, direct light only."));
   const std::size_t annex = html.find("class=\"annex\"");
   ASSERT_NE(annex, html.npos);
   EXPECT_LT(html.find(kWords), annex);
@@ -753,8 +753,8 @@ TEST(Html, ShowsAPlaneInTheLightThatItIsAskedFor) {
   light.maximum = estimate(7.125, 0.25);
   light.uniformity_min_avg = light.uniformity_min_max = estimate(0.8, 0.1);
   const std::string html = render_html(document);
-  EXPECT_THAT(html, HasSubstr("values of this plane are of scene battery, which all"));
-  EXPECT_THAT(html, Not(HasSubstr("are of all luminaires at full output, with")));
+  EXPECT_THAT(html, HasSubstr("show the light that all of its requirements name: scene battery."));
+  EXPECT_THAT(html, Not(HasSubstr("show all luminaires at full output, with")));
   EXPECT_THAT(html, HasSubstr("direct 7"));
   EXPECT_THAT(html, Not(HasSubstr("direct 500")));
   EXPECT_THAT(html, HasSubstr("Maintained illuminance in lx, scene battery. "));
