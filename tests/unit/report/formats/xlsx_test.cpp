@@ -521,12 +521,12 @@ TEST(Xlsx, LongTextsAreCutAtTheEndOfACharacter) {
   for (int i = 0; i < 20'000; ++i) name += "\U0001F4A1";  // two units of UTF-16 each
   document.projects[0].spaces[0].name = name;
   const std::string shown = Book(rendered("xlsx", document)).words("Requirements", "B2");
-  EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: longer than a cell may be]"));
+  EXPECT_THAT(shown, testing::EndsWith("\U0001F4A1 [cut: too long for a cell]"));
   EXPECT_LE(shown.size() / 2, kMostCellCharacters);
   FormatStyle style;
   style.texts = Texts(Language::german, true);
   EXPECT_THAT(Book(rendered("xlsx", document, style)).words("Anforderungen", "B2"),
-              testing::EndsWith("\U0001F4A1 [gekürzt: länger, als eine Zelle sein darf]"));
+              testing::EndsWith("\U0001F4A1 [gekürzt: zu lang für eine Zelle]"));
 }
 
 TEST(Xlsx, WhatIsLeftOutIsToldInTheReadersLanguage) {
