@@ -356,10 +356,10 @@ TEST(Dxf, MarksAndLabelsWithoutAPlaceAreCounted) {
   EXPECT_THAT(drawing.words("LUX_VALUES_MORE"), Contains("x"));
   EXPECT_EQ(drawing.layer("LUX_VALUES_MORE")->text(70), "1");
   EXPECT_THAT(joined(drawing.words("LUX_LEGEND")),
-              HasSubstr("1 mark of a left-out point (x); see the frozen layer LUX_VALUES_MORE."));
+              HasSubstr("1 mark of an omitted point (x); see the frozen layer LUX_VALUES_MORE."));
 
   for (const auto& [language, words] :
-       {std::pair(Language::german, "1 Zeichen eines ausgelassenen Punkts"),
+       {std::pair(Language::german, "1 Zeichen eines weggelassenen Punkts"),
         std::pair(Language::french, "1 marque de point omis")}) {
     const Drawing other = read_strictly(rendered_dxf(document, Texts(language, true)));
     EXPECT_THAT(joined(other.words("LUX_LEGEND")), HasSubstr(words));
