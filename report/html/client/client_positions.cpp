@@ -1,12 +1,12 @@
 #include "report/html/client/client_positions.h"
 
 #include "report/document/storeys.h"
-#include "report/html/chapters/html_storeys.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/luminaire_aim.h"
 #include "report/text/markup.h"
 #include "report/text/plain_text.h"
 #include "report/text/room_titles.h"
+#include "report/text/storey_title.h"
 #include "report/text/text_numbers.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ std::vector<PositionGroup> groups_by_storey(const Texts& t, const ProjectPart& p
     const Storey* own =
         storey_of[static_cast<std::size_t>(room.spaces.front() - project.spaces.data())];
     if (own != nullptr && own == last) {
-      groups.back().title = storey_title(t, *own);
+      groups.back().title = storey_title(t, own->floor_z_m);
       groups.back().spaces.push_back(room.spaces.front());
       continue;
     }

@@ -198,11 +198,10 @@ TEST(RouteGrid, WarnsOfAHoleInTheFloor) {
 TEST(RouteGrid, WithoutAnyFloorIsAnErrorThatSaysWhere) {
   const Made made = make(route_of({{1, 2, 1}, {5, 2, 1}}, 1.0), room(10, 4));
   EXPECT_EQ(made.messages,
-            "project.xml:7:3: error[route-without-points]: route 'out' cannot be judged: "
-            "none of its 40 points is left: 40 have no surface to walk on between 0.5 m below and "
-            "0.3 m above its line, 0 "
-            "are where something stands, 0 inside solids, 0 outside the room; the first is at "
-            "(1.25, 1.6, 1) m; give its 'points' the heights of the floor");
+            "project.xml:7:3: error[route-without-points]: route 'out' cannot be judged: none of "
+            "the 40 points is left: 40 without a floor from 0.5 m below to 0.3 m above the "
+            "route, 0 at obstacles, 0 inside solids, 0 outside the room. The first is at (1.25, "
+            "1.6, 1) m. Set the heights of 'points' to the floor");
 }
 
 TEST(RouteGrid, LeavesOutWhatIsBeyondTheWalls) {

@@ -132,14 +132,15 @@ TEST(GridRule, TheNumbersAreData) {
 
 TEST(GridRule, WhatIsPrintedLeadsFromTheSidesToTheCounts) {
   EXPECT_EQ(grid_words({}, 5, 4),
-            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 5 m, the longer side; p = 0.616 m; 8.12 x 6.49 "
-            "cells, rounded to the nearest number: 8 x 6");
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 5 m, the longer side; p = 0.616 m; 8.12 x "
+            "6.49 cells, rounded to the nearest whole number: 8 x 6");
   EXPECT_EQ(grid_words(rounding_to(GridRounding::up), 3, 6),
-            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 3 m, the shorter side, as the longer one is at "
-            "least 2 times as long; p = 0.431 m; 6.96 x 13.92 cells, rounded up: 7 x 14");
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 3 m, the shorter side, because the longer "
+            "side is at least 2 times as long; p = 0.431 m; 6.96 x 13.92 cells, rounded up: 7 x "
+            "14");
   EXPECT_EQ(grid_words(rounding_to(GridRounding::odd_up), 400, 400),
-            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 400 m, the longer side; p = 10 m, the most that "
-            "is allowed; 40.00 x 40.00 cells, rounded up to an odd number: 41 x 41");
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 400 m, the longer side; p = 10 m, the largest "
+            "allowed value; 40.00 x 40.00 cells, rounded up to an odd number: 41 x 41");
 }
 
 TEST(GridRuleEn12464, ASideRatioOfTwoTakesTheShorterSide) {
@@ -211,9 +212,8 @@ TEST(SensorGrid, AMarginThatLeavesNothingIsAnError) {
   const Made made = make(plane);
   EXPECT_EQ(made.messages,
             std::vector<std::string>{
-                "project.xml:7:3: error[grid-margin-too-large]: plane 'desk' cannot be "
-                "judged: a margin "
-                "of 0.5 m leaves nothing of its 4 m x 1 m; a smaller margin is needed"});
+                "project.xml:7:3: error[grid-margin-too-large]: plane 'desk' cannot be judged: a "
+                "margin of 0.5 m leaves nothing of the area of 4 m x 1 m; use a smaller margin"});
 }
 
 TEST(SensorGrid, PointsOutsideAConcaveOutlineAreDropped) {
@@ -435,16 +435,15 @@ TEST(SensorGrid, APlaneThatKeepsNoPointIsAnErrorWithTheCounts) {
   EXPECT_EQ(make(plane, space).messages,
             std::vector<std::string>{
                 "project.xml:7:3: error[grid-without-points]: plane 'desk' cannot be judged: "
-                "none of its 16 points is left: 1 outside its area, 0 in its margin, 8 outside the "
-                "room, 7 inside solids, "
-                "0 in surfaces"});
+                "none of the 16 points is left: 1 outside the area, 0 in the margin, 8 outside "
+                "the room, 7 inside solids, 0 in surfaces"});
 }
 
 TEST(SensorGrid, MoreThanFourMillionPointsAreAnError) {
   EXPECT_EQ(make(plane_of(rectangle(4, 4), GridByCount{2001, 2000})).messages,
             std::vector<std::string>{
-                "project.xml:7:3: error[grid-too-many-points]: plane 'desk' cannot "
-                "be judged: it would have 2001 x 2000 points; at most 4000000 points are allowed"});
+                "project.xml:7:3: error[grid-too-many-points]: plane 'desk' cannot be judged: "
+                "the grid would have 2001 x 2000 points; at most 4000000 points are allowed"});
   EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{1e-300, 1e-300, {}})).grid);
   EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{0.0, 1.0, {}})).grid);
   EXPECT_FALSE(make(plane_of(rectangle(1e9, 1e-9), GridByRule{})).grid);

@@ -127,7 +127,7 @@ TEST(TerminalRooms, DoubtsOfAKindAreOneOnlyWhereTheirSentencesAre) {
               HasSubstr("glass"));
   EXPECT_THAT(text_of(of(calc::say<left_out>(calc::Message::words("wall"))),
                       of(calc::say<left_out>(calc::Message::words("ceiling")))),
-              HasSubstr("left out: ceiling"));
+              HasSubstr("omitted: ceiling"));
 }
 
 // What the method of UGR leaves open may be the verdict.

@@ -70,8 +70,8 @@ TEST(ColourRendering, IsAskedAlongWithTheTaskWhereAllStateIt) {
     EXPECT_EQ(asked.id, "Ra");
     EXPECT_FALSE(asked.origin.is_of_own_role);
     EXPECT_THAT(asked.problem.english(), IsEmpty());
-    EXPECT_THAT(asked.note.english(), HasSubstr("stated by the makers, not calculated"));
-    EXPECT_THAT(asked.stated_words.english(), HasSubstr("of type 'A' states the least, '80'"));
+    EXPECT_THAT(asked.note.english(), HasSubstr("manufacturers' value, not calculated"));
+    EXPECT_THAT(asked.stated_words.english(), HasSubstr("luminaire type 'A': '80'"));
   }
 }
 
@@ -113,10 +113,10 @@ TEST(ColourRendering, WhoAsksByNameIsToldWhyNot) {
   const std::string own = plane("<require quantity='Ra' at-least='80'/>");
   EXPECT_EQ(bound_of("80", "85", own).rendering.at(0).of_space.value, 80.0);
   EXPECT_EQ(bound_of("80", "", own).rendering.at(0).problem.english(),
-            "the photometry file of type 'B' states no Ra");
+            "the photometry file of luminaire type 'B' states no Ra");
   EXPECT_EQ(bound_of("80", "70-90", own).rendering.at(0).problem.english(),
-            "the photometry file of type 'B' states a colour rendering of '70-90', which does not "
-            "decide it");
+            "the photometry file of luminaire type 'B' states the colour rendering '70-90', "
+            "which does not decide the requirement");
   const std::string role = plane("<require pack='en12464-1:2021' row='34.2' role='lamp'/>");
   EXPECT_EQ(bound_of("80", "", role).rendering.size(), 1u);
   EXPECT_THAT(bound_of("80", "", role).rendering.at(0).problem.english(), HasSubstr("type 'B'"));

@@ -175,7 +175,7 @@ TEST(Workplace, CellsOfABandAreNoLargerThanTheBandIsWide) {
   const Made made = make(workplace("origin='1.5 1.5' size='9 5'"));
   const calc::SensorGrid grid = made.grid("w.surround");
   EXPECT_LE(grid.spacing_u_m, 0.5 + 1e-9);
-  EXPECT_THAT(grid.rule.english(), HasSubstr("p = 0.5 m, the most that is allowed"));
+  EXPECT_THAT(grid.rule.english(), HasSubstr("p = 0.5 m, the largest allowed value"));
 }
 
 TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
@@ -190,9 +190,9 @@ TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
   ASSERT_EQ(made.space().notes.size(), 1u);
   EXPECT_EQ(
       made.space().notes[0],
-      "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
-      "background (the task is the whole room), room (judged at observers: luminaire 'l' has no "
-      "luminous area, so that its luminance is not known)");
+      "workplace w, EN 12464-1:2021 34.2: no plane for surround (the task covers the whole room), "
+      "background (the task covers the whole room), room (judged at observers: luminaire 'l' has "
+      "no luminous area, so that its luminance is not known)");
 }
 
 TEST(Workplace, WhereTheTaskReachesIntoTheWallZoneItsSurroundGoesToTheWall) {
@@ -228,7 +228,7 @@ TEST(Workplace, RolesForWhichTheRowHasNothingAreNotMade) {
                                       "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
                                       "w.observer.3", "w.observer.4"));
   EXPECT_THAT(made.space().notes.at(0).english(),
-              HasSubstr("ceiling (row 14.1 specifies nothing)"));
+              HasSubstr("ceiling (row 14.1 specifies no value for it)"));
 }
 
 TEST(Workplace, SomeRowsAreAboutFloors) {
@@ -301,7 +301,7 @@ TEST(Workplace, ABoardIsOnItsWallWithABandAroundIt) {
   EXPECT_THAT(made.plane("w.task").made_by.english(),
               HasSubstr("on wall 2, 0.9 m to 2.1 m above the floor"));
   EXPECT_THAT(calc::texts(made.space().notes),
-              ElementsAre(HasSubstr("background (the task is upright")));
+              ElementsAre(HasSubstr("background (the task area is upright")));
   // What the row asks of the room is asked of all of it.
   EXPECT_NEAR(made.area_m2("w.cylinder"), 12.0 * 8.0, 1e-9);
 }
@@ -314,7 +314,7 @@ TEST(Workplace, TheBandAroundAnUprightTaskEndsWhereTheRoomEnds) {
   EXPECT_THAT(whole.messages, IsEmpty());
   EXPECT_NEAR(whole.area_m2("w.task"), 8.0 * 2.8, 1e-9);
   EXPECT_THAT(calc::texts(whole.space().notes),
-              ElementsAre(HasSubstr("surround (nothing of the room is left")));
+              ElementsAre(HasSubstr("surround (the room has no area left")));
 }
 
 // Who knows where the background is may say so.
@@ -351,7 +351,7 @@ TEST(Workplace, AFaceThatLeansIsLongerThanItIsHigh) {
   EXPECT_NEAR(upper.z - 1.0, 1.5, 1e-12);
   EXPECT_NEAR(upper.y, 23.0 + std::sqrt(3.0), 1e-12);  // away from who looks at it
   EXPECT_NEAR(task.normal().z, std::sin(std::acos(0.5)), 1e-12);
-  EXPECT_THAT(made.plane("w.task").made_by.english(), HasSubstr("leaning back by 60 degrees"));
+  EXPECT_THAT(made.plane("w.task").made_by.english(), HasSubstr("tilted back by 60 degrees"));
 }
 
 TEST(WorkplaceGrid, CopiesOfAFaceLieInTheRoom) {
@@ -420,21 +420,23 @@ TEST(Workplace, ANarrowWallIsNotMade) {
   const Made made =
       make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");
   EXPECT_THAT(made.space().notes.at(0).english(),
-              HasSubstr("wall.3 (0.8 m wide, and 0.5 m along its edges do not count)"));
+              HasSubstr("wall.3 (the surface is 0.8 m wide, and 0.5 m along each edge does not "
+                        "count)"));
 }
 
 const std::string kNarrowWall = "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'";
 
 TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
   EXPECT_THAT(make(workplace(""), kNarrowWall).messages,
-              ElementsAre(HasSubstr("warning[zone-not-checked]: workplace 'w': not checked: wall.3 "
-                                    "(0.8 m wide, and 0.5 m along its edges do not count); give")));
+              ElementsAre(HasSubstr("warning[zone-not-checked]: workplace 'w': not checked: "
+                                    "wall.3 (the surface is 0.8 m wide, and 0.5 m along each "
+                                    "edge does not count); give")));
   const Made said = make(
       workplace("", "<without role='wall.3' because='a pier' by='A. Meier' until='2099-12-31'/>"),
       kNarrowWall);
   EXPECT_THAT(said.messages, IsEmpty());
   EXPECT_THAT(said.space().notes.at(0).english(),
-              HasSubstr("left out: wall.3 (a pier, by A. Meier until 2099-12-31)"));
+              HasSubstr("omitted: wall.3 (a pier, by A. Meier until 2099-12-31)"));
   const Made judged = make(workplace("", "<zone role='wall.3' margin='0.1'/>"), kNarrowWall);
   EXPECT_THAT(judged.messages, IsEmpty());
   EXPECT_THAT(judged.ids(), testing::Contains("w.wall.3"));
@@ -480,19 +482,19 @@ TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
   EXPECT_EQ(made.plane("w.task").name, "Bench: task");
   EXPECT_EQ(made.plane("w.task").changed, "height 1.1 m instead of 0.75 m");
   EXPECT_NEAR(made.height_m("w.surround"), 1.1, 1e-12) << "at the task's height";
-  EXPECT_EQ(made.plane("w.surround").changed, "another rounding of the grid");
+  EXPECT_EQ(made.plane("w.surround").changed, "different rounding of the grid");
   EXPECT_THAT(made.grid("w.surround").rule.english(), HasSubstr("rounded up"));
   EXPECT_NEAR(made.height_m("w.cylinder"), 1.6, 1e-12);
   EXPECT_EQ(made.plane("w.cylinder").changed,
             "height 1.6 m instead of 1.2 m, margin 0 m instead of 0.5 m (standing)");
   EXPECT_NEAR(made.area_m2("w.background"), 96 - 7.5, 1e-9);
   EXPECT_EQ(made.plane("w.background").changed,
-            "an area of the project's own, a grid of the project's own");
+            "area set by the project, grid set by the project");
   EXPECT_EQ(made.grid("w.background").rule, "spacing");
   EXPECT_EQ(made.area("w.wall.1").margin_m, 0.3);
   EXPECT_EQ(made.area("w.wall.2").margin_m, 0.1);
   EXPECT_THAT(made.space().notes.at(0).english(),
-              HasSubstr("left out: wall.3 (glass, by A. Meier until 2099-12-31), ceiling (open, by "
+              HasSubstr("omitted: wall.3 (glass, by A. Meier until 2099-12-31), ceiling (open, by "
                         "A. Meier until 2099-12-31); not made"));
   EXPECT_EQ(requirements_of_plane(made.requirements, "w.task").at(0).limit, 1000);
 }
@@ -558,16 +560,16 @@ TEST(Workplace, AnArmOfTheRoomHasPoints) {
   const calc::SensorGrid grid = made.grid("w.task");
   EXPECT_TRUE(has_point_in(grid, {21, 20}, {30, 21.3}));
   EXPECT_TRUE(has_point_in(grid, {28, 20}, {30, 21.3})) << "to its end";
-  EXPECT_THAT(grid.rule.english(), HasSubstr("every cell in"));
+  EXPECT_THAT(grid.rule.english(), HasSubstr("each cell divided into"));
 }
 
 TEST(Workplace, AnArmThatIsAllMarginIsNamed) {
   const Made made =
       make(workplace(""), "footprint='0 0  20 0  20 0.9  10 0.9  10 10  0 10' height='2.8'");
   EXPECT_THAT(made.plane("w.task").made_by.english(),
-              HasSubstr("m2 are in parts of the room not wider than"));
+              HasSubstr("m² of the room are not judged: these parts are at most"));
   EXPECT_THAT(make(workplace("")).plane("w.task").made_by.english(),
-              testing::Not(HasSubstr("m2 are in")));
+              testing::Not(HasSubstr("are not judged")));
 }
 
 // 10 x 2 m, turned by 45 degrees: the grid is that of the same room along the axes.
@@ -669,7 +671,7 @@ TEST(Workplace, ADeskTopThatSwallowsTheTaskIsNotJudged) {
   EXPECT_FALSE(grid_with("position='4.2 3.2 0.73' size='1.6 1.1 0.03'", most));
   ASSERT_EQ(most.all().size(), 1u);
   EXPECT_THAT(format_diagnostic(most.all()[0]), HasSubstr("inside solids, the first in 'desk'"));
-  EXPECT_THAT(format_diagnostic(most.all()[0]), HasSubstr("give it a 'height'"));
+  EXPECT_THAT(format_diagnostic(most.all()[0]), HasSubstr("set a 'height' above it"));
   EXPECT_TRUE(grid_with("position='4 3 0.73' size='0.3 0.3 0.03'", few));
   ASSERT_EQ(few.all().size(), 1u);
   EXPECT_THAT(format_diagnostic(few.all()[0]), HasSubstr("'desk'"));
@@ -754,7 +756,7 @@ TEST(Workplace, WhatIsLeftOutHasOwnerAndLastDay) {
       "margin='0.2'/>"));
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_THAT(made.space().notes.at(0).english(),
-              HasSubstr("left out: wall.1 (glass, by B. Roe until 2098-12-31), wall.3 (glass, by "
+              HasSubstr("omitted: wall.1 (glass, by B. Roe until 2098-12-31), wall.3 (glass, by "
                         "B. Roe until 2098-12-31), wall.4 (glass, by B. Roe until 2098-12-31), "
                         "observer (tables, by A. Meier until 2099-12-31)"));
   std::vector<std::string> left_out;
@@ -775,18 +777,19 @@ TEST(WorkplaceMessage, ABandThatVanishes) {
                      "<without role='surround' because='none' by='A. Meier' until='2099-12-31'/>"));
   EXPECT_THAT(left_out.messages, IsEmpty());
   EXPECT_THAT(left_out.space().notes.at(0).english(),
-              HasSubstr("background (nothing of the room is left around the surround)"));
+              HasSubstr("background (the room has no area left around the surround)"));
 }
 
 TEST(WorkplaceMessage, AMarginThatLeavesNothingOfTheRoom) {
   EXPECT_THAT(make(workplace("", "<zone role='task' margin='4'/>")).messages,
-              ElementsAre(HasSubstr("nothing is left of the zone 'task' (the room is 8 m wide, and "
-                                    "4 m along its walls do not count)")));
+              ElementsAre(HasSubstr("nothing is left of the zone 'task' (the room is 8 m wide, "
+                                    "and 4 m along each wall does not count)")));
 }
 
 TEST(WorkplaceMessage, AZoneAboveTheCeiling) {
   EXPECT_THAT(make(workplace(""), "size='12 8 1.1'").messages,
-              testing::Contains(HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
+              testing::Contains(HasSubstr("'cylinder' (a height of 1.2 m above the floor is not "
+                                          "below the ceiling)")));
 }
 
 TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {
@@ -898,7 +901,7 @@ TEST(Workplace, WhereTheTaskIsUnknownTheWholeRoomHasTheUniformityForThat) {
   EXPECT_EQ(notes_of(made, "w.ceiling"), "[][]");
   EXPECT_THAT(
       calc::texts(made.space().notes),
-      testing::Contains(HasSubstr("34.2: the task may be anywhere in the room; not made: ")));
+      testing::Contains(HasSubstr("34.2: the task may be anywhere in the room; no plane for ")));
   // A row that asks for no more loses nothing by it, one that asks for less has to do more.
   const auto of_row = [](const std::string& row) {
     return weakened(make("<workplace id='w' pack='en12464-1:2021' task-place='unknown' row='" +
@@ -949,7 +952,7 @@ TEST(Workplace, WallsBesidesTheOneInFrontMayBeDarker) {
               "page][]");
   }
   EXPECT_THAT(calc::texts(made.space().notes),
-              testing::Contains(HasSubstr("34.2: who works there looks at wall 2")));
+              testing::Contains(HasSubstr("34.2: the person at the workplace faces wall 2")));
   EXPECT_THAT(limits_of(make(workplace(kDesk)), "w.wall.1"), ElementsAre(150, 0.1));
 }
 

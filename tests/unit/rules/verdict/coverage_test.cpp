@@ -182,8 +182,8 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_FALSE(covered.rows[0].asks_all()) << "nobody knows the colour rendering";
   EXPECT_EQ(
       covered.rows[0].roles.back().words,
-      "Ra is not calculated, and what the makers state does not decide it: the photometry file "
-      "of type 'spot' states no Ra");
+      "Ra is not calculated, and the manufacturers' data do not decide it: the photometry file "
+      "of luminaire type 'spot' states no Ra");
 }
 
 // Nobody has looked then whether the makers state it.
@@ -247,7 +247,7 @@ TEST(RowCoverage, WhatWasLeftOutUpToADayIsAskedForAfterIt) {
   EXPECT_EQ(ended.planes.back(), "w.ceiling 2");
   const RoleCoverage& ceiling = ended.rows[0].roles.at(4);
   EXPECT_EQ(ceiling.state, RoleState::left_out_ended);
-  EXPECT_EQ(ceiling.words, "leaving it out ended on 2026-12-31, by A. Meier: glass");
+  EXPECT_EQ(ceiling.words, "the omission ended on 2026-12-31 (by A. Meier): glass");
   EXPECT_TRUE(ceiling.left_out.at(0).has_ended);
 }
 
@@ -429,7 +429,7 @@ TEST(RowCoverage, OutdoorsItIsNotKnownWhatWallsThereAre) {
       "<plane id='p' origin='0 0 0' u='0 0 3' v='4 0 0'><require pack='en12464-1:2021' row='34.2' "
       "role='wall'/></plane>");
   EXPECT_EQ(role_of(covered, "wall").state, RoleState::asked_in_part);
-  EXPECT_EQ(role_of(covered, "wall").words, "it is not known what walls there are");
+  EXPECT_EQ(role_of(covered, "wall").words, "the walls are not known");
 }
 
 // Whoever lets eyes look one way only has chosen it; what no eye sees was not rated.
@@ -440,7 +440,7 @@ TEST(RowCoverage, EyesThatLookOneWayAreNotAll) {
   };
   const Covered one = cover(eyes("a", "1 0 0"));
   EXPECT_EQ(role_of(one, "observer").state, RoleState::asked_in_part);
-  EXPECT_EQ(role_of(one, "observer").words, "eyes look one way only");
+  EXPECT_EQ(role_of(one, "observer").words, "observers look in one direction only");
   EXPECT_EQ(role_of(cover(eyes("a", "1 0 0") + eyes("b", "0 1 0")), "observer").state,
             RoleState::met);
   EXPECT_EQ(role_of(cover(eyes("a", "1 0 0"), Verdict::fail), "observer").state, RoleState::failed);

@@ -117,7 +117,7 @@ TEST(Footnotes, TakeTheSourceFromBehindANameWhereverItIs) {
   const Message name = calc::say<Sentence::one_source_of>(kRow);
   EXPECT_EQ(without_source(name).english(), "EN 12464-1:2021 34.2");
   const Message within = calc::say<Sentence::not_made>(name);
-  EXPECT_EQ(without_source(within).english(), "not made: EN 12464-1:2021 34.2");
+  EXPECT_EQ(without_source(within).english(), "no plane for EN 12464-1:2021 34.2");
   ASSERT_EQ(source_items({}, within).size(), 1U);
   EXPECT_EQ(source_items({}, within)[0].source, Sentence::one_source);
   EXPECT_TRUE(source_items({}, kRow).empty());
