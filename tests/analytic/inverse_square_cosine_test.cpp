@@ -76,7 +76,7 @@ TEST(InverseSquareCosine, APointAtALuminaireIsRefused) {
   grid.normal = {{0, 0, 1}, {0, 0, 1}};
   const calc::SpaceSolution solution = solve_with_paths(scene, grid, 1, 16);
   EXPECT_EQ(solution.fields[0].problem,
-            "the point (0 0 1) lies at a luminaire without size: illuminance is unbounded there");
+            "the point (0 0 1) is at a luminaire without size, where illuminance has no bound");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ def in_store_only(words, whole, is_whole):
            f"{', '.join(missing)}; 'luxgate sweep --shard' calculates it" in done.stderr, f"missing {missing}: {done.stderr}")
     for row, other in zip(rows, all_rows):
         expect({**row, "front": ""} == {**other, "front": ""} if row["variant"] not in missing
-               else row["reason"] == "plane 'desk' cannot be judged: its light is not in the store" and row["margin"] == "", f"{row} beside {other}")
+               else row["reason"] == "plane 'desk' cannot be judged: its light is not in the result cache" and row["margin"] == "", f"{row} beside {other}")
 
 
 def swept():

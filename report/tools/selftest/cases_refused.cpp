@@ -93,7 +93,7 @@ CaseResult too_close(const Effort& effort) {
     result.refused.push_back(
         {what, expected, solution.problem.empty() ? std::string("computed") : solution.problem});
   };
-  constexpr const char* kRefused = "it does not lie in";
+  constexpr const char* kRefused = "but not in it";
   expect("10 um before a wall, facing it", {{1e-5, 1.5, 1.2}, {-1, 0, 0}}, kRefused);
   expect("1.5 um under a plate, facing it", {{1.3, 1.4, 1.0 - 1.5e-6}, kUp}, kRefused);
   expect("5 um beside a wall", {{5e-6, 1.5, 1.2}, kUp}, kRefused);

@@ -115,9 +115,9 @@ TEST(Sentences, HaveNumbersOfTheLanguage) {
   EXPECT_EQ(
       sentence(kFrench,
                say<Sentence::glare_too_large>(number("(1.000, -2.500, 2.900)"), 3, 0.10712, 0.1)),
-      "le luminaire au point (1,000; -2,500; 2,900) m, vu par l’observateur 3, occupe 0,107 sr, et "
-      "l’UGR, défini pour des sources d’au plus 0,1 sr, est trop indulgent pour lui : il est la "
-      "borne inférieure, et la formule d’Einhorn pour plafonds lumineux la borne supérieure");
+      "le luminaire au point (1,000; -2,500; 2,900) m, vu par l’observateur 3, occupe 0,107 sr. "
+      "L’UGR est défini pour des sources d’au plus 0,1 sr et trop indulgent pour lui. L’UGR "
+      "donne la borne inférieure, la formule d’Einhorn pour plafonds lumineux la borne supérieure");
 }
 
 // In the order of the language, with what is in them in its words.

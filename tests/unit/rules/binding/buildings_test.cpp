@@ -131,7 +131,7 @@ TEST(Buildings, SayThatLightOutsideOfRoomsDoesNotCount) {
   const AggregateFinding finding =
       one(power("1"), "<luminaire id='yard' type='a' position='0 -9 3'/>");
   EXPECT_DOUBLE_EQ(finding.sum->measured.value, 1.0);
-  EXPECT_THAT(finding.note.english(), HasSubstr("luminaires outside of rooms do not count: 1"));
+  EXPECT_THAT(finding.note.english(), HasSubstr("luminaires outside rooms do not count: 1"));
   EXPECT_THAT(one(power("1")).note.english(), IsEmpty());
 }
 

@@ -344,8 +344,9 @@ TEST(LuminaireValue, LightBeyondATableIsMissing) {
     return words;
   };
   const std::string kCut =
-      "the photometry of luminaire type 't' ends in the light, at 50 % of its maximum: the light "
-      "beyond is not known, and it may be more";
+      "the photometric table of luminaire type 't' ends while its "
+      "intensity is still 50 % of the maximum; the light beyond "
+      "is not known, so the value may be higher";
   EXPECT_THAT(missing("0 60", "100 50", 2), ElementsAre(kCut, "", kCut, ""));
   EXPECT_THAT(missing("0 60", "100 0", 2), ElementsAre("", "", "", "")) << "it ends in the dark";
   EXPECT_THAT(missing("0 90", "100 50", 2), ElementsAre("", "", "", "")) << "by LM-63 dark above";
@@ -365,7 +366,7 @@ TEST(LuminaireValue, AFluxForAPartOfATableMakesAllOfItUnsure) {
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
     return judged->requirements.at(0).unsure_light.english();
   };
-  EXPECT_THAT(unsure(" flux-lm='1000'", "100 50"), HasSubstr("an unknown share"));
+  EXPECT_THAT(unsure(" flux-lm='1000'", "100 50"), HasSubstr("share of it is not known"));
   EXPECT_EQ(unsure(" flux-lm='1000'", "100 0"), "");
   EXPECT_EQ(unsure("", "100 50"), "");
 }

@@ -99,7 +99,7 @@ TEST(Gradient, KnowsNoNeighboursBeyondTheMaskOrInLists) {
   calc::SensorGrid list = grid_of(2, 1);
   list.columns = list.rows = 0;
   EXPECT_EQ(gradient_of(list, exact_field({1, 2})).reason,
-            "no two points of the plane are neighbours");
+            "the plane has no two neighbouring points");
 }
 
 TEST(Gradient, HasNoLimitBesideAPointThatIsDark) {

@@ -76,7 +76,7 @@ TEST(Measure, AValueIsThatOfAPlaceInThePlane) {
               testing::HasSubstr("along the plane and 0.05 m "
                                  "across it of"));
   EXPECT_THAT(measured(1.15 * across).reason.english(),
-              testing::EndsWith("the plane 1.150 m away"));
+              testing::EndsWith("the plane is 1.150 m away"));
 }
 
 TEST(Measure, ASinglePointHasNoUniformity) {
@@ -121,7 +121,7 @@ TEST(Measure, AValueUnderAMaskIsThatOfItsPoint) {
   requirement.arguments = PointOfValue{grid.position_m[0], {}};
   const Measurement outer = measure(requirement, grid, field_of_twelve(), {}, 0.95);
   EXPECT_FALSE(outer.metric.has_value());
-  EXPECT_EQ(outer.reason, "the requirement's mask leaves the point out");
+  EXPECT_EQ(outer.reason, "the requirement's mask excludes the point");
 }
 
 TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
@@ -305,7 +305,7 @@ TEST(Measure, AValueOnARouteIsOfTheCellAround) {
   EXPECT_FALSE(measured(third + glm::dvec3(0, 0, 0.2)).metric);
   EXPECT_FALSE(measured(third - glm::dvec3(0, 0.3, 0)).metric);
   EXPECT_THAT(measured({4.5, -5, 0}).reason.english(),
-              testing::HasSubstr("no calculation point within"));
+              testing::HasSubstr("no calculation point is within"));
 }
 
 }  // namespace

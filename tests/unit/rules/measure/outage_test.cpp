@@ -61,7 +61,7 @@ TEST(Outage, WhatIsDarkAnywayIsNotPutOut) {
 TEST(Outage, NeedsASceneThatLightsSomething) {
   EXPECT_EQ(measured({"day", {}, {}}).reason, "there is no scene 'night'");
   EXPECT_EQ(measured({"night", {{"a", 0.0}, {"b", 0.0}}, {}}).reason,
-            "scene 'night' lights no luminaire that could be out");
+            "scene 'night' has no lit luminaire that could be out");
 }
 
 // Reflected light in replicates: each end of the interval belongs to the worst result at that end,

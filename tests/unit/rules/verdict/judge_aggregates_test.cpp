@@ -226,7 +226,7 @@ TEST(JudgeAggregates, WhatNobodyAsksForIsNotJudged) {
     site.add("mean", kFail);
     EXPECT_EQ(site.only().verdict, rule == "any" ? kNone : kFail);
     EXPECT_THAT(site.only().reason.english(),
-                HasSubstr("wall (no plane of this room is asked for it"));
+                HasSubstr("wall (role 'wall' is not required of any plane"));
   }
   // Of row B nothing is required of the walls.
   Site site(kMean + kWall + "<aggregate id='a' rule='all' of='mean wall'/>");

@@ -44,7 +44,7 @@ calc::PlaneField sampled_field(double average_lx, double spread_lx) {
 }
 
 const std::string kTooClose =
-    "; the value is too close to the limit for any number of light paths to decide";
+    "; the value is too close to the limit; no number of light paths can decide it";
 
 Requirement at_least(Metric metric, double limit) {
   Requirement requirement;
@@ -114,7 +114,7 @@ TEST(Judge, PointsThatNoSampleReachedLeaveTheVerdictOpen) {
   const Finding minimum = judge(at_least(Metric::minimum, 100), field);
   EXPECT_EQ(minimum.verdict, Verdict::undecided);
   EXPECT_EQ(minimum.reason,
-            "no sampled light reached 1 of 3 points: their illuminance is small, but not known");
+            "no sampled light reached 1 of 3 points; their illuminance is small, but not known");
   EXPECT_GT(minimum.measured.high, 400.0);  // the other two: it may be as much
   EXPECT_EQ(judge(at_least(Metric::average, 100), field).verdict, Verdict::pass);
   field.unseen = {0, 0, 0};  // nothing can reach it: 0 lx is the truth
@@ -239,8 +239,8 @@ TEST(Judge, IsUndecidedWithinTheInterval) {
   EXPECT_EQ(finding.verdict, Verdict::undecided);
   EXPECT_EQ(
       finding.reason,
-      "the interval 491 to 509 lx contains the limit 505 lx; about 4 times the light paths would "
-      "decide (--max-paths)");
+      "the interval 491 to 509 lx contains the limit 505 lx; about 4 times as many light paths "
+      "would decide it (--max-paths)");
 }
 
 TEST(Judge, ShowsEnoughDigitsToBelieveTheReason) {
@@ -248,8 +248,8 @@ TEST(Judge, ShowsEnoughDigitsToBelieveTheReason) {
   EXPECT_EQ(judge(at_least(Metric::average, 500), sampled_field(500, 0.01)).reason,
             "the interval 499.98 to 500.02 lx contains the limit 500 lx" + kTooClose);
   EXPECT_EQ(judge(at_least(Metric::average, 499.9), sampled_field(500, 0.1)).reason,
-            "the interval 499.8 to 500.2 lx contains the limit 499.9 lx; about 4 times the light "
-            "paths would decide (--max-paths)");
+            "the interval 499.8 to 500.2 lx contains the limit 499.9 lx; about 4 times as many "
+            "light paths would decide it (--max-paths)");
   EXPECT_EQ(judge(at_least(Metric::average, 2), sampled_field(2, 0.1)).reason,
             "the interval 1.82 to 2.18 lx contains the limit 2 lx" + kTooClose);
 }
@@ -272,7 +272,7 @@ TEST(Judge, SaysWhenASingleSampleWouldBeSmallEnough) {
   const Finding finding = judge(at_least(Metric::minimum, 200), field);
   EXPECT_EQ(finding.verdict, Verdict::undecided);
   EXPECT_THAT(finding.reason.english(),
-              testing::HasSubstr("about 8 times the light paths would decide"));
+              testing::HasSubstr("about 8 times as many light paths would decide it"));
 }
 
 // An average of 500 -+ 1.84 lx to which one sample may add 20 lx at a point, and so 6.7 lx.
@@ -298,9 +298,9 @@ TEST(Judge, ShowsRatiosWithoutUnit) {
 TEST(Judge, DoesNotJudgeAnUndefinedUniformity) {
   const Finding uo = judge(at_least(Metric::uniformity_min_avg, 0.6), exact_field({0, 0, 0}));
   EXPECT_EQ(uo.verdict, Verdict::not_judged);
-  EXPECT_EQ(uo.reason, "average is 0 lx: uniformity is undefined");
+  EXPECT_EQ(uo.reason, "the average is 0 lx, so the uniformity is undefined");
   const Finding ud = judge(at_least(Metric::uniformity_min_max, 0.1), exact_field({0, 0, 0}));
-  EXPECT_EQ(ud.reason, "maximum is 0 lx: uniformity is undefined");
+  EXPECT_EQ(ud.reason, "the maximum is 0 lx, so the uniformity is undefined");
   EXPECT_EQ(ud.margin, 0.0);
 }
 
@@ -326,10 +326,10 @@ TEST(Judge, TakesAPlaceOnTheEdgeOfACell) {
 
 TEST(Judge, DoesNotJudgeAPlaceWithoutACalculationPoint) {
   const calc::PlaneField field = exact_field({500, 300, 400});
-  const std::string nearest = "; nearest is at (2.500, 0.250, 0.750) m";
+  const std::string nearest = "; the nearest is at (2.500, 0.250, 0.750) m";
   const std::string none =
-      "no calculation point within half a cell (0.500 x 0.250 m) along the plane and 0.05 m across "
-      "it of ";
+      "no calculation point is within half a cell (0.500 x 0.250 m) along the plane and 0.05 m "
+      "across it of ";
   const Finding along = judge(value_at({3.1, 0.25, 0.75}), field);
   EXPECT_EQ(along.verdict, Verdict::not_judged);
   EXPECT_EQ(along.reason, none + "(3.100, 0.250, 0.750) m" + nearest);
@@ -347,8 +347,8 @@ TEST(Judge, WantsThePointItselfOfAPointList) {
   const Finding off = judge_plane({value_at({1.6, 0.25, 0.75})}, list, field, {}, 0.95)[0];
   EXPECT_EQ(off.verdict, Verdict::not_judged);
   EXPECT_EQ(off.reason,
-            "no calculation point within 0.001 m of (1.600, 0.250, 0.750) m; nearest is at "
-            "(1.500, 0.250, 0.750) m");
+            "no calculation point is within 0.001 m of (1.600, 0.250, 0.750) m; the nearest is "
+            "at (1.500, 0.250, 0.750) m");
 }
 
 TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
@@ -363,8 +363,8 @@ TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
   const auto judged = [&] { return judge_plane({value}, list, field, {}, 0.95)[0]; };
   EXPECT_EQ(judged().verdict, Verdict::not_judged);
   EXPECT_EQ(judged().reason,
-            "2 calculation points at (0.500, 0.250, 0.750) m look different ways, (0 0 1), (0 1 "
-            "0): say with 'facing' which is meant");
+            "2 calculation points at (0.500, 0.250, 0.750) m look in different directions: (0 0 "
+            "1), (0 1 0); choose one with 'facing'");
   facing = glm::dvec3(0, 0, 1);
   EXPECT_EQ(judged().verdict, Verdict::pass);
   facing = glm::dvec3(0, 1, 0);
@@ -372,8 +372,8 @@ TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
   facing = glm::dvec3(1, 0, 0);
   EXPECT_EQ(judged().verdict, Verdict::not_judged);
   EXPECT_EQ(judged().reason,
-            "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0): (0 0 1), (0 1 "
-            "0)");
+            "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0); directions there: "
+            "(0 0 1), (0 1 0)");
   facing.reset();
   list.normal[2] = {0, 0, 1};
   EXPECT_EQ(judged().verdict, Verdict::pass) << "twice the same point";

@@ -227,8 +227,8 @@ TEST(SingleSamples, LeaveTheVerdictOpenAndThePointActive) {
   const Finding finding = judge_plane(requirements, grid_of(4), field, {}, 0.95)[0];
   EXPECT_EQ(finding.verdict, Verdict::undecided);
   EXPECT_EQ(finding.reason,
-            "the result rests on single samples at 1 of 4 points: their intervals cannot be "
-            "trusted; about 8 times the light paths would decide (--max-paths)");
+            "the result rests on single samples at 1 of 4 points; their intervals are not "
+            "reliable; about 8 times as many light paths would decide it (--max-paths)");
   const LookJudgement open = verdict_answer(requirements, field);
   EXPECT_FALSE(open.finished);
   EXPECT_THAT(open.active, ElementsAre(0, 1, 0, 0));

@@ -45,7 +45,7 @@ const glm::dvec3 kUp(0, 0, 1), kDown(0, 0, -1);
 TEST(PointProblem, NamesPointSurfaceDistanceAndWhatIsAllowed) {
   const std::string problem = problem_of(room(), {-2 + 1e-5, 0, 0}, {-1, 0, 0});
   for (const char* part : {"(-1.99999 0 0)", "1e-05 m", "'walls'", "a model of 5.59 m", "at least",
-                           "put it into the surface"}) {
+                           "Put the point into the surface"}) {
     EXPECT_NE(problem.find(part), std::string::npos) << part << " in " << problem;
   }
   EXPECT_NE(problem_of(room(), {1, 0.7, 0.2 - 1e-6}, kUp).find("'plate'"), std::string::npos);
@@ -164,7 +164,7 @@ TEST(SourceProblem, NamesWhatRaysWouldPass) {
   };
   EXPECT_NE(problem(0.004, 3000.0)
                 .english()
-                .find("'shield' is 0.004 m before the luminaire at (0 0 6) m"),
+                .find("'shield' is 0.004 m in front of the luminaire at (0 0 6) m"),
             std::string::npos);
   EXPECT_EQ(problem(0.004, 30.0), "");
   EXPECT_EQ(problem(0.04, 3000.0), "");

@@ -290,7 +290,7 @@ TEST(GltfExport, SaysWhatIsMissing) {
   const cli::CommandOutcome outcome = nothing.run();
   EXPECT_EQ(outcome.code, cli::kNotJudged);
   ASSERT_FALSE(outcome.diagnostics.empty());
-  EXPECT_THAT(outcome.diagnostics.back().message, testing::HasSubstr("it has no surfaces"));
+  EXPECT_THAT(outcome.diagnostics.back().message, testing::HasSubstr("the room has no surfaces"));
   EXPECT_FALSE(fs::exists(nothing.options.output));
 }
 

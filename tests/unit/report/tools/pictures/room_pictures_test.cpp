@@ -183,7 +183,7 @@ TEST(RoomPictures, SayWhyThereAreNone) {
   EXPECT_TRUE(room.part.pictures.list.empty());
   room.scene.triangle.clear();
   room.draw();
-  EXPECT_EQ(room.part.pictures.problem, "it has no surfaces");
+  EXPECT_EQ(room.part.pictures.problem, "the room has no surfaces");
   LUXGATE_NEEDS_OPENGL();
   Room lost;
   lost.draw(gpu::Fault::context_lost);
