@@ -84,8 +84,8 @@ inline void add_walls(const std::string& room, const RoomKind& kind, bool is_sec
     if (wall == "wall 2" && !is_second_judged) {
       plane.findings[0].verdict = rules::Verdict::not_judged;
       plane.findings[0].reason = calc::Message::words(
-          "24 of 102 points are left out: 24 inside 'cabinet' (a <deviation in=\"points\"> would "
-          "state it)");
+          "24 of 102 points are omitted: 24 inside 'cabinet' (to accept it, add <deviation "
+          "in=\"points\">)");
     }
     role.of.push_back({plane.id, plane.findings[0].requirement.id});
     space.planes.push_back(plane);

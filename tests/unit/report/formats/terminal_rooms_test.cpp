@@ -79,7 +79,7 @@ TEST(TerminalRooms, NoLineIsWiderThanTheTerminal) {
 TEST(TerminalRooms, NotesOnMethodAreCountedAndDoubtsAreShownOnce) {
   const Document document = many_rooms_document(21);
   const std::string text = on_terminal(document, 0);
-  EXPECT_THAT(text, HasSubstr("the plane has only 0.029 m2\n"));
+  EXPECT_THAT(text, HasSubstr("the plane has only 0.029 m²\n"));
   EXPECT_THAT(text, HasSubstr("and 18 more: one public source\n"));
   EXPECT_EQ(text.find("one public source"), text.rfind("one public source"));
   EXPECT_THAT(text, Not(HasSubstr("Guth")));
@@ -99,7 +99,7 @@ TEST(TerminalRooms, DoubtsOfAKindAreOne) {
   spaces[0].planes[0].remarks = {calc::say<calc::Sentence::speck>(0.031)};
   spaces[1].planes[0].remarks = {calc::say<calc::Sentence::speck>(0.027)};
   const std::string text = on_terminal(document, 0);
-  EXPECT_THAT(text, HasSubstr(": the plane has only 0.031 m2 (and 2 more like it)\n"));
+  EXPECT_THAT(text, HasSubstr(": the plane has only 0.031 m² (and 2 more like it)\n"));
   EXPECT_THAT(text, Not(HasSubstr("0.027")));
   FormatStyle style;
   style.terminal.shows_notes = true;
@@ -163,7 +163,7 @@ TEST(TerminalRooms, MarkdownOfSeveralProjectsHasTheCausesOfEach) {
   EXPECT_THAT(text, HasSubstr("\n#### office.xml\n"));
   for (const std::string& one : {text, second}) {
     EXPECT_THAT(one, HasSubstr("\n**Not met**\n\n- 1.04 Reception\n"));
-    EXPECT_THAT(one, HasSubstr(": the plane has only 0.029 m2\n"));
+    EXPECT_THAT(one, HasSubstr(": the plane has only 0.029 m²\n"));
   }
 }
 

@@ -132,8 +132,8 @@ TEST(Sentences, HoldOtherMessages) {
       "6 x 5");
   EXPECT_EQ(sentence(kGerman, say<Sentence::height_of_row>(say<Sentence::role_of>("task", "p:1"),
                                                            number("0.7 m"), "34.2", number("1 m"))),
-            "Flächen mit Rolle „task“ aus p:1 liegen in Zeile 34.2 0,7 m über dem Boden, und diese "
-            "1 m");
+            "Flächen mit Rolle „task“ aus p:1 liegen in Zeile 34.2 0,7 m über dem Boden; diese "
+            "liegt 1 m darüber");
   EXPECT_EQ(
       sentence(kGerman, say<Sentence::of_workplaces>(
                             calc::names_message({"a", "b", "c"}, 2), "EN 1 34.2",

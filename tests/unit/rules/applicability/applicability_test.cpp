@@ -118,8 +118,8 @@ TEST(Applicability, OnePointIsNotTheStandardsGrid) {
   const Fitted fitted = fit({"height='0.75' margin='0.5' count='1 1'", kDeskWork});
   EXPECT_THAT(fitted.aspects("task.Em"), ElementsAre("grid"));
   EXPECT_EQ(fitted.first().problem,
-            "1 x 1 points, where role 'task' of en12464-1:2021 asks for 10 x 7 on this area "
-            "(a <deviation in=\"grid\"> would state it)");
+            "the grid has 1 x 1 points; role 'task' of en12464-1:2021 requires 10 x 7 on this "
+            "area (to accept it, add <deviation in=\"grid\">)");
 }
 
 // 11 m x 7 m: p = 0.2 * 5^log10(11) = 1.069 m, 10.29 and 6.55 cells: 10 x 7.
@@ -149,7 +149,7 @@ TEST(Applicability, AMarginIsOfWallsOnly) {
   EXPECT_THAT(aspects(off_walls + " margin='0.2'"), IsEmpty());
   EXPECT_THAT(aspects(off_walls + " margin='0.25'"), ElementsAre("margin"));
   EXPECT_THAT(fit({desk + " margin='0.5'", kDeskWork}).first().problem.english(),
-              HasSubstr("leaves out 0.5 m along walls, and parts of the outline run along none"));
+              HasSubstr("omits 0.5 m along walls, and parts of the outline run along no wall"));
 }
 
 TEST(Applicability, WhatTheMarginLeavesOfASpeckIsASpeck) {
@@ -188,7 +188,7 @@ TEST(Applicability, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
   const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
   const Fitted on = fit(in_mesh("origin='0 0 0' u='0 8 0' v='0 0 3' margin='0.5'", wall));
   EXPECT_THAT(on.aspects("wall.Em"), IsEmpty()) << on.first().problem;
-  EXPECT_THAT(on.first().note.english(), HasSubstr("not known which surfaces"));
+  EXPECT_THAT(on.first().note.english(), HasSubstr("the walls and the ceiling of this space are not known"));
   EXPECT_THAT(
       fit(in_mesh("origin='4 2 0.5' u='0 2 0' v='0 0 2' margin='0.5'", wall)).aspects("wall.Em"),
       ElementsAre("place"));
@@ -265,9 +265,9 @@ TEST(Applicability, ASurroundIsAroundATask) {
   const std::string piece = "origin='4 2 0.75' u='0.5 0 0' v='0 2 0'";
   EXPECT_THAT(aspects(piece), ElementsAre("place"));
   EXPECT_EQ(fitted(piece).first().problem,
-            "role 'surround' of en12464-1:2021 is about all of the band of 0.5 m around the task, "
-            "and what counts of this plane covers only 20 % of that (a <deviation "
-            "in=\"place\"> would state it)");
+            "role 'surround' of en12464-1:2021 applies to the whole band of 0.5 m around the "
+            "task; the counted part of this plane covers only 20 % of that (to accept it, add "
+            "<deviation in=\"place\">)");
   EXPECT_THAT(aspects("origin='2 2 0.75' u='2 0 0' v='0 2 0'"), ElementsAre("place"));
   EXPECT_THAT(aspects("origin='8 5 0.75' u='0.5 0 0' v='0 2 0'"), ElementsAre("place"));
   EXPECT_THAT(aspects(piece, false), IsEmpty());
@@ -438,7 +438,7 @@ TEST(Applicability, ASpeckOfARouteIsTold) {
     setting.element = "route";
     return fit(setting).first().note.english();
   };
-  EXPECT_THAT(note("2 2 0 2.1 2 0"), HasSubstr("the route has only 0.02 m2"));
+  EXPECT_THAT(note("2 2 0 2.1 2 0"), HasSubstr("the route has only 0.02 m²"));
   EXPECT_THAT(note("2 2 0 4 2 0"), testing::Not(HasSubstr("has only")));
 }
 
@@ -510,7 +510,7 @@ TEST(Applicability, AStatedDeviationEnds) {
            "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-21'/>"});
   EXPECT_FALSE(fitted.first().deviations.at(0).is_accepted);
   EXPECT_THAT(fitted.first().problem.english(),
-              HasSubstr("(stated by A. Meier, but only until 2026-11-21)"));
+              HasSubstr("(accepted by A. Meier, but only until 2026-11-21)"));
 }
 
 TEST(Applicability, AnotherDeviationThanTheStatedOneCounts) {
@@ -518,7 +518,7 @@ TEST(Applicability, AnotherDeviationThanTheStatedOneCounts) {
       fit({"height='1.8' margin='0.5'", kDeskWork,
            "<deviation in='grid' because='as measured' by='A. Meier' until='2030-01-01'/>"});
   EXPECT_THAT(fitted.first().problem.english(), HasSubstr("0.72 to 0.85 m above the floor"));
-  EXPECT_EQ(fitted.first().note, "a deviation in grid is stated, and there is none");
+  EXPECT_EQ(fitted.first().note, "the project states a deviation in grid, but there is none");
 }
 
 TEST(Applicability, WhatIsStatedMustBeWhole) {
@@ -557,7 +557,8 @@ TEST(Applicability, MaintainedLightNeedsAMaintenanceFactor) {
   setting.root = "";
   const Fitted fitted = fit(setting);
   EXPECT_EQ(fitted.first().problem,
-            "it is about maintained light, and luminaire type 'spot' states no maintenance-factor");
+            "the requirement is for a maintained value; luminaire type 'spot' states no "
+            "maintenance factor");
   EXPECT_THAT(fitted.messages, IsEmpty()) << "not judged is said with the requirement";
 }
 
@@ -601,9 +602,9 @@ TEST(Applicability, AListMayNotFaceElsewhere) {
   const std::vector<RulePack> packs = builtin_rule_packs();
   check_applicability({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
   EXPECT_THAT(requirements[0].problem.english(),
-              HasSubstr("role 'vertical' of rp-8:2014 is about a plane that is vertical, and this "
-                        "one is not"));
-  EXPECT_THAT(requirements[0].problem.english(), HasSubstr("its points are a list"));
+              HasSubstr("role 'vertical' of rp-8:2014 requires the orientation vertical; this "
+                        "plane has another"));
+  EXPECT_THAT(requirements[0].problem.english(), HasSubstr("the points are a list"));
 }
 
 // 1.5 m above the pavement: that is the middle of an upright plane, which is not tall.
@@ -612,8 +613,8 @@ TEST(Applicability, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
   EXPECT_THAT(fit({"origin='2 2 1' u='2 0 0' v='0 0 1'", vertical}).aspects("vertical.min"),
               IsEmpty());
   EXPECT_THAT(fit({"origin='2 2 0' u='2 0 0' v='0 0 1'", vertical}).first().problem.english(),
-              HasSubstr("planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and "
-                        "this one is 0 to 1 m"));
+              HasSubstr("planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor; this "
+                        "plane is at 0 to 1 m"));
   for (const char* elsewhere :
        {"origin='2 2 1.5' u='2 0 0' v='0 0 1'", "origin='2 2 0.5' u='2 0 0' v='0 0 1'",
         "origin='2 2 0.9' u='2 0 0' v='0 0 1.2'", "origin='2 2 0' u='2 0 0' v='0 0 3'"}) {
@@ -627,8 +628,8 @@ TEST(Applicability, ARowAboutAFloorSaysSo) {
   const std::string row = "pack='en12464-1:2021' row='9.4'";
   EXPECT_THAT(fit({"height='0.02' margin='0.5'", row}).aspects("task.Em"), IsEmpty());
   EXPECT_THAT(fit({kWholeRoom, row}).first().problem.english(),
-              HasSubstr("planes of role 'task' of en12464-1:2021 are 0 to 0.2 m above the floor in "
-                        "row 9.4, and this one is 0.75 m"));
+              HasSubstr("planes of role 'task' of en12464-1:2021 are 0 to 0.2 m above the floor "
+                        "in row 9.4; this plane is at 0.75 m"));
 }
 
 TEST(Applicability, HeightsHaveSomeLatitude) {
@@ -681,7 +682,7 @@ TEST(ApplicabilityOfRoute, FollowsItsLineAndTheFloor) {
   for (const Requirement& requirement : fitted.requirements) {
     EXPECT_THAT(requirement.deviations, IsEmpty());
     EXPECT_EQ(requirement.problem, "");
-    EXPECT_THAT(requirement.note.english(), testing::Not(HasSubstr("left out")));
+    EXPECT_THAT(requirement.note.english(), testing::Not(HasSubstr("omitted")));
   }
 }
 
@@ -690,8 +691,8 @@ TEST(ApplicabilityOfRoute, NeedsThePacksPointsOnEveryLeg) {
   const Fitted coarse = fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5' spacing='1.5 0.5'");
   EXPECT_THAT(coarse.aspects("route.line"), ElementsAre("grid"));
   EXPECT_EQ(coarse.first().problem,
-            "6 x 3 points along and across leg 1 of the route, where role 'route' of en1838:2013 "
-            "asks for 9 x 2 (a <deviation in=\"grid\"> would state it)");
+            "the grid has 6 x 3 points along and across leg 1 of the route; role 'route' of "
+            "en1838:2013 requires 9 x 2 (to accept it, add <deviation in=\"grid\">)");
   const Fitted narrow = fit_route("points='1 1 0  9 1 0' width='1.5' spacing='0.5 2'");
   EXPECT_THAT(narrow.aspects("route.line"), ElementsAre("grid"));
   EXPECT_THAT(fit_route("points='1 1 0  9 1 0' width='1.5' spacing='1'").aspects("route.line"),
@@ -704,14 +705,14 @@ TEST(ApplicabilityOfRoute, ItsHeightIsWhatItStates) {
   const Fitted high = fit_route(line + "'0.5'");
   EXPECT_THAT(high.aspects("route.line"), ElementsAre("height"));
   EXPECT_THAT(high.first().problem.english(),
-              HasSubstr("above the floor, and the points of this route are 0.5 m"));
+              HasSubstr("above the floor; the points of this route are at 0.5 m"));
 }
 
 TEST(ApplicabilityOfRoute, IsNoUprightPlane) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'",
                                   "pack='en1838:2024' role='safety-item' scene='em'");
   EXPECT_THAT(fitted.first().problem.english(),
-              HasSubstr("is about a plane that is vertical, and the points of a route face up"));
+              HasSubstr("requires the orientation vertical; the points of a route face up"));
 }
 
 // 16 stations and 5 rows: a table of half the width leaves a way, whatever its length; one across
@@ -724,16 +725,16 @@ TEST(ApplicabilityOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
   const Fitted small = with_table("1 0.9");
   EXPECT_EQ(small.first().problem, "");
   EXPECT_THAT(small.first().note.english(),
-              HasSubstr("4 of 80 points are left out: 4 where 'table' stands"));
+              HasSubstr("4 of 80 points are omitted: 4 at 'table'"));
   const Fitted large = with_table("4 0.9");
   EXPECT_THAT(large.aspects("route.line"), ElementsAre("points"));
   EXPECT_THAT(large.first().problem.english(),
-              HasSubstr("16 of 80 points are left out: 16 where 'table' stands"));
+              HasSubstr("16 of 80 points are omitted: 16 at 'table'"));
   const Fitted across = with_table("0.5 2");
   EXPECT_THAT(across.aspects("route.line"), ElementsAre("points"));
   EXPECT_THAT(across.first().problem.english(),
-              HasSubstr("nobody gets past (3.25, 0.4, 0) m: 'table' stands across the whole width; "
-                        "5 of 80 points are left out"));
+              HasSubstr("nobody can pass at (3.25, 0.4, 0) m: 'table' takes the whole width; 5 "
+                        "of 80 points are omitted"));
 }
 
 // No point lies in it.
@@ -743,9 +744,9 @@ TEST(ApplicabilityOfRoute, NobodyGoesThroughAWall) {
     return fitted.first().problem.english().substr(0, fitted.first().problem.english().find(" m:"));
   };
   EXPECT_EQ(barred("<box id='wall' size='0.1 8 3' position='4.95 0 0' material='m'/>"),
-            "nobody gets past (4.75, 0.4, 0)");
+            "nobody can pass at (4.75, 0.4, 0)");
   EXPECT_EQ(barred("<quad id='door' origin='5 0 0' u='0 8 0' v='0 0 3' material='m'/>"),
-            "nobody gets past (4.75, 0.4, 0)");
+            "nobody can pass at (4.75, 0.4, 0)");
   EXPECT_EQ(barred("<quad id='lintel' origin='5 0 2' u='0 8 0' v='0 0 1' material='m'/>"), "");
   EXPECT_EQ(barred("<quad id='wing' origin='5 0 0' u='0 1.1 0' v='0 0 3' material='m'/>"), "")
       << "there is a way past it";
@@ -756,13 +757,13 @@ TEST(ApplicabilityOfRoute, AMissingStairIsNoFloor) {
   const Fitted fitted = fit_route("points='1 1 0  9 1 2' width='1.5'");
   EXPECT_THAT(fitted.aspects("route.line"), ElementsAre("points"));
   EXPECT_THAT(fitted.first().problem.english(),
-              HasSubstr("60 of 80 points are left out: 60 without a floor"));
+              HasSubstr("60 of 80 points are omitted: 60 without a floor"));
 }
 
 TEST(ApplicabilityOfRoute, SaysThatPointsCountAlikeInAShare) {
   const std::string share = "quantity='percentile' percent='50' at-least='1'";
   EXPECT_THAT(fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'", share).first().note.english(),
-              HasSubstr("points count alike, though cells at bends differ in area"));
+              HasSubstr("all points have equal weight, although cells at bends differ in area"));
   EXPECT_EQ(fit_route("points='1 1 0  9 1 0' width='1.5'", share).first().note, "");
 }
 
@@ -797,8 +798,8 @@ TEST(Applicability, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
   EXPECT_THAT(fit({leaning + quantity, cylinder}).aspects("cylinder.Em"),
               ElementsAre("orientation"));
   EXPECT_THAT(fit({upright + " quantity='cylindrical'", cylinder}).first().problem.english(),
-              HasSubstr("role 'cylinder' of en12464-1:2021 is about cylinders that stand upright, "
-                        "and those of this plane lean 90 degrees from upright"));
+              HasSubstr("role 'cylinder' of en12464-1:2021 requires vertical cylinders; those of "
+                        "this plane lean 90 degrees from vertical"));
   EXPECT_THAT(fit({leaning + " quantity='cylindrical'", cylinder}).first().problem.english(),
               HasSubstr("lean 27 degrees"));
 }
@@ -810,12 +811,12 @@ TEST(Applicability, APartOfAWallIsNotTheWall) {
   const Fitted patch = of_wall("origin='2.5 0 1' u='-1 0 0' v='0 0 1'");
   EXPECT_THAT(patch.aspects("wall.Em"), ElementsAre("place", "grid"));
   EXPECT_THAT(patch.first().problem.english(),
-              HasSubstr("role 'wall' of en12464-1:2021 is about a whole wall, and what counts of "
-                        "this plane covers only 0 % of the 22 m2 of 'r.wall1' (0.5 m along the "
-                        "edges count of neither)"));
+              HasSubstr("role 'wall' of en12464-1:2021 applies to a whole wall; the counted part "
+                        "of this plane covers only 0 % of the 22 m² of 'r.wall1' (0.5 m along "
+                        "the edges do not count in either area)"));
   // Two thirds; a speck between two of the places where it is measured; one in a corner.
   EXPECT_THAT(of_wall("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'").first().problem.english(),
-              HasSubstr("64 % of the 22 m2 of 'r.wall1'"));
+              HasSubstr("64 % of the 22 m² of 'r.wall1'"));
   EXPECT_THAT(of_wall("origin='2.501 0 1' u='-0.001 0 0' v='0 0 0.001'").aspects("wall.Uo"),
               testing::Contains("place"));
   EXPECT_THAT(of_wall("origin='0.3 0 0' u='-0.3 0 0' v='0 0 0.3'").aspects("wall.Uo"),
@@ -868,7 +869,7 @@ TEST(Applicability, AWallWithAWindowDrawnInItIsAWall) {
 
 TEST(Applicability, ASpeckIsSaid) {
   EXPECT_EQ(fit({"origin='2 2 0.75' u='0.02 0 0' v='0 0.02 0'", kDeskWork}).first().note,
-            "the plane has only 0.0004 m2");
+            "the plane has only 0.0004 m²");
   EXPECT_EQ(fit({"origin='2 2 0.75' u='0.4 0 0' v='0 0.3 0'", kDeskWork}).first().note, "");
   EXPECT_EQ(fit({"origin='2 2 0.75' u='0.02 0 0' v='0 0.02 0'", "quantity='average' at-least='1'"})
                 .first()
@@ -881,8 +882,8 @@ TEST(Applicability, TheGridIsThatOfWhatTheMaskLeaves) {
   const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
   EXPECT_THAT(fitted.aspects("wall.Em"), ElementsAre("grid"));
   EXPECT_THAT(fitted.first().problem.english(),
-              HasSubstr("the mask leaves 26 x 5 points, where role 'wall' of en12464-1:2021 asks "
-                        "for 33 x 6 on the 11.1 x 2.14 m that are left"));
+              HasSubstr("the mask leaves 26 x 5 points; role 'wall' of en12464-1:2021 requires "
+                        "33 x 6 on the remaining 11.1 x 2.14 m"));
   EXPECT_THAT(fit({"on='wall1' count='40 12'", kDeskWork + " role='wall'"}).aspects("wall.Em"),
               IsEmpty());
 }

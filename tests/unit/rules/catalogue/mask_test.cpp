@@ -90,7 +90,8 @@ TEST(Mask, CentreLineMayBeForNarrowPlanesOnly) {
   const MaskedPoints wide = apply_mask(mask, grid_of(12, 8, 12, 9));
   EXPECT_TRUE(wide.points.empty());
   EXPECT_EQ(wide.problem,
-            "mask 'm' needs a plane at most 2 m wide, this one is 8 m: divide it into strips");
+            "mask 'm' needs a plane at most 2 m wide; this plane is 8 m wide, so divide it into "
+            "strips");
 }
 
 TEST(Mask, MeasuresFromTheOutlineNotFromTheGrid) {
@@ -113,8 +114,8 @@ TEST(Mask, FollowsTheWayThatPeopleGo) {
   const Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2.0);
   calc::SensorGrid grid = grid_of(2, 3, 4, 6);
   EXPECT_EQ(apply_mask(mask, grid).problem,
-            "mask 'm' needs to know which way people go, and a plane of 3 m x 2 m does not show "
-            "it: say travel=\"x y 0\"");
+            "mask 'm' needs the walking direction, which a plane of 3 m x 2 m does not show; add "
+            "travel=\"x y 0\"");
   grid.travel = {1.0, 0.0, 0.0};  // 3 m wide: 0.5 m of each side are left out, all along
   EXPECT_THAT(rows_of(apply_mask(mask, grid), grid), ElementsAre(1, 2, 3, 4));
   EXPECT_EQ(apply_mask(mask, grid).points.size(), 16u);
@@ -184,7 +185,8 @@ TEST(Mask, OfARouteTakesBothEndsWithAnInset) {
 TEST(Mask, OfAWideRouteHasNoCentreLine) {
   const calc::SensorGrid grid = route_grid({{0, 0, 0}, {4, 0, 0}}, 2.5, 0.5, 0.5);
   EXPECT_EQ(apply_mask(mask_of(MaskStep::centre_line, 0, 0, 2.0), grid).problem,
-            "mask 'm' needs a route at most 2 m wide, this one is 2.5 m: divide it into strips");
+            "mask 'm' needs a route at most 2 m wide; this route is 2.5 m wide, so divide it "
+            "into strips");
 }
 
 TEST(Mask, OfARouteWithLostPointsStaysWhatItIs) {
@@ -213,7 +215,7 @@ TEST(Mask, WallsAreThoseOfTheRoomNotThePlanesOwnEdges) {
   grid.room_m.clear();
   grid.has_unknown_walls = true;
   EXPECT_EQ(apply_mask(mask, grid).problem,
-            "mask 'm' needs to know the walls: the building file has no outline of this room");
+            "mask 'm' needs the walls, but the building file has no outline of this room");
 }
 
 // A border is of the room, and of the plane's own outline only where nobody knows a wall.
@@ -239,33 +241,32 @@ TEST(Mask, InsetWorksForEveryOutline) {
   // Of the twelve points only (1.5, 1.5) is farther than 0.6 m from every side.
   EXPECT_THAT(apply_mask(mask_of(MaskStep::inset, 0.6), grid).points, ElementsAre(5));
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 0.6, 0.1, 2.0), grid).problem,
-            "mask 'm' needs a plane that is a rectangle, or a <route>");
+            "mask 'm' needs a rectangular plane, or a <route>");
 }
 
 TEST(Mask, IsForRectanglesOnly) {
   calc::SensorGrid list = grid_of(4, 4, 4, 4);
   list.columns = list.rows = 0;
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), list).problem,
-            "mask 'm' needs a plane that is a rectangle, or a <route>");
+            "mask 'm' needs a rectangular plane, or a <route>");
   calc::SensorGrid polygon = grid_of(4, 4, 4, 4);
   polygon.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), polygon).problem,
-            "mask 'm' needs a plane that is a rectangle, or a <route>");
+            "mask 'm' needs a rectangular plane, or a <route>");
   EXPECT_EQ(apply_mask({}, list).points.size(), 16u);
 }
 
 TEST(Mask, WordsTellAllThatItDoes) {
   EXPECT_EQ(mask_words({"all", {}}), "");
   EXPECT_EQ(mask_words(mask_of(MaskStep::inset, 0.5)),
-            "without a strip along the outline of 0.5 m");
+            "without a strip of 0.5 m along the outline");
   Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2);
   mask.operations.push_back({MaskStep::walls, 0.3, 0, 0});
   const std::string words =
-      "without a strip along the long sides of 0.25 of the width up to 2 m, else 0.5 m, without "
-      "what "
-      "is nearer than 0.3 m to a wall of the room";
+      "without a strip along the long sides: 0.25 of the width on planes up to 2 m wide, "
+      "otherwise 0.5 m, without points nearer than 0.3 m to a wall of the room";
   EXPECT_EQ(mask_words(mask), words);
-  EXPECT_EQ(mask_words(mask, {0, 1, 0}), words + ", people going along (0 1 0)");
+  EXPECT_EQ(mask_words(mask, {0, 1, 0}), words + ", walking direction (0 1 0)");
   EXPECT_EQ(mask_words(mask_of(MaskStep::inset, 0.5), {0, 1, 0}),
             mask_words(mask_of(MaskStep::inset, 0.5)));
 }

@@ -109,7 +109,7 @@ TEST(Footnotes, SayAMaskWithoutItsPoints) {
   Footnotes footnotes{Texts()};
   footnotes.add({{&office, &plane}});
   EXPECT_THAT(footnotes.list(),
-              AllOf(HasSubstr("mask edge: without a strip along the outline of 0.5 m"),
+              AllOf(HasSubstr("mask edge: without a strip of 0.5 m along the outline"),
                     Not(HasSubstr("9"))));
 }
 
