@@ -725,7 +725,7 @@ TEST(Ugr, OfASmallSourceHasAnIntervalThatSaysWhy) {
   ASSERT_TRUE(alone.metric);
   EXPECT_LT(alone.metric->estimate.low,
             alone.metric->estimate.value + 8.0 * std::log10(1.0 / 12.0));
-  EXPECT_NE(alone.remark.english().find("smaller than 0.005 m2"), std::string::npos)
+  EXPECT_NE(alone.remark.english().find("Sources below 0.005 m²"), std::string::npos)
       << alone.remark;
 
   add_luminaire(scene, panel, {3, 3, 2.8});

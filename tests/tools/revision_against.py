@@ -100,7 +100,7 @@ if state(team) != before:
 
 GATE = ("--gate", "regression")
 expect("topic", check(team.folder, *NAMES, "--against", "main", *GATE), 1, f"main ({first[:10]})", "designs/d1/project.xml",
-       "≥ 80 lx", "is compared with main:designs/d4/project.xml", "designs/new/project.xml was not there at main: it is new")
+       "≥ 80 lx", "is compared with main:designs/d4/project.xml", "designs/new/project.xml did not exist at main; it is new")
 for name in ("v1", first, first[:9], "HEAD", "main...", "topic~0"):
     expect(name, check(team.folder, NAMES[0], "--against", name, *GATE), 0, f"Against {name}" if first.startswith(name) else f"{name} ({first[:10]})")
 expect("from elsewhere", check(WORK, "team/designs/d2/project.xml", "--against", "main", *GATE), 1, "≥ 80 lx")
@@ -148,7 +148,7 @@ for rules in ("packs", "packs/own.xml"):
 shutil.copy(PACK, WORK / "own.xml")
 expect("rules outside", check(ruled.folder, "project.xml", "--rules", WORK / "own.xml", "--against", "HEAD"), 0, without=["requires less"])
 shutil.move(PACK.parent, ruled.folder / "later")
-expect("rules that are new", check(ruled.folder, "project.xml", "--rules", "later", "--against", "HEAD"), 0, "later were not there at HEAD")
+expect("rules that are new", check(ruled.folder, "project.xml", "--rules", "later", "--against", "HEAD"), 0, "later did not exist at HEAD")
 
 # One that could not be read then is new to the last failure, and its errors say when.
 broken = git_repository.Repository(WORK / "broken", VARIABLES)
@@ -251,8 +251,8 @@ fewer.commit()
 fewer.git("rm", "-q", "designs/b.xml", "designs/pack.xml")
 fewer.git("mv", "designs/c.xml", "designs/moved.xml")
 for folder in ("designs", "designs/", ".", fewer.folder):
-    expect(f"deleted, {folder}", check(fewer.folder, folder, "--against", "HEAD", *GATE), 1, "designs/b.xml", "is a project at HEAD, and not now",
-           without=("pack.xml is", "designs/c.xml is a project"))
+    expect(f"deleted, {folder}", check(fewer.folder, folder, "--against", "HEAD", *GATE), 1, "designs/b.xml", "was a project at HEAD, but is not one now",
+           without=("pack.xml is", "designs/c.xml was a project"))
 fewer.git("checkout", "-q", "HEAD", "--", "designs/b.xml")
 text = (fewer.folder / "designs/b.xml").read_text()
 for name, change in (("another root", lambda file: file.write_text(text.replace("luxgate", "luxgatex"))),
@@ -260,7 +260,7 @@ for name, change in (("another root", lambda file: file.write_text(text.replace(
                      ("elsewhere", lambda file: file.rename(fewer.folder / "b.xml"))):
     (fewer.folder / "designs/b.xml").write_text(text)
     change(fewer.folder / "designs/b.xml")
-    expect(f"no project any more: {name}", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/b.xml", "is a project at HEAD, and not now")
+    expect(f"no project any more: {name}", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/b.xml", "was a project at HEAD, but is not one now")
 (fewer.folder / "designs/b.XML").write_text(text)
 expect("large letters", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 0, "b.XML is compared with HEAD:designs/b.xml")
 (fewer.folder / "designs/b.XML").unlink()
@@ -340,7 +340,7 @@ expect("two names of one commit", check(named.folder, "a.xml", "--against", "sam
 named.git("checkout", "-q", "--", ".")
 for name in ("HEAD", "main", "main...", new):
     expect(f"itself, {name}", check(named.folder, "a.xml", "--against", name, *GATE), 2, "error[revision-is-head]", "this is HEAD, and no file differs from it")
-    expect(f"itself, {name}, no gate", check(named.folder, "a.xml", "--against", name), 0, "leads to HEAD itself, and no file differs from it")
+    expect(f"itself, {name}, no gate", check(named.folder, "a.xml", "--against", name), 0, "is HEAD itself and no file differs from it")
 for form in ("json", "csv", "markdown", "junit", "sarif", "github", "gitlab", "html", "text"):
     done = check(named.folder, "a.xml", "--against", "HEAD", *GATE, "-q", "--format", form)
     expect(f"itself, {form}", done, 2)
@@ -367,7 +367,7 @@ site.git("-C", "designs/annex", "checkout", "-q", annex_second)
 site.commit("a weaker annex")
 expect("a weaker submodule", check(site.folder, "designs", "--against", "HEAD~1", *GATE), 1, "≥ 10 lx")
 expect("a weaker submodule, no sandbox", check(site.folder, "designs", "--against", "HEAD~1", *GATE, "--sandbox", "off"), 1, "≥ 10 lx")
-expect("a submodule that is new", check(site.folder, "designs", "--against", "HEAD~2", *GATE), 0, "annex/x.xml was not there at HEAD~2")
+expect("a submodule that is new", check(site.folder, "designs", "--against", "HEAD~2", *GATE), 0, "annex/x.xml did not exist at HEAD~2")
 site.git("-C", "designs/annex", "rm", "-q", "x.xml")
 site.git("-C", "designs/annex", "-c", "user.name=A", "-c", "user.email=a@example.invalid", "commit", "-q", "-m", "empty")
 site.commit("an empty annex")

@@ -58,7 +58,7 @@ CASES = {
     "a limit raised": (dict(limit="110"), 0, ["▲ requires more", OPEN]),
     "a limit raised too far": (dict(limit="5000"), 1, ["✗ broken"]),
     "a plane deleted": (dict(far=False), 1, ["▼ requires less", "plane", "– no longer required"]),
-    "a plane by another id": (dict(plane="table"), 1, ["▼ requires less", "▲ requires more", 'was="desk" in it says so']),
+    "a plane by another id": (dict(plane="table"), 1, ["▼ requires less", "▲ requires more", 'add was="desk" to it']),
     "a plane that says what it was": (dict(plane="table", was_plane=' was="desk"'), 0, ["id of the plane", "table", OPEN]),
     "a room that says what it was": (dict(room_id="hall", was_room=' was="room"'), 0, ["id of the room", "hall", OPEN]),
     "renamed and easier": (dict(plane="table", was_plane=' was="desk"', limit="90"), 1, ["▼ requires less", "≥ 90 lx"]),

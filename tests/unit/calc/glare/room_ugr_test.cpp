@@ -202,7 +202,7 @@ TEST_F(RoomUgrTest, SaysWhatARoomBeyondTablesCountsAs) {
   const auto words_of = [&](double x_h, double y_h) {
     return rated(project_of({.x_m = x_h * kH_m, .y_m = y_h * kH_m})).words;
   };
-  EXPECT_NE(words_of(1.5, 30.0).english().find("counts as a room of 12.00 H x 2.00 H"),
+  EXPECT_NE(words_of(1.5, 30.0).english().find("the room counts as 12.00 H x 2.00 H"),
             std::string::npos);
   EXPECT_EQ(words_of(2.0, 12.0).english().find("counts as"), std::string::npos);
 }
@@ -286,11 +286,11 @@ TEST_F(RoomUgrTest, SaysWhatItIsNotFor) {
   EXPECT_EQ(problem_after([](Space&) {}), "");
   expect("floor, walls and ceiling", [](Space& space) { space.shell.reset(); });
   expect("rectangular", [](Space& space) { space.shell->footprint_m[2] *= 0.8; });
-  expect("'l3' does not hang level", [](Space& space) {
+  expect("'l3' is not level", [](Space& space) {
     space.luminaires[3].world_from_luminaire =
         glm::dmat3({1, 0, 0}, {0, 0.9962, 0.0872}, {0, -0.0872, 0.9962});
   });
-  expect("'l0' hangs 1.10 m above", [](Space& space) { space.luminaires[0].position_m.z = 1.1; });
+  expect("'l0' is 1.10 m above", [](Space& space) { space.luminaires[0].position_m.z = 1.1; });
   expect("'l2' has no luminous area", [](Space& space) { space.luminaires[2].type = 2; });
   expect("no luminaire", [](Space& space) { space.luminaires.clear(); });
   expect("'l1' is not in the room", [](Space& space) { space.luminaires[1].position_m.z = 9.0; });
@@ -311,7 +311,7 @@ TEST_F(RoomUgrTest, IsNotOfLinesNorOfCeilings) {
   };
   EXPECT_NE(problem_of(1.2, 0.0).english().find("no luminous area"), std::string::npos);
   EXPECT_EQ(problem_of(1.2, 1.2), "");
-  EXPECT_NE(problem_of(1.3, 1.2).english().find("shines from 1.56 m2"), std::string::npos);
+  EXPECT_NE(problem_of(1.3, 1.2).english().find("luminous area of 1.56 m²"), std::string::npos);
 }
 
 // The same orientation in two ways, heights apart by less than a centimetre, and luminaires that

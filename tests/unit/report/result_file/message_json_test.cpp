@@ -97,7 +97,7 @@ TEST(MessageJson, HoldsNoFoldersAfterRedaction) {
   Document document = with_messages();
   redact(document);
   EXPECT_EQ(document.projects[0].spaces[0].notes[0].english(),
-            "its surfaces are those of 'hall.obj', a closed shell around 12 m3: its faces look "
+            "the room's surfaces come from 'hall.obj', a closed shell of 12 m³; its faces point "
             "into the room");
   EXPECT_EQ(document.projects[0].spaces[0].notes[1].english(), "see letter.txt");
   EXPECT_THAT(rendered("json", document), testing::Not(testing::HasSubstr("anna")));

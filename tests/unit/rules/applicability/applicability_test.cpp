@@ -188,7 +188,8 @@ TEST(Applicability, AWallOfAMeshIsASurfaceAndNoPlaneInTheAir) {
   const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
   const Fitted on = fit(in_mesh("origin='0 0 0' u='0 8 0' v='0 0 3' margin='0.5'", wall));
   EXPECT_THAT(on.aspects("wall.Em"), IsEmpty()) << on.first().problem;
-  EXPECT_THAT(on.first().note.english(), HasSubstr("the walls and the ceiling of this space are not known"));
+  EXPECT_THAT(on.first().note.english(),
+              HasSubstr("the walls and the ceiling of this space are not known"));
   EXPECT_THAT(
       fit(in_mesh("origin='4 2 0.5' u='0 2 0' v='0 0 2' margin='0.5'", wall)).aspects("wall.Em"),
       ElementsAre("place"));
@@ -461,7 +462,7 @@ TEST(Applicability, WhoStandsOnAPlatformIsTold) {
     setting.objects = "<box id='podium' size='" + size + "' position='0.2 0.2 0' material='m'/>";
     return fit(setting).first().note.english();
   };
-  EXPECT_THAT(note("11.6 7.6 0.7"), HasSubstr("lies above 'podium', 0.7 m above the floor"));
+  EXPECT_THAT(note("11.6 7.6 0.7"), HasSubstr("is above 'podium', 0.7 m above the floor"));
   EXPECT_EQ(note("2 2 0.7"), "");
   EXPECT_EQ(note("11.6 7.6 0.05"), "");
 }
@@ -574,7 +575,7 @@ TEST(Applicability, PointsThatAreLostAreNamedWithEveryRequirement) {
   Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
   setting.objects = "<box id='desk' size='1 1 0.8' position='5 2.5 0' material='m'/>";
   const Fitted own = fit(setting);
-  EXPECT_THAT(own.first().note.english(), HasSubstr("points are left out: 1 inside 'desk'"));
+  EXPECT_THAT(own.first().note.english(), HasSubstr("points are omitted: 1 inside 'desk'"));
   EXPECT_EQ(own.first().problem, "");
   setting.require = kDeskWork;
   const Fitted few = fit(setting);
@@ -724,8 +725,7 @@ TEST(ApplicabilityOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
   };
   const Fitted small = with_table("1 0.9");
   EXPECT_EQ(small.first().problem, "");
-  EXPECT_THAT(small.first().note.english(),
-              HasSubstr("4 of 80 points are omitted: 4 at 'table'"));
+  EXPECT_THAT(small.first().note.english(), HasSubstr("4 of 80 points are omitted: 4 at 'table'"));
   const Fitted large = with_table("4 0.9");
   EXPECT_THAT(large.aspects("route.line"), ElementsAre("points"));
   EXPECT_THAT(large.first().problem.english(),
@@ -977,7 +977,7 @@ bool is_refused(const Fitted& fitted, const std::string& check, const std::strin
   return std::any_of(fitted.requirements.begin(), fitted.requirements.end(), [&](const auto& r) {
     if (r.origin.check != check || r.problem.empty()) return false;
     if (aspect == "maintenance")
-      return r.problem.english().find("maintained light") != std::string::npos;
+      return r.problem.english().find("maintained value") != std::string::npos;
     return std::any_of(r.deviations.begin(), r.deviations.end(),
                        [&](const Deviation& d) { return calc::name_of(d.aspect) == aspect; });
   });

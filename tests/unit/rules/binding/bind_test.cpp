@@ -238,9 +238,9 @@ TEST(BindRequirements, TakesTheChecksOfTheRole) {
 TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
   const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
-  EXPECT_EQ(bound.requirements[0].note, "en12464-1:2011 is marked superseded in its rule pack");
+  EXPECT_EQ(bound.requirements[0].note, "the rule pack marks en12464-1:2011 as superseded");
   EXPECT_EQ(bound.requirements[1].note,
-            "unverified requirement; en12464-1:2011 is marked superseded in its rule pack");
+            "unverified requirement; the rule pack marks en12464-1:2011 as superseded");
   EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2011 5.26.2 [unverified requirement]");
 }
 
@@ -248,7 +248,7 @@ TEST(BindRequirements, CannotJudgeAValueThatThePackDoesNotKnow) {
   const Bound bound = bind_one({{"pack", "en12193"}, {"row", "ice-hockey-II"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
   EXPECT_EQ(bound.requirements[0].problem, "");
-  EXPECT_EQ(bound.requirements[1].problem, "row ice-hockey-II: Uo is unknown");
+  EXPECT_EQ(bound.requirements[1].problem, "row ice-hockey-II: Uo is not known");
   EXPECT_TRUE(std::isnan(bound.requirements[1].limit));
 }
 
@@ -276,7 +276,7 @@ TEST(BindRequirements, SaysWhenASceneDimsNothing) {
     project.scenes.back().level_of_group = std::move(levels);
     return bind_project(project).requirements.at(0).note;
   };
-  const std::string words = "scene night dims nothing: every luminaire is at full output";
+  const std::string words = "scene night dims nothing; every luminaire is at full output";
   EXPECT_EQ(note_with({}), words);
   EXPECT_EQ(note_with({{"exit", 1.0}}), words);
   EXPECT_EQ(note_with({{"exit", 1.0}, {"normal", 0.0}}), "");
@@ -305,8 +305,8 @@ TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
   };
   EXPECT_EQ(problem_with("exit", "route-start"), "");
   EXPECT_EQ(problem_with("normal", "route-start"),
-            "scene 'night' does not say what 1 luminaires do in an emergency, the first is 'N': "
-            "give each a group, and each group a <dim> in the scene");
+            "scene 'night' does not say what 1 luminaires do in an emergency; the first is 'N'. "
+            "Give each a group, and each group a <dim> in the scene");
   EXPECT_NE(problem_with("", "route-start"), "");
   EXPECT_EQ(problem_with("normal", "route-normal"), "");
 }
@@ -319,7 +319,7 @@ TEST(BindRequirements, AFactIsSaidWithTheLimitThatHangsOnIt) {
         .note.english();
   };
   EXPECT_THAT(note_with("high-risk", "task-illuminance=500 lx"),
-              HasSubstr("not calculated but stated by the project: task-illuminance = 500 lx"));
+              HasSubstr("stated by the project, not calculated: task-illuminance = 500 lx"));
   EXPECT_THAT(note_with("high-risk", "task-illuminance=50 fc"),
               HasSubstr("task-illuminance = 538.196 lx"));
 }
@@ -360,8 +360,8 @@ TEST(BindRequirements, PutsOutOnlyLuminairesWithAGroupOfTheirOwn) {
   EXPECT_EQ(bound_with("b").problem, "");
   EXPECT_THAT(bound_with("b").note.english(), testing::HasSubstr("any one luminaire out"));
   EXPECT_EQ(bound_with("a").problem,
-            "luminaire 'E2' has no dimming group of its own in scene 'night': give each one, so "
-            "that it can be out alone");
+            "luminaire 'E2' has no dimming group of its own in scene 'night'; give each "
+            "luminaire one, so that it can be out alone");
 }
 
 TEST(BindRequirements, ReadsAShareAndItsRange) {
@@ -460,8 +460,8 @@ TEST(BindRequirements, CannotJudgePowerThatNobodyStates) {
       bind_in_lit_room({30, 0}, {{"quantity", "power-per-100-lx"}, {"at-most", "2"}});
   ASSERT_EQ(bound.requirements.size(), 1u);
   EXPECT_EQ(bound.requirements[0].problem,
-            "1 of 2 luminaires state no power: neither the project (power-w) nor their photometry "
-            "does");
+            "1 of 2 luminaires have no stated power, neither in the project (power-w) nor in "
+            "their photometry");
   const Bound open = bind_one({{"quantity", "power-density"}, {"at-most", "6.5"}});
   ASSERT_EQ(open.requirements.size(), 1u);
   EXPECT_EQ(open.requirements[0].problem, "the floor area of the space is not known");
@@ -514,7 +514,7 @@ TEST(BindRequirements, CannotJudgeEnergyThatNobodyStates) {
   EXPECT_THAT(bind_in_lit_room({30}, attributes).requirements.at(0).problem.english(),
               testing::HasSubstr("hours of use and parasitic energy are not stated"));
   EXPECT_THAT(bind_in_lit_room({30, 0}, attributes, use).requirements.at(0).problem.english(),
-              testing::HasSubstr("1 of 2 luminaires state no power"));
+              testing::HasSubstr("1 of 2 luminaires have no stated power"));
   const Attributes dimmed{{"quantity", "LENI"}, {"at-most", "12"}, {"state", "initial"}};
   EXPECT_THAT(bind_in_lit_room({30}, dimmed, use).messages,
               ElementsAre(testing::HasSubstr("'state' has no meaning")));

@@ -62,8 +62,7 @@ TEST(FieldGlareRequirement, HasTheVeilAndSaysHow) {
   EXPECT_EQ(lit.reflectance, 0.2);
   EXPECT_GT(lit.veiling_cd_m2.value, 0.0);
   EXPECT_NEAR(dimmed.veiling_cd_m2.value, 0.5 * lit.veiling_cd_m2.value, 1e-12);
-  EXPECT_THAT(full.note.english(),
-              HasSubstr("a field of reflectance 0.2, which is not calculated but stated"));
+  EXPECT_THAT(full.note.english(), HasSubstr("field reflectance 0.2, stated, not calculated"));
   EXPECT_STREQ(unit_of(full), "");
 }
 
@@ -77,7 +76,7 @@ TEST(FieldGlareRequirement, IsNotOfAFieldWithoutLuminaires) {
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   ASSERT_TRUE(judged.has_value());
   EXPECT_THAT(judged->requirements.at(0).problem.english(),
-              HasSubstr("there is no luminaire in the space"));
+              HasSubstr("the space has no luminaire"));
 }
 
 TEST(FieldGlareRequirement, NeedsAReflectance) {
@@ -110,10 +109,10 @@ TEST(FieldGlareRequirement, OfARowIsOnTheAreaOfTheRow) {
   EXPECT_EQ(before.requirements.at(0).problem, "");
   const Field without = bind_field(glare);
   EXPECT_THAT(without.requirements.at(0).problem.english(),
-              HasSubstr("ask the row of this plane as well"));
+              HasSubstr("require the row of this plane as well"));
   const Field other = bind_field("<require pack='en12464-2' row='5.9-heavy'/>" + glare);
   EXPECT_THAT(other.requirements.at(2).problem.english(),
-              HasSubstr("ask the row of this plane as well"));
+              HasSubstr("require the row of this plane as well"));
 }
 
 // A road's luminaires go on, and GR counts all that are in view.
@@ -127,7 +126,7 @@ TEST(FieldGlareRequirement, IsNotOfRoads) {
   const calc::MemoryFileReader files({{"p.xml", xml}, {"flood.ies", kFlood}});
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   ASSERT_TRUE(judged.has_value());
-  EXPECT_THAT(judged->requirements.at(0).problem.english(), HasSubstr("not of a road"));
+  EXPECT_THAT(judged->requirements.at(0).problem.english(), HasSubstr("a road does not qualify"));
 }
 
 // Before anything is judged, nobody can stop it.
@@ -151,7 +150,7 @@ TEST(FieldGlareRequirement, IsOfLevelAreas) {
         "origin='0 0 0' u='40 0 0' v='0 20 0' quantity='hemispherical'"}) {
     const Field field = bind_field(require, plane);
     ASSERT_EQ(field.requirements.size(), 1u) << testing::PrintToString(field.messages);
-    EXPECT_THAT(field.requirements[0].problem.english(), HasSubstr("GR is of a level area"))
+    EXPECT_THAT(field.requirements[0].problem.english(), HasSubstr("GR needs a level area"))
         << plane;
   }
 }

@@ -271,7 +271,7 @@ TEST(GlareMethod, IsJudgedByItsNumberAlone) {
   constexpr double kNothing = -std::numeric_limits<double>::infinity();
   const Finding unseen = verdict({kNothing, kNothing, kNothing});
   EXPECT_EQ(unseen.verdict, Verdict::pass);
-  EXPECT_THAT(unseen.reason.english(), HasSubstr("shines down: there is nothing to be rated"));
+  EXPECT_THAT(unseen.reason.english(), HasSubstr("shines down, so there is nothing to rate"));
 }
 
 TEST(GlareMethod, MayBeWaivedByTheCheckThatIsAsked) {

@@ -77,7 +77,7 @@ TEST(LuminaireValue, UpwardShareIsOfNewLuminairesInTheScene) {
   EXPECT_NEAR(bound.at(1).of_space.value, 100.0 * 0.25 * ball / (0.5 * ball + down), 1e-3);
   EXPECT_EQ(bound.at(0).state, LightState::initial);
   EXPECT_STREQ(unit_of(bound.at(0)), "%");
-  EXPECT_THAT(bound.at(0).note.english(), HasSubstr("as they are mounted"));
+  EXPECT_THAT(bound.at(0).note.english(), HasSubstr("as mounted"));
 }
 
 TEST(LuminaireValue, IntensityIsTowardsThePointsAndSaysOfWhich) {
@@ -123,14 +123,15 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
                  "height='1' count='1 1'", kRoom, "</room>");
   EXPECT_THAT(bound.messages, IsEmpty());
   EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
-  EXPECT_THAT(bound.at(0).note.english(),
-              HasSubstr("'low', 2.49 m above the highest floor about it, luminaires there: 1"));
+  EXPECT_THAT(
+      bound.at(0).note.english(),
+      HasSubstr("'low', 2.49 m above the highest floor near it; luminaires in this range: 1"));
   EXPECT_NEAR(bound.at(1).of_space.value, 900.0, 1e-9);
   EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
   EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
-  EXPECT_THAT(bound.at(3).note.english(), HasSubstr("luminaires there: 3"));
+  EXPECT_THAT(bound.at(3).note.english(), HasSubstr("luminaires in this range: 3"));
   EXPECT_EQ(bound.at(4).problem,
-            "no luminaire that is on hangs at 4 m or higher: the highest is 3 m above the floor");
+            "no lit luminaire is at 4 m or higher; the highest is 3 m above the floor");
 }
 
 // A downlight that dazzles nobody on a level way does so on a stair below it. Turned on its side it
@@ -147,7 +148,7 @@ TEST(LuminaireValue, PeakIntensityIsOfAllDirections) {
   EXPECT_NEAR(bound.at(1).of_space.low, 800.0, 1e-9);
   EXPECT_NEAR(bound.at(1).of_space.high, 800.0, 1e-9);
   EXPECT_EQ(bound.at(2).problem,
-            "no luminaire that is on hangs at 3 m or higher: the highest is 2.5 m above the floor");
+            "no lit luminaire is at 3 m or higher; the highest is 2.5 m above the floor");
   const Bound turned =
       bind_plane("<luminaire id='l' type='spot' position='4 4 2.5' aim='9 4 2.5'/>", require,
                  "height='1' count='1 1'", kRoom, "</room>");
@@ -166,16 +167,14 @@ TEST(LuminaireValue, HeightsThatHoldNoLuminaireAreNotJudged) {
       "<require id='a' quantity='glare-intensity' to='2' at-most='5'/>"
       "<require id='b' quantity='peak-intensity' from='2500' to='3000' at-most='5'/>");
   EXPECT_EQ(own.at(0).problem,
-            "no luminaire that is on hangs below 2 m: the lowest is 2.5 m above the floor");
+            "no lit luminaire is below 2 m; the lowest is 2.5 m above the floor");
   EXPECT_EQ(own.at(1).problem,
-            "no luminaire that is on hangs from 2500 to 3000 m: they are 2.5 to 2.5 m above the "
-            "floor");
+            "no lit luminaire is from 2500 to 3000 m high; all are 2.5 to 2.5 m above the floor");
   const Bound row = bind_plane("<luminaire id='l' type='ball' position='4 4 2.5' group='g'/>",
                                "<require pack='en1838:2024' role='glare' scene='half'/>",
                                "height='0' count='1 1'", kRoom, "</room>");
   ASSERT_EQ(row.requirements.size(), 6u) << testing::PrintToString(row.messages);
-  EXPECT_THAT(row.at(0).note.english(),
-              HasSubstr("none of the luminaires that are on hangs there"));
+  EXPECT_THAT(row.at(0).note.english(), HasSubstr("no lit luminaire is in this height range"));
   for (const Requirement& one : row.requirements) EXPECT_EQ(one.problem, "") << one.id;
 }
 
@@ -202,10 +201,9 @@ TEST(LuminaireValue, OverAPodiumTheHeightIsOpen) {
   for (const std::size_t i : {0u, 1u}) {
     EXPECT_NEAR(bound.at(i).of_space.high, 100.0, 1e-9) << i;
     EXPECT_EQ(bound.at(i).of_space.low, 0.0) << i;
-    EXPECT_THAT(bound.at(i).note.english(), HasSubstr("of several heights"));
+    EXPECT_THAT(bound.at(i).note.english(), HasSubstr("have several heights"));
   }
-  EXPECT_THAT(bound.at(2).problem.english(),
-              HasSubstr("no luminaire that is on hangs at 3.5 m or higher"));
+  EXPECT_THAT(bound.at(2).problem.english(), HasSubstr("no lit luminaire is at 3.5 m or higher"));
   EXPECT_NEAR(bound.at(3).of_space.low, 100.0, 1e-9);
   // On the podium itself: a plane there says that people walk on it, wherever the luminaire is.
   const Bound beside = bind_plane(
@@ -259,7 +257,7 @@ TEST(LuminaireValue, WhatASceneSwitchesOffMeetsEveryLimitFromAbove) {
     EXPECT_EQ(dark.at(0).problem, "") << quantity;
     EXPECT_EQ(dark.at(0).of_space.value, 0.0) << quantity;
     EXPECT_EQ(dark.at(0).of_space.high, 0.0) << quantity;
-    EXPECT_EQ(dark.at(0).note, "scene 'none' switches every luminaire off: nothing is lit");
+    EXPECT_EQ(dark.at(0).note, "scene 'none' switches every luminaire off, so nothing is lit");
     const Bound least =
         bind_plane(kBall, "<require quantity='" + quantity + "' at-least='5' scene='none'/>");
     EXPECT_THAT(least.at(0).problem.english(), HasSubstr("no luminaire is on")) << quantity;
@@ -300,7 +298,8 @@ TEST(LuminaireValue, OfARoadIsNotJudged) {
     const calc::MemoryFileReader files({{"p.xml", xml}, {"ball.ies", ies("0 180", "100 100", 2)}});
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
     ASSERT_TRUE(judged.has_value());
-    EXPECT_THAT(judged->requirements.at(0).problem.english(), HasSubstr("whose luminaires go on"))
+    EXPECT_THAT(judged->requirements.at(0).problem.english(),
+                HasSubstr("its luminaire rows have no end"))
         << quantity;
   }
 }
@@ -416,7 +415,7 @@ TEST(LuminaireValue, RoomsInTheWayOfLightMakeItUnsure) {
     const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
     return judged->requirements.at(0).unsure_light.english();
   };
-  EXPECT_THAT(unsure("-6 0 6", "11 -2 0.01"), HasSubstr("room 'house' stands between"));
+  EXPECT_THAT(unsure("-6 0 6", "11 -2 0.01"), HasSubstr("room 'house' is between"));
   EXPECT_EQ(unsure("-6 0 6", "-8 -2 0.01"), "") << "before it";
   EXPECT_EQ(unsure("0 0 4", "-8 -2 0.01"), "") << "on its wall";
   EXPECT_EQ(unsure("5 0 60", "14 -2 0.01"), "") << "above its roof, and down beside it";

@@ -146,7 +146,7 @@ TEST(RoadRequirements, OfDarknessAreNotJudged) {
   EXPECT_EQ(bound.by("road-luminance").problem, "");
   EXPECT_EQ(bound.by("road-luminance").of_space.high, 0.0);
   EXPECT_EQ(bound.by("road-Uo").problem, "no light falls on a part of the road");
-  EXPECT_EQ(bound.by("TI").problem, "TI is stated for a mean luminance above 0.05 cd/m2 only");
+  EXPECT_EQ(bound.by("TI").problem, "TI is defined only for a mean luminance above 0.05 cd/m²");
   EXPECT_EQ(bound.by("REI").problem, "no light falls on a part of the road");
 }
 
@@ -158,10 +158,10 @@ TEST(RoadRequirements, OfEdgesNeedStrips) {
   const Bound none = bind_road({rei, "right-strip='0' left-strip='0'"});
   EXPECT_EQ(both.by("REI").of_space.value,
             std::min(right.by("REI").of_space.value, left.by("REI").of_space.value));
-  EXPECT_THAT(right.by("REI").note.english(), HasSubstr("of one edge alone"));
+  EXPECT_THAT(right.by("REI").note.english(), HasSubstr("one edge only"));
   EXPECT_EQ(right.by("REI").problem, "");
   EXPECT_EQ(none.by("REI").problem, "no strip beside the road counts");
-  EXPECT_THAT(none.by("REI").note.english(), Not(HasSubstr("of one edge alone")));
+  EXPECT_THAT(none.by("REI").note.english(), Not(HasSubstr("one edge only")));
 }
 
 TEST(RoadRequirements, OfClassesNameTheirChecks) {
@@ -204,21 +204,20 @@ TEST(RoadRequirements, AreOfCarriagewaysOnly) {
 TEST(RoadRequirements, SayWhatTheRoadIs) {
   const std::string l = "<require quantity='road-luminance' at-least='1'/>";
   EXPECT_EQ(bind_road({l}).requirements.at(0).stated_words,
-            "surface R3 with Q0 = 0.07, 7 m wide, lanes from the right ++, strips that count 3.5 m "
+            "surface R3 with Q0 = 0.07, 7 m wide, lanes from the right ++, counted strips 3.5 m "
             "and 3.5 m");
   EXPECT_EQ(
       bind_road({l, "oncoming-lanes='1' q0='0.08' left-strip='0'"}).requirements.at(0).stated_words,
-      "surface R3 with Q0 = 0.08, 7 m wide, lanes from the right +-, strips that count 3.5 m "
-      "and 0 m");
+      "surface R3 with Q0 = 0.08, 7 m wide, lanes from the right +-, counted strips 3.5 m and 0 m");
 }
 
 // An assumption that turns everything is with every value.
 TEST(RoadRequirements, SayThatTheStreetIsAssumed) {
   EXPECT_THAT(bind_road({kAll}).by("TI").note.english(),
-              HasSubstr("looks to the street is taken as is usual"));
+              HasSubstr("the street side of a photometry is assumed"));
   RoadText text{kAll};
   text.row = "street='C90'";
-  EXPECT_THAT(bind_road(text).by("TI").note.english(), Not(HasSubstr("looks to the street")));
+  EXPECT_THAT(bind_road(text).by("TI").note.english(), Not(HasSubstr("the street side")));
 }
 
 // M classes are of dry surfaces; a limit of the project's own may be of a wet one.
@@ -231,11 +230,11 @@ TEST(RoadRequirements, OfRowsAreOfDrySurfaces) {
   ASSERT_EQ(bound.requirements.size(), 6u);
   for (const Requirement& requirement : bound.requirements) {
     const std::string wanted =
-        requirement.origin.pack.empty() ? "" : "the row is about dry surfaces, and W3 is a wet one";
+        requirement.origin.pack.empty() ? "" : "the row is for dry surfaces; W3 is wet";
     EXPECT_EQ(requirement.problem, wanted) << requirement.origin.check;
   }
   EXPECT_THAT(calc::texts(bound.project.spaces.at(0).notes),
-              Contains(HasSubstr("the surface is a wet one")));
+              Contains(HasSubstr("the surface is wet")));
 }
 
 // An emitter beside the middle of its luminaire, behind the beginning of the field.

@@ -169,7 +169,7 @@ TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
   EXPECT_DOUBLE_EQ(glare.high, calc::field_glare(1.2, lx.low, 0.25));
   requirement.arguments = LitField{0.25, {}};
   const Measurement none = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
-  EXPECT_EQ(none.nothing_there, "no luminaire shines to an eye that has it in view");
+  EXPECT_EQ(none.nothing_there, "no luminaire in an eye's view shines towards that eye");
   EXPECT_TRUE(calc::is_nothing(none.metric->estimate));
   EXPECT_TRUE(none.without_replicate.empty());
   // What a rule requires of an area it requires of all of it.

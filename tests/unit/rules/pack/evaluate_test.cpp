@@ -68,14 +68,14 @@ TEST(EvaluateLimit, LooksUpTables) {
   EXPECT_EQ(limit_of("table(next, 120 lx)"), "120.000");  // the key itself
   EXPECT_EQ(limit_of("10 lx * table(line, 150 lx)"), "12.5000");
   EXPECT_EQ(limit_of("10 lx * table(line, 300 lx)"), "20.0000");
-  EXPECT_EQ(limit_of("10 lx * table(line, 301 lx)"), "table 'line' has nothing for 301 lx");
+  EXPECT_EQ(limit_of("10 lx * table(line, 301 lx)"), "table 'line' has no entry for 301 lx");
 }
 
 TEST(EvaluateLimit, StepsUpAndDownTheScale) {
   EXPECT_EQ(limit_of("step(row(E), +1, steps)"), "300.000");
   EXPECT_EQ(limit_of("step(row(E), -2, steps)"), "100.000");
   EXPECT_EQ(limit_of("step(row(E), +0, steps)"), "200.000");
-  EXPECT_EQ(limit_of("step(row(E), +3, steps)"), "scale 'steps' ends before +3 steps from 200 lx");
+  EXPECT_EQ(limit_of("step(row(E), +3, steps)"), "scale 'steps' has no value +3 steps from 200 lx");
   EXPECT_EQ(limit_of("step(210 lx, +1, steps)"), "210 lx is not on scale 'steps'");
 }
 
@@ -96,13 +96,15 @@ TEST(EvaluateLimit, TakesAParameterAlongItsScale) {
   const std::string ten_fc = "107.639104167097", twenty_fc = "215.278208334194";
   EXPECT_EQ(limit_at(1, ten_fc, "row(E)"), "215.278");
   EXPECT_EQ(limit_at(-1, twenty_fc, "2 * row(E)"), "215.278");
-  EXPECT_EQ(limit_at(-1, ten_fc, "row(E)"), "scale 'of-E' ends before -1 steps from 107.639104 lx");
+  EXPECT_EQ(limit_at(-1, ten_fc, "row(E)"),
+            "scale 'of-E' has no value -1 steps from 107.639104 "
+            "lx");
   EXPECT_EQ(limit_at(1, "120", "row(E)"), "120 lx is not on scale 'of-E'");
 }
 
 TEST(EvaluateLimit, SaysWhatIsMissing) {
   EXPECT_EQ(limit_of("fact(need)"), "fact 'need' is not stated");
-  EXPECT_EQ(limit_of("row(E) + fact(need)", RowLevel::required, {}, "2"), "row 2: E is unknown");
+  EXPECT_EQ(limit_of("row(E) + fact(need)", RowLevel::required, {}, "2"), "row 2: E is not known");
   EXPECT_EQ(limit_of("row(E)", RowLevel::required, {}, "9"), "no row is chosen");
   std::string huge = "1 lx";
   for (int i = 0; i < 40; ++i) huge += " * 1000000000";
@@ -110,7 +112,7 @@ TEST(EvaluateLimit, SaysWhatIsMissing) {
   EXPECT_EQ(limit_of("min(5 lx, 0 * (" + huge + "))"), "the limit is not a finite number");
   EXPECT_EQ(limit_of("max(5 lx, 1 lx * (1 lx / (" + huge + ")))"),
             "the limit is not a finite number");
-  EXPECT_EQ(limit_of("row(E) / 0"), "the limit divides by a value that may be 0");
+  EXPECT_EQ(limit_of("row(E) / 0"), "the limit is divided by a value that may be 0");
 }
 
 TEST(EvaluateLimit, IsTrustedAsItsWorstPart) {

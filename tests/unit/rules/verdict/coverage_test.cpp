@@ -117,7 +117,7 @@ TEST(RowCoverage, GlareOutdoorsIsOfAllAreas) {
   EXPECT_THAT(both.roles(), ElementsAre("task met", "observer met", "lamp not-possible"));
   const Covered one = cover_open(area("p", "0", row) + area("q", "9", row + glare));
   EXPECT_THAT(one.roles(), ElementsAre("task met", "observer asked-in-part", "lamp not-possible"));
-  EXPECT_EQ(one.rows.at(0).roles.at(1).words, "not asked of p, which the row is asked of as well");
+  EXPECT_EQ(one.rows.at(0).roles.at(1).words, "not required of p, although the row is");
   EXPECT_FALSE(one.rows[0].is_whole());
   EXPECT_FALSE(one.rows[0].is_met());
 }
@@ -141,7 +141,7 @@ TEST(RowCoverage, OneSurroundIsNotThatOfTwoTasks) {
   const Covered two = cover(task("t", "2") + task("u", "8") + around_t + cylinder);
   EXPECT_THAT(two.roles(), Contains("surround asked-in-part"));
   EXPECT_THAT(two.roles(), Contains("cylinder asked-in-part"));
-  EXPECT_EQ(two.rows.at(0).roles.at(1).words, "not asked of u, which the row is asked of as well");
+  EXPECT_EQ(two.rows.at(0).roles.at(1).words, "not required of u, although the row is");
   const std::string around_u =
       "<plane id='v' points='7.5 1.5 0.75 9.5 1.5 0.75 9.5 3.5 0.75 7.5 3.5 0.75'><hole "
       "points='8 2 0.75 9 2 0.75 9 3 0.75 8 3 0.75'/>" +

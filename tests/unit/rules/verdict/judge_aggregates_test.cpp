@@ -141,7 +141,7 @@ TEST(JudgeAggregates, EyesThatLookOneWayAreNotTheRoom) {
   site.eyes("e", {1, 0, 0}, kPass);
   site.eyes("f", {0.9, 0.4, 0}, kPass);
   EXPECT_EQ(site.only().verdict, kNone);
-  EXPECT_THAT(site.only().reason.english(), HasSubstr("one way"));
+  EXPECT_THAT(site.only().reason.english(), HasSubstr("in one direction only"));
   site.eyes("g", {0, 1, 0}, kPass);
   EXPECT_EQ(site.only().verdict, kPass);
   // Two seats that each look one way, apart from each other, are no two ways.

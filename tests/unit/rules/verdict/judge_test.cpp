@@ -371,9 +371,10 @@ TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
   EXPECT_EQ(judged().verdict, Verdict::fail) << "0.8 x 400 lx";
   facing = glm::dvec3(1, 0, 0);
   EXPECT_EQ(judged().verdict, Verdict::not_judged);
-  EXPECT_EQ(judged().reason,
-            "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0); directions there: "
-            "(0 0 1), (0 1 0)");
+  EXPECT_EQ(
+      judged().reason,
+      "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0); directions there: "
+      "(0 0 1), (0 1 0)");
   facing.reset();
   list.normal[2] = {0, 0, 1};
   EXPECT_EQ(judged().verdict, Verdict::pass) << "twice the same point";

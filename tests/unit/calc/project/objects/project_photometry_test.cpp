@@ -137,8 +137,8 @@ TEST(ProjectPhotometry, AnotherFluxPutsThePowerOfTheFileAside) {
   EXPECT_EQ(power.without_power, 2);
   EXPECT_EQ(power.of_other_flux, 2);
   EXPECT_EQ(power.problem(),
-            "2 of 2 luminaires state no power: the photometry of 2 states it for another flux than "
-            "the project gives them, and the project states none (power-w)");
+            "2 of 2 luminaires have no stated power. The photometry of 2 states it for another "
+            "flux than the project's; state it in the project (power-w)");
 }
 
 // The chosen package has the say, and nothing hangs on the others.

@@ -41,8 +41,8 @@ TEST(LightingEnergy, IsPowerByHoursAndFactors) {
   EXPECT_NEAR(energy.lighting_kwh, 51.84, 1e-12);
   EXPECT_NEAR(energy.leni_kwh_m2, 6.82, 1e-12);
   EXPECT_EQ(energy.words,
-            "by EN 15193, not calculated but stated: 2000 h by day, 500 h by night, Fc 0.9, Fo "
-            "0.8, FD 0.75, parasitic 2.5 kWh/m2/a");
+            "by EN 15193, stated, not calculated: 2000 h by day, 500 h by night, Fc 0.9, Fo 0.8, "
+            "FD 0.75, parasitic energy 2.5 kWh/m²/a");
 }
 
 TEST(LightingEnergy, FactorsThatNobodyStatesAreOneAndNamed) {
@@ -51,8 +51,8 @@ TEST(LightingEnergy, FactorsThatNobodyStatesAreOneAndNamed) {
       energy_of(load_energy("day-hours='2500' night-hours='500' parasitic-kwh-m2='0'"));
   EXPECT_NEAR(energy.leni_kwh_m2, 9.0, 1e-12);
   EXPECT_EQ(energy.words,
-            "by EN 15193, not calculated but stated: 2500 h by day, 500 h by night, Fc 1 (not "
-            "stated), Fo 1 (not stated), FD 1 (not stated), parasitic 0 kWh/m2/a");
+            "by EN 15193, stated, not calculated: 2500 h by day, 500 h by night, Fc 1 (not "
+            "stated), Fo 1 (not stated), FD 1 (not stated), parasitic energy 0 kWh/m²/a");
 }
 
 TEST(LightingEnergy, GroupsHaveFactorsOfTheirOwn) {
@@ -92,14 +92,15 @@ TEST(LightingEnergy, IsOfTheRoomFirstAndThenOfTheProject) {
 TEST(LightingEnergy, NeedsHoursAndPower) {
   const LightingEnergy without = energy_of(load(in_room("")));
   EXPECT_EQ(without.problem,
-            "hours of use and parasitic energy are not stated: give the room or the project an "
-            "<energy>");
+            "hours of use and parasitic energy are not stated; add an <energy> to the room or "
+            "the project");
   EXPECT_EQ(without.leni_kwh_m2, 0.0);
   Loaded loaded = load_energy("day-hours='100' night-hours='0' parasitic-kwh-m2='0'");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   for (LuminaireType& type : loaded.project->luminaire_types) type.power_w = 0.0;
   const LightingEnergy dark = energy_of(loaded);
-  EXPECT_NE(dark.problem.english().find("3 of 3 luminaires state no power"), std::string::npos);
+  EXPECT_NE(dark.problem.english().find("3 of 3 luminaires have no stated power"),
+            std::string::npos);
   EXPECT_EQ(dark.words, "");
 }
 

@@ -48,12 +48,12 @@ TEST(MeshRoom, FacesMayLookInwardOrOutwardAndItIsSaid) {
   ASSERT_EQ(space.notes.size(), 1u);
   EXPECT_EQ(
       space.notes[0],
-      "its surfaces are those of 'hall.obj', a closed shell around 30 m3: its faces look into "
+      "the room's surfaces come from 'hall.obj', a closed shell of 30 m³; its faces point into "
       "the room");
   const Loaded out = load_room(ObjText().box("hall", kLow, kHigh, false).text());
   ASSERT_TRUE(out.project) << out.messages;
   EXPECT_THAT(room_of(out).notes.at(0).english(),
-              HasSubstr("look out of the room, which changes nothing"));
+              HasSubstr("look out of the room, which has no effect"));
   const Loaded mixed = load_room(ObjText().box("hall", kLow, kHigh, true, -1, 3).text());
   ASSERT_TRUE(mixed.project) << mixed.messages;
   EXPECT_THAT(room_of(mixed).notes.at(0).english(),
@@ -98,7 +98,7 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
   ASSERT_TRUE(chosen.project) << chosen.messages;
   ASSERT_EQ(room_of(chosen).bodies.size(), 1u);
   EXPECT_THAT(room_of(chosen).notes.at(0).english(),
-              HasSubstr("around 1.9 m3: its faces look into the room"));
+              HasSubstr("a closed shell of 1.9 m³; its faces point into the room"));
   EXPECT_THAT(chosen.messages, HasSubstr("warning[mesh-room-left-out]: room 'r': 12 triangles"));
   EXPECT_EQ(room_of(load_room(thick, R"( shell="1")")).bodies.size(), 2u);
   EXPECT_THAT(load_room(ObjText()
@@ -221,7 +221,7 @@ TEST(MeshRoom, WithAllTheRoomLiesBetweenTheSolids) {
   }
   EXPECT_TRUE(space.outline_m.empty());
   EXPECT_THAT(space.notes.at(0).english(),
-              HasSubstr("lies between 6 closed solids and 0 triangles"));
+              HasSubstr("between 6 closed solids and 0 other triangles"));
   Diagnostics diagnostics;
   const auto grid = make_sensor_grid(space.planes.at(0), space, diagnostics);
   ASSERT_TRUE(grid);

@@ -221,7 +221,7 @@ TEST(RoadXml, SaysWhichSideLooksToTheStreet) {
   };
   const auto said = [](int c) {
     return "row 'r': C" + std::to_string(c) +
-           " of its photometry looks to the street, as is usual for files of its format";
+           " of its photometry points to the street, the usual direction of this file format";
   };
   EXPECT_THAT(notes("photometry='spot.ies'", ""), ::testing::Contains(said(0)));
   EXPECT_THAT(notes("photometry='two.ldt' lamp-set='1'", ""), ::testing::Contains(said(90)));
