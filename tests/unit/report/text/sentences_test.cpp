@@ -139,7 +139,7 @@ TEST(Sentences, HoldOtherMessages) {
                             calc::names_message({"a", "b", "c"}, 2), "EN 1 34.2",
                             say<Sentence::not_made>(Message::words("lamp") + " (" +
                                                     say<Sentence::not_on_planes>("Ra") + ")"))),
-      "Arbeitsplätze a, b und 1 weitere, EN 1 34.2: keine Fläche für Lampe (Ra wird nicht auf "
+      "Arbeitsplätze a, b und 1 weitere, EN 1 34.2: keine Fläche: Lampe (Ra wird nicht auf "
       "Flächen gemessen)");
 }
 

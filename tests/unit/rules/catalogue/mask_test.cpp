@@ -263,7 +263,7 @@ TEST(Mask, WordsTellAllThatItDoes) {
   Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2);
   mask.operations.push_back({MaskStep::walls, 0.3, 0, 0});
   const std::string words =
-      "without a strip along the long sides: 0.25 of the width on planes up to 2 m wide, "
+      "without a strip along the long sides: 0.25 of the width (planes up to 2 m wide), "
       "otherwise 0.5 m, without points nearer than 0.3 m to a wall of the room";
   EXPECT_EQ(mask_words(mask), words);
   EXPECT_EQ(mask_words(mask, {0, 1, 0}), words + ", walking direction (0 1 0)");
