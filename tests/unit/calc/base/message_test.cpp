@@ -16,9 +16,8 @@ TEST(Message, IsEnglishByItself) {
             "no calculation point at (1, 2, 3) m looks towards up; directions there: none");
   // Numbers have the format of the text.
   EXPECT_EQ(say<Sentence::light_beyond_table>("lamp", 12.345).english(),
-            "the photometric table of luminaire type 'lamp' ends while its "
-            "intensity is still 12 % of the maximum; the light "
-            "beyond is not known, so the value may be higher");
+            "the photometric table of luminaire type 'lamp' ends while its intensity is still 12 "
+            "% of the maximum; the light beyond is not known, so there may be more light");
 }
 
 TEST(Message, JoinsWhatIsThere) {

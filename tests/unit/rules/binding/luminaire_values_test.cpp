@@ -343,9 +343,8 @@ TEST(LuminaireValue, LightBeyondATableIsMissing) {
     return words;
   };
   const std::string kCut =
-      "the photometric table of luminaire type 't' ends while its "
-      "intensity is still 50 % of the maximum; the light beyond "
-      "is not known, so the value may be higher";
+      "the photometric table of luminaire type 't' ends while its intensity is still 50 % of the "
+      "maximum; the light beyond is not known, so there may be more light";
   EXPECT_THAT(missing("0 60", "100 50", 2), ElementsAre(kCut, "", kCut, ""));
   EXPECT_THAT(missing("0 60", "100 0", 2), ElementsAre("", "", "", "")) << "it ends in the dark";
   EXPECT_THAT(missing("0 90", "100 50", 2), ElementsAre("", "", "", "")) << "by LM-63 dark above";
