@@ -358,7 +358,7 @@ def refused(batch):
     """What is wrong is said before anything is sent."""
     for words, message in [([], "--store is needed"), (["--store", "off"], "--store: a batch needs one"),
                            (["--store", "s", "--wait"], "--wait needs --send"),
-                           (["--store", "s", "--shard", "1/2"], "there is no option '--shard'"),
+                           (["--store", "s", "--shard", "1/2"], "unknown option '--shard'"),
                            (["--store", "s", "--format", "csv", "--format", "json"], "only one kind can go to standard output"),
                            (["--store", "s", "gone.xml"], "no job is made"),
                            (["--store", "s", "--engine", "slurm", "--job-folder", "a\\b"], "Slurm cannot have"),

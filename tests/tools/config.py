@@ -119,7 +119,7 @@ for more, options, others in (([], ["--no-config", "--tolerance 0.05", "--langua
     checks = [line for line in script.splitlines() if '"$luxgate" check ' in line]
     expect(len(checks) == 2 and all('check "${options[@]}" ' in line for line in checks), f"submit {more}: {checks}")
     expect(all(word in script for word in options) and not any(word in script for word in others), f"submit {more}: {script}")
-run("submit", "a.xml", "--engine", "local", "--store", "looks", "--plane", "desk", code=2, says="there is no option '--plane'")
+run("submit", "a.xml", "--engine", "local", "--store", "looks", "--plane", "desk", code=2, says="unknown option '--plane'")
 
 # An owner's policy stands above what lies in the projects' repository.
 (WORK / "policy.xml").write_text('<luxgate-policy version="1" name="Owner" every-space="nothing"/>')

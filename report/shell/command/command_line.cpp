@@ -79,9 +79,7 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Added>& a
 }
 
 ParsedLine usage_error(const std::string& message, const std::string& help_command) {
-  return {nullptr, kNotJudged, "",
-          fmt::format("luxgate: error: {}\nSee '{} --help'.\n", calc::printable(message),
-                      help_command)};
+  return {nullptr, kNotJudged, "", usage_error_text(calc::printable(message), help_command)};
 }
 
 // The commands and actions at the front of a line.
@@ -201,13 +199,38 @@ std::string near_options(std::string_view found, const Command& command) {
                      begun.size() == kMost ? fmt::format(" or '{}'", begun.back()) : "");
 }
 
-// What CLI11 says as "the following arguments were not expected". extra: the first of them.
+// Replaces CLI11's "the following arguments were not expected". extra: the first of them.
 std::string problem_with_extra(const std::string& extra, const Topic& topic) {
-  if (!extra.starts_with('-')) return fmt::format("'{}' is one word too many", extra);
+  if (!extra.starts_with('-')) return fmt::format("unexpected argument '{}'", extra);
   const std::string name = extra.substr(0, extra.find('='));
   const bool is_long = name.starts_with("--");
-  return fmt::format("there is no option '{}'{}", name,
+  return fmt::format("unknown option '{}'{}", name,
                      is_long ? near_options(name, *topic.about) : "");
+}
+
+// Replaces CLI11's "files is required" by the name that the help shows.
+std::string problem_with_missing(const std::string& said, const Command& command) {
+  const std::string name = said.substr(0, said.find(' '));
+  for (const Place& place : command.places) {
+    if (place.name == name) return fmt::format("missing argument {}", place.value_name);
+  }
+  return said;
+}
+
+// Replaces CLI11's "--seed: 1 required N missing" and "--csv excludes --json".
+std::string problem_with_option(const std::string& said) {
+  constexpr std::string_view kExcludes = " excludes ";
+  if (const std::size_t at = said.find(kExcludes); at != std::string::npos) {
+    return fmt::format("option '{}' cannot be used with '{}'", said.substr(0, at),
+                       said.substr(at + kExcludes.size()));
+  }
+  constexpr std::string_view kRequired = ": 1 required ";
+  constexpr std::string_view kMissing = " missing";
+  const std::size_t at = said.find(kRequired);
+  if (at == std::string::npos || !said.ends_with(kMissing)) return said;
+  const std::size_t begin = at + kRequired.size();
+  return fmt::format("option '{}' needs a value {}", said.substr(0, at),
+                     said.substr(begin, said.size() - kMissing.size() - begin));
 }
 
 // "" or what stands where one of a few words is needed.
@@ -222,20 +245,15 @@ std::string problem_with_places(const Command& command) {
   return "";
 }
 
-// Of a line whose first words are no command and action: CLI11 would only say that a subcommand is
-// required. "" = nothing is wrong with them.
+// Checks that the first words of a line are a command and its action: CLI11 would only say that a
+// subcommand is required. "" = they are.
 std::string problem_with_command(const std::vector<Command>& commands, int argc,
                                  const char* const* argv, std::vector<std::string>& words) {
   std::string problem;
   Topic topic = find_topic(commands, words, problem);
   for (int at = 1; !topic.parts.empty(); ++at) {
-    std::vector<std::string_view> names;
-    for (const Command& part : topic.parts) names.push_back(part.name);
     const std::string word = at < argc ? argv[at] : "";
-    if (word.empty()) {
-      return fmt::format("no {}: {}", calc::ascii_lowered(topic.part_name),
-                         one_of_message("", names));
-    }
+    if (word.empty()) return problem_with_no_part(topic);
     if (word.starts_with('-')) return "";
     words.push_back(word);
     topic = find_topic(commands, words, problem);
@@ -280,16 +298,22 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
     return usage_error(problem_with_extra(option == extras.end() ? extras.front() : *option,
                                           find_topic(commands, words, problem)),
                        line_of(words));
-  } catch (const CLI::Error& error) {
+  } catch (const CLI::RequiredError& error) {
+    words = topic_words(app);
+    return usage_error(
+        problem_with_missing(error.what(), *find_topic(commands, words, problem).about),
+        line_of(words));
+  } catch (const CLI::ValidationError& error) {
     return usage_error(error.what(), line_of(topic_words(app)));
+  } catch (const CLI::Error& error) {
+    return usage_error(problem_with_option(error.what()), line_of(topic_words(app)));
   }
   words = topic_words(app);
   const auto chosen = std::find_if(added.begin(), added.end(),
                                    [](const Added& candidate) { return candidate.app->parsed(); });
   if (chosen == added.end()) {
     const Topic topic = find_topic(commands, words, problem);
-    return usage_error(fmt::format("no {} is given", calc::ascii_lowered(topic.part_name)),
-                       line_of(words));
+    return usage_error(problem_with_no_part(topic), line_of(words));
   }
   const Command& command = *chosen->command;
   problem = command.complete_projects ? command.complete_projects() : "";

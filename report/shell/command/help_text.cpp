@@ -1,7 +1,6 @@
 #include "report/shell/command/help_text.h"
 
 #include "calc/base/text.h"
-#include "report/shell/command/option_values.h"
 
 #include <fmt/format.h>
 
@@ -127,6 +126,26 @@ bool reads(const Command& command, std::string_view words, const EnvironmentVari
   });
 }
 
+// "'luxgate rules' knows list, show or diff"
+std::string choices_of(const Topic& topic) {
+  std::vector<std::string_view> names;
+  for (const Command& part : topic.parts) names.push_back(part.name);
+  return fmt::format("'{}' knows {}", topic.line, calc::join_choices(names));
+}
+
+// What is wrong with a word where one of `names`, the parts of a topic, is needed.
+std::string problem_with_part(const Topic& topic, const std::string& word,
+                              const std::vector<std::string_view>& names) {
+  if (names.empty()) return fmt::format("unexpected argument '{}'", word);
+  const std::string problem =
+      fmt::format("unknown {} '{}'", calc::ascii_lowered(topic.part_name), word);
+  const std::string near = calc::suggestion(word, names);
+  if (!near.empty()) return problem + near;
+  if (topic.about != &program()) return problem + "; " + choices_of(topic);
+  return word.ends_with(".xml") ? fmt::format("{}; did you mean 'luxgate check {}'?", problem, word)
+                                : problem;
+}
+
 }  // namespace
 
 Topic find_topic(const std::vector<Command>& commands, const std::vector<std::string>& words,
@@ -140,13 +159,22 @@ Topic find_topic(const std::vector<Command>& commands, const std::vector<std::st
       if (part.name == word) found = &part;
     }
     if (found == nullptr) {
-      problem = names.empty() ? fmt::format("'{}': {} has no actions", word, topic.line)
-                              : fmt::format("'{}': {}", word, one_of_message(word, names));
+      problem = problem_with_part(topic, word, names);
       return topic;
     }
     topic = topic_of(*found, topic.line);
   }
   return topic;
+}
+
+std::string problem_with_no_part(const Topic& topic) {
+  const std::string problem = fmt::format("no {} given", calc::ascii_lowered(topic.part_name));
+  // A command has few actions, and the program has many commands.
+  return topic.about == &program() ? problem : problem + "; " + choices_of(topic);
+}
+
+std::string usage_error_text(const std::string& problem, const std::string& help_command) {
+  return fmt::format("luxgate: error: {}\ntry '{} --help'\n", problem, help_command);
 }
 
 std::vector<Topic> all_topics(const std::vector<Command>& commands) {

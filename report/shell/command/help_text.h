@@ -23,10 +23,14 @@ struct Topic {
   std::string part_name;                // "COMMAND", "ACTION"; "" = there are none
 };
 
-// words: "rules", "show"; none: the program. `problem`: what they are not, with near names; "" =
-// the topic is there.
+// words: "rules", "show"; none: the program. `problem`: "unknown command 'chek'; did you mean
+// 'check'?"; "" = the topic is there.
 Topic find_topic(const std::vector<Command>& commands, const std::vector<std::string>& words,
                  std::string& problem);
+// The problem of a line that ends where a command or an action is needed.
+std::string problem_with_no_part(const Topic& topic);
+// The two lines of a wrong command line: what is wrong, and where help is.
+std::string usage_error_text(const std::string& problem, const std::string& help_command);
 // The topics of all commands and actions, the program's first.
 std::vector<Topic> all_topics(const std::vector<Command>& commands);
 

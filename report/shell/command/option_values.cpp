@@ -272,7 +272,8 @@ Place project_place(std::string& target) {
 }
 
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names) {
-  return calc::join_choices(names) + " is needed" + calc::suggestion(text, names);
+  const std::string near = calc::suggestion(text, names);
+  return near.empty() ? calc::join_choices(names) + " is needed" : "unknown value" + near;
 }
 
 }  // namespace cli

@@ -64,6 +64,7 @@ Option quiet_option_with_count(bool& target);
 std::vector<Option> text_or_json_options(bool& as_json);
 Place project_place(std::string& target);
 
+// "unknown value; did you mean 'json'?", or all names where none is near.
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names);
 
 template <class Enum>

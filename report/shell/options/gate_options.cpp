@@ -29,7 +29,10 @@ std::string take_allowed_loss(const std::string& text, report::Gate& gate) {
     return "";
   }
   const std::optional<rules::Metric> metric = calc::find_value<rules::Metric>(name);
-  if (!metric) return "quantity " + one_of_message(name, calc::names_of<rules::Metric>());
+  if (!metric) {
+    return fmt::format("quantity '{}': {}", name,
+                       one_of_message(name, calc::names_of<rules::Metric>()));
+  }
   auto& losses = gate.allowed_worse_of;
   std::erase_if(losses, [&](const report::AllowedLoss& loss) { return loss.metric == *metric; });
   losses.push_back({*metric, *share});

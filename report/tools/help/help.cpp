@@ -1,6 +1,7 @@
 #include "report/tools/help/help.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "calc/base/utf8.h"
 #include "report/formats/write.h"
 #include "report/shell/command/help_text.h"
 #include "report/shell/command/option_values.h"
@@ -67,7 +68,7 @@ Command help_command(const std::vector<std::string>& names) {
     std::string problem;
     const Topic topic = find_topic(*context.commands, words, problem);
     if (!problem.empty()) {
-      tell("luxgate: error: {}\nSee 'luxgate --help'.\n", problem);
+      tell("{}", usage_error_text(calc::printable(problem), "luxgate"));
       return kNotJudged;
     }
     return print_outcome({kAllMet, long_help(topic), {}});

@@ -215,17 +215,16 @@ TEST(Options, GeometryTakesFilesUnitsAndAxis) {
   EXPECT_EQ(options.mesh_units, "mm");
   EXPECT_EQ(options.mesh_up, "y");
   EXPECT_TRUE(options.strict && options.as_json);
-  expect_usage_error({"geometry"}, "files");
+  expect_usage_error({"geometry"}, "missing argument FILE");
   expect_usage_error({"geometry", "a.obj", "--units", "yd"}, "yd");
 }
 
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
-  expect_usage_error({},
-                     "no command: check, watch, sweep, advise, report, plan, submit, validate,");
+  expect_usage_error({}, "luxgate: error: no command given\ntry 'luxgate --help'\n");
   expect_usage_error({"check"}, "no project: PROJECT.xml or --files-from is needed");
-  expect_usage_error({"chek", "a.xml"}, "did you mean 'check'?");
+  expect_usage_error({"chek", "a.xml"}, "unknown command 'chek'; did you mean 'check'?\n");
   expect_usage_error({"check", "a.xml", "--frmat", "csv"}, "--frmat");
-  expect_usage_error({"check", "a.xml", "--seed"}, "--seed");
+  expect_usage_error({"check", "a.xml", "--seed"}, "option '--seed' needs a value N\n");
 }
 
 TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
@@ -308,9 +307,10 @@ TEST(Options, NoSkipForbidsOneOrAllAndNamesTheChoices) {
   EXPECT_EQ(none.settings.radiosity.skips, expected);
   EXPECT_EQ(cli::reproducible_command(none), "luxgate check a.xml --no-skip all");
   expect_usage_error({"check", "a.xml", "--no-skip", "convx"},
+                     "--no-skip: 'convx': unknown value; did you mean 'convex'?\n");
+  expect_usage_error({"check", "a.xml", "--no-skip", "zzzzzz"},
                      "no-reflection, behind-plane, unlit-surfaces, dark-pairs, convex, "
-                     "hidden-nodes, clear-distance, decided-points or all is needed; did you mean "
-                     "'convex'?");
+                     "hidden-nodes, clear-distance, decided-points or all is needed");
 }
 
 TEST(Options, TheMethodIsPartOfTheReproducibleCommand) {
@@ -376,8 +376,8 @@ TEST(Options, ReadsThePhotometryCommand) {
 }
 
 TEST(Options, RefusesPhotometryOptionsThatContradict) {
-  expect_usage_error({"photometry"}, "files is required");
-  expect_usage_error({"photometry", "a.ies", "--json", "--csv"}, "excludes");
+  expect_usage_error({"photometry"}, "missing argument ");
+  expect_usage_error({"photometry", "a.ies", "--json", "--csv"}, "' cannot be used with '--");
   expect_usage_error({"photometry", "a.ies", "--compare"}, "--compare needs two FILEs; found 1");
   expect_usage_error({"photometry", "a", "b", "c", "--compare"}, "found 3");
   expect_usage_error({"photometry", "a", "b", "--compare", "--csv"}, "use --json");

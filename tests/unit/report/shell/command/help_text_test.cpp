@@ -206,16 +206,26 @@ TEST(Help, NearNamesAreSuggestedAndFarOnesAreNot) {
     EXPECT_EQ(line.exit_code, 2);
     return line.err;
   };
-  EXPECT_THAT(problem({"chek"}), HasSubstr("did you mean 'check'?"));
-  EXPECT_THAT(problem({"rules", "lst"}), HasSubstr("did you mean 'list'?\nSee 'luxgate rules"));
-  EXPECT_THAT(problem({"rules"}), HasSubstr("no action: list, show"));
-  EXPECT_THAT(problem({"check", "a.xml", "--frmat", "csv"}), HasSubstr("did you mean '--format'?"));
+  EXPECT_EQ(problem({"chek"}),
+            "luxgate: error: unknown command 'chek'; did you mean 'check'?\n"
+            "try 'luxgate --help'\n");
+  EXPECT_EQ(problem({"zzzzzzzz"}),
+            "luxgate: error: unknown command 'zzzzzzzz'\ntry 'luxgate --help'\n");
+  EXPECT_THAT(problem({"a/room.xml"}), HasSubstr("did you mean 'luxgate check a/room.xml'?\n"));
+  EXPECT_THAT(problem({"rules", "lst"}),
+              HasSubstr("unknown action 'lst'; did you mean 'list'?\ntry 'luxgate rules --help'"));
+  EXPECT_THAT(problem({"rules", "zzzzzzzz"}),
+              HasSubstr("unknown action 'zzzzzzzz'; 'luxgate rules' knows list, show"));
+  EXPECT_THAT(problem({"rules"}), HasSubstr("no action given; 'luxgate rules' knows list, show"));
+  EXPECT_THAT(problem({"check", "a.xml", "--frmat", "csv"}),
+              HasSubstr("unknown option '--frmat'; did you mean '--format'?\n"));
   EXPECT_THAT(problem({"check", "a.xml", "--out=x"}), HasSubstr("did you mean '--output'?"));
   EXPECT_EQ(problem({"check", "a.xml", "--zzzzzzzz"}).find("did you mean"), std::string::npos);
   EXPECT_THAT(problem({"rules", "import", "--templte"}),
               HasSubstr("'luxgate rules import --help'"));
   EXPECT_THAT(problem({"completions", "fissh"}), HasSubstr("did you mean 'fish'?"));
-  EXPECT_THAT(problem({"vpl", "a.xml", "b.xml", "-o", "c.ply"}), HasSubstr("'b.xml' is one word"));
+  EXPECT_THAT(problem({"vpl", "a.xml", "b.xml", "-o", "c.ply"}),
+              HasSubstr("unexpected argument 'b.xml'\ntry 'luxgate vpl --help'\n"));
 }
 
 TEST(Help, ShortAndLongHelpAndVersion) {
