@@ -27,6 +27,7 @@ luxgate_test(cli_tests
     unit/report/tools/import/ifc_import_test.cpp
     unit/report/tools/import/ifc_shape_test.cpp
     unit/report/tools/import/ifc_units_test.cpp
+    unit/report/tools/import/import_kind_test.cpp
     unit/report/tools/import/import_map_test.cpp
     unit/report/tools/import/project_merge_test.cpp
     unit/report/tools/import/project_text_test.cpp

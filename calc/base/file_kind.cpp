@@ -90,27 +90,64 @@ bool is_radiance_scene(const FileHead& head) {
   return false;
 }
 
+// Only statements of the format, up to the first vertex.
+bool is_obj(const FileHead& head) {
+  constexpr std::array kStatements{"v"sv, "vn"sv, "vt"sv,     "vp"sv,    "o"sv,
+                                   "g"sv, "s"sv,  "mtllib"sv, "usemtl"sv};
+  LineCursor lines(head.text);
+  while (const std::optional<std::string_view> line = lines.next()) {
+    const std::vector<std::string_view> words = split_words(line->substr(0, 200));
+    if (words.empty() || words[0].starts_with('#')) continue;
+    if (std::find(kStatements.begin(), kStatements.end(), words[0]) == kStatements.end()) break;
+    if (words[0] == "v") {
+      return words.size() >= 4 && std::all_of(words.begin() + 1, words.begin() + 4, [](auto word) {
+               return parse_number(word).has_value();
+             });
+    }
+  }
+  return false;
+}
+
+bool is_text_stl(const FileHead& head) {
+  return head.text.starts_with("solid") && head.text.find("facet") != std::string::npos;
+}
+
+// The first line is any text; the next ones are type, symmetry, planes, their step, angles and
+// their step.
+bool is_eulumdat(const FileHead& head) {
+  LineCursor lines(head.text);
+  if (!lines.next()) return false;
+  constexpr std::array kHighest{3.0, 4.0, 721.0, 360.0, 361.0, 180.0};
+  for (const double highest : kHighest) {
+    const std::optional<double> number = parse_number(trim(lines.next().value_or("")));
+    if (!number || *number < 0.0 || *number > highest) return false;
+  }
+  return lines.next().has_value();
+}
+
 bool is_element(const FileHead& head, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), head.element) != names.end();
 }
 
-constexpr std::string_view kToMesh = "export it as OBJ, STL, PLY or glTF";
-constexpr std::string_view kDrawing =
-    "'luxgate import' begins a project with it, or export bodies as OBJ, STL, PLY or glTF";
+// Advice: sentences without a full stop at the end; "..." becomes the name of the file.
+constexpr std::string_view kToMesh = "Export it as OBJ, STL, PLY or glTF";
+constexpr std::string_view kToDxf = "Save it as DXF, which 'luxgate import' reads";
+constexpr std::string_view kToDrawing = "Export it as IFC or DXF";
+constexpr std::string_view kImport = "'luxgate import' begins a project with it";
 constexpr std::string_view kToRooms =
-    "'luxgate import' begins a project with it, or export its rooms as gbXML, or bodies as OBJ, "
-    "STL, PLY or glTF";
+    "Export the model as IFC, its rooms as gbXML, or bodies as OBJ, STL, PLY or glTF";
 constexpr std::string_view kToPhotometry =
-    "ask the manufacturer for LM-63 (.ies), EULUMDAT (.ldt), TM-33 or GLDF";
-constexpr std::string_view kUnpack = "unpack it and name the file inside";
-constexpr std::string_view kToCsv = "save the sheet as CSV";
+    "Ask the manufacturer for LM-63 (.ies), EULUMDAT (.ldt), TM-33 or GLDF";
+constexpr std::string_view kUnpack = "Unpack it and name the file inside";
+constexpr std::string_view kToCsv = "Save the sheet as CSV";
 constexpr std::string_view kToText = "luxgate reads no pictures and no documents";
-constexpr std::string_view kAsPhotometry = "name it in photometry=\"...\" of a <luminaire-type>";
-constexpr std::string_view kAsMesh = "name it in file=\"...\" of a <mesh>";
-constexpr std::string_view kAsGbxml = "name it in file=\"...\" of a <room>, with its space";
+constexpr std::string_view kAsPhotometry = "Use it as <luminaire-type photometry=\"...\">";
+constexpr std::string_view kAsMesh = "Use it as <room file=\"...\"> or <mesh file=\"...\">";
+constexpr std::string_view kAsGbxml = "Use it as <room file=\"...\" space=\"...\">";
 constexpr std::string_view kAsProject = "'luxgate check' reads it";
 constexpr std::string_view kAsResult = "'luxgate report' and 'luxgate compare' read it";
 constexpr std::string_view kAsRules = "'luxgate check --rules' and 'luxgate rules' read it";
+constexpr std::string_view kAsPolicy = "'luxgate check --policy' reads it";
 
 struct KindRow {
   FileKind kind;
@@ -140,11 +177,11 @@ constexpr KindRow kKinds[] = {
     {{"a SketchUp model", FileUse::other, kToMesh},
      [](const FileHead& h) { return begins(h, "\xFF\xFE\xFF\x0ES\0k\0e\0t\0"sv); },
      ".skp"},
-    {{"an AutoCAD drawing (DWG)", FileUse::other, kToMesh}, is_dwg, ".dwg"},
-    {{"an AutoCAD drawing (DXF)", FileUse::other, kDrawing},
+    {{"an AutoCAD drawing (DWG)", FileUse::other, kToDxf}, is_dwg, ".dwg"},
+    {{"an AutoCAD drawing (DXF)", FileUse::drawing, kImport},
      [](const FileHead& h) { return begins(h, "AutoCAD Binary DXF"sv) || is_text_dxf(h); },
      ".dxf"},
-    {{"an IFC building model", FileUse::other, kToRooms},
+    {{"an IFC building model", FileUse::drawing, kImport},
      [](const FileHead& h) {
        return (h.text.starts_with("ISO-10303-21") && holds(h, "IFC"sv)) ||
               is_element(h, {"ifcXML", "iso_10303_28"});
@@ -179,12 +216,13 @@ constexpr KindRow kKinds[] = {
        return is_element(h, {"X3D", "CityModel", "LandXML", "kml", "svg"});
      },
      ".x3d .kml .svg"},
-    {{"a Git LFS pointer, not the file itself", FileUse::other, "'git lfs pull' brings the file"},
+    {{"a Git LFS pointer, not the file itself", FileUse::other,
+      "Run 'git lfs pull' to get the file"},
      [](const FileHead& h) {
        return begins(h, "version https://git-lfs.github.com/spec/"sv) && h.bytes.size() < 1024;
      },
      ""},
-    {{"a web page", FileUse::other, "save the file behind the link instead"},
+    {{"a web page", FileUse::other, "Save the file behind the link instead"},
      [](const FileHead& h) {
        return is_element(h, {"html", "HTML"}) || h.text.starts_with("<!DOCTYPE html") ||
               h.text.starts_with("<!doctype html");
@@ -217,8 +255,7 @@ constexpr KindRow kKinds[] = {
      [](const FileHead& h) { return is_zip_with(h, "structure.xml"sv); },
      ".l3d"},
     {{"a DIALux project", FileUse::other,
-      "export its luminaires' photometry and write the rooms as a luxgate project, or export them "
-      "as gbXML"},
+      "Export the photometry of its luminaires, and its rooms as IFC, gbXML or DXF"},
      nullptr,
      ".evo .dlx"},
     {{"a DIALux luminaire", FileUse::other, kToPhotometry}, nullptr, ".uld"},
@@ -246,6 +283,9 @@ constexpr KindRow kKinds[] = {
     {{"a rule pack", FileUse::rule_pack, kAsRules},
      [](const FileHead& h) { return is_element(h, {"rule-pack"}); },
      ""},
+    {{"a policy", FileUse::policy, kAsPolicy},
+     [](const FileHead& h) { return is_element(h, {"luxgate-policy"}); },
+     ""},
     {{"a TM-33 file", FileUse::photometry, kAsPhotometry},
      [](const FileHead& h) {
        return h.element.starts_with("IESTM33") || is_element(h, {"LuminaireOpticalData"});
@@ -256,31 +296,57 @@ constexpr KindRow kKinds[] = {
        return h.text.starts_with("IESNA") || h.text.starts_with("IES:LM-63");
      },
      ".ies"},
-    {{"an EULUMDAT file", FileUse::photometry, kAsPhotometry}, nullptr, ".ldt"},
+    {{"an EULUMDAT file", FileUse::photometry, kAsPhotometry}, is_eulumdat, ".ldt"},
     {{"a luxgate result", FileUse::result, kAsResult},
      [](const FileHead& h) {
        return h.text.starts_with('{') &&
               h.text.substr(0, 200).find("\"luxgate-result\"") != std::string::npos;
      },
      ""},
-    {{"a glTF file", FileUse::mesh, kAsMesh},
+    {{"a glTF model", FileUse::mesh, kAsMesh},
      [](const FileHead& h) {
        return begins(h, "glTF"sv) ||
               (h.text.starts_with('{') && holds(h, "\"asset\""sv) && holds(h, "\"version\""sv));
      },
      ".gltf .glb"},
-    {{"a PLY file", FileUse::mesh, kAsMesh},
+    {{"a PLY mesh", FileUse::mesh, kAsMesh},
      [](const FileHead& h) { return begins(h, "ply\n"sv) || begins(h, "ply\r"sv); },
      ".ply"},
-    {{"an STL file", FileUse::mesh, kAsMesh}, nullptr, ".stl"},
-    {{"an OBJ file", FileUse::mesh, kAsMesh}, nullptr, ".obj"},
+    {{"an STL mesh", FileUse::mesh, kAsMesh}, is_text_stl, ".stl"},
+    {{"an OBJ mesh", FileUse::mesh, kAsMesh}, is_obj, ".obj"},
+    {{"a table (CSV)", FileUse::table, ""}, nullptr, ".csv .tsv"},
+    {{"a settings file or a map (TOML)", FileUse::settings, ""}, nullptr, ".toml"},
+    {{"a JSON file", FileUse::other, ""}, nullptr, ".json"},
     {{"a ZIP archive", FileUse::other, kUnpack, true}, is_zip, ".zip"},
 };
 
-// Bodies are no photometry, no rules and no table, however they are exported.
-bool helps(std::string_view advice, FileUse wanted) {
-  if (advice != kToMesh && advice != kToRooms) return true;
-  return wanted == FileUse::mesh || wanted == FileUse::gbxml || wanted == FileUse::project;
+// Advice on a kind where `wanted` is needed; "" = none. Bodies are not photometry, rules or tables,
+// however they are exported.
+std::string_view advice_for(const FileKind& kind, FileUse wanted) {
+  const bool is_of_bodies =
+      kind.advice == kToMesh || kind.advice == kToRooms || kind.advice == kToDxf;
+  if (!is_of_bodies) return kind.advice;
+  if (wanted == FileUse::drawing) return kind.advice == kToDxf ? "Save it as DXF" : kToDrawing;
+  const bool helps =
+      wanted == FileUse::mesh || wanted == FileUse::gbxml || wanted == FileUse::project;
+  return helps ? kind.advice : "";
+}
+
+// With the name of the file for the first "..."s that stand for it; a file without a name keeps
+// them.
+std::string with_name(std::string_view advice, std::string_view path) {
+  constexpr std::string_view kPlace = "file=\"...\"", kPhotometry = "photometry=\"...\"";
+  const std::string name = printable(path.substr(path.rfind('/') + 1));
+  std::string text(advice);
+  if (name.empty()) return text;
+  for (const std::string_view place : {kPlace, kPhotometry}) {
+    for (std::size_t at = text.find(place); at != std::string::npos;) {
+      const std::size_t dots = at + place.find("...");
+      text.replace(dots, 3, name);
+      at = text.find(place, dots + name.size());
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -301,6 +367,12 @@ std::string_view words_of(FileUse use) {
       return "a result that 'luxgate check --format json' wrote";
     case FileUse::table:
       return "a table of comma-separated values (CSV)";
+    case FileUse::drawing:
+      return "a drawing (DXF) or a building model (IFC)";
+    case FileUse::policy:
+      return "a policy (XML)";
+    case FileUse::settings:
+      return "TOML";
     case FileUse::other:
       break;
   }
@@ -326,19 +398,28 @@ const FileKind* kind_by_name(std::string_view name) {
   return nullptr;
 }
 
-std::string other_kind_problem(std::string_view bytes, std::string_view name, FileUse wanted,
-                               bool is_recognised) {
+std::optional<OtherKind> other_kind(std::string_view bytes, std::string_view name, FileUse wanted,
+                                    bool is_recognised) {
   const FileKind* kind = kind_by_content(bytes);
   const FileKind* named = kind_by_name(name);
   const bool name_counts =
       (kind == nullptr && !is_recognised) || (kind != nullptr && kind->is_vague);
   if (name_counts && named != nullptr) kind = named;
-  if (kind == nullptr || kind->use == wanted) return "";
+  if (kind == nullptr || kind->use == wanted) return std::nullopt;
   const bool is_by_name = kind == named && name_counts;
-  const std::string problem =
-      fmt::format("{} {}, and {} is wanted here", is_by_name ? "by its name this is" : "this is",
-                  kind->words, words_of(wanted));
-  return helps(kind->advice, wanted) ? fmt::format("{}; {}", problem, kind->advice) : problem;
+  OtherKind other{fmt::format("{} {}", is_by_name ? "by its name it is" : "it is", kind->words),
+                  ""};
+  const std::string_view advice = advice_for(*kind, wanted);
+  if (!advice.empty()) other.advice = ". " + with_name(advice, name);
+  return other;
+}
+
+std::string other_kind_problem(std::string_view bytes, std::string_view name, FileUse wanted,
+                               bool is_recognised) {
+  const std::optional<OtherKind> other = other_kind(bytes, name, wanted, is_recognised);
+  return other
+             ? fmt::format("{}; {} is needed here{}", other->words, words_of(wanted), other->advice)
+             : "";
 }
 
 bool check_file_kind(std::string_view bytes, const std::string& name, FileUse wanted,

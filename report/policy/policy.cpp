@@ -3,8 +3,10 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/element_table.h"
 #include "calc/base/file_hash.h"
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
 #include "calc/base/xml_schema.h"
 #include "calc/project/reading/project_elements.h"
@@ -380,6 +382,10 @@ std::optional<Policy> parse_policy(const std::string& bytes, const std::string& 
                                    const std::vector<std::string_view>& formats,
                                    calc::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
+  if (!calc::check_file_kind(bytes, file, calc::FileUse::policy, diagnostics,
+                             calc::looks_like_xml(bytes))) {
+    return std::nullopt;
+  }
   const std::optional<XmlElement> root = calc::parse_xml(bytes, file, diagnostics);
   if (!root) return std::nullopt;
   if (root->name != kRoot) {

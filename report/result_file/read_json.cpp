@@ -2,6 +2,7 @@
 
 #include "calc/base/encoding.h"
 #include "calc/base/file_kind.h"
+#include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "report/document/luminaire_labels.h"
 #include "report/result_file/contradiction.h"
@@ -221,8 +222,11 @@ class KeysOnce {
 
 }  // namespace
 
-std::optional<Document> read_json(std::string_view bytes, std::string& problem) {
-  problem = calc::other_kind_problem(bytes, "", calc::FileUse::result);
+std::optional<Document> read_json(std::string_view bytes, std::string& problem,
+                                  std::string_view name) {
+  constexpr std::size_t kHeadBytes = 200;
+  const bool is_json = calc::trim(calc::start_of_text(bytes, kHeadBytes)).starts_with('{');
+  problem = calc::other_kind_problem(bytes, name, calc::FileUse::result, is_json);
   if (!problem.empty()) return std::nullopt;
   try {
     // Shells that write UTF-16 where a program's output goes into a file are not rare.

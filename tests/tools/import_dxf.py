@@ -104,12 +104,18 @@ def the_way_of_a_project():
 
 
 def refusals():
-    for name, text, words in (("cut", drawing({})[:-40], "it was cut"), ("dwg", "AC1027\0\0\0", "a DWG file"),
+    for name, text, words in (("cut", drawing({})[:-40], "it was cut"), ("dwg", "AC1027\0\0\0", "cannot import 'bad.dxf': it is an AutoCAD drawing (DWG); import reads DXF and IFC. Save it as DXF"),
+                              ("obj", "v 0 0 0\nv 1 0 0\n", "it is an OBJ mesh; import reads DXF and IFC. Use it as <room file="),
+                              ("words", "words\n", "it is neither DXF nor IFC (line 1: "),
                               ("no unit", drawing({}, 0), "24 m2 in mm"), ("wrong unit", drawing({}, 1), "hardly true")):
         (WORK / "bad.dxf").write_text(text)
         done = run("import", "bad.dxf", "--map", "map.toml", "-o", "bad")
         expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")
         expect(not (WORK / "bad").exists(), f"{name}: nothing is written")
+    done = run("import", "plan.dxf")
+    expect(done.returncode == 2 and "--map FILE.toml is needed; --suggest-map prints one" in done.stderr, f"no map: {done.stderr}")
+    done = run("import", "plan.dxf", "--map", "plan.dxf")
+    expect(done.returncode == 2 and "it is an AutoCAD drawing (DXF); TOML is needed here" in done.stderr, f"a map of another kind: {done.stderr}")
     (WORK / "mine").mkdir()
     (WORK / "mine/project.xml").write_text("mine")
     done = run("import", "plan.dxf", "--map", "map.toml", "-o", "mine")

@@ -1,6 +1,7 @@
 #include "report/shell/command/config_file.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "calc/base/file_kind.h"
 #include "calc/base/file_reader.h"
 #include "calc/base/text.h"
 #include "report/git/git_tree_reader.h"
@@ -323,6 +324,9 @@ std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
   }
   if (content.bytes.size() > kMostBytes) {
     diagnostics.report(calc::DiagnosticId::config_syntax, {path, 0, 0}, "it is larger than 64 KiB");
+    return std::nullopt;
+  }
+  if (!calc::check_file_kind(content.bytes, path, calc::FileUse::settings, diagnostics)) {
     return std::nullopt;
   }
   ConfigFile file{path, {}};

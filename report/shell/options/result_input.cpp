@@ -14,7 +14,7 @@ std::optional<report::Document> read_result_or_print(const std::string& path,
     return std::nullopt;
   }
   std::string problem;
-  std::optional<report::Document> document = report::read_json(content.bytes, problem);
+  std::optional<report::Document> document = report::read_json(content.bytes, problem, path);
   if (!document) print_error(calc::DiagnosticId::result_not_readable, path, problem);
   return document;
 }

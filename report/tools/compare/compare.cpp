@@ -119,7 +119,7 @@ class Comparer {
       return std::nullopt;
     }
     std::string problem;
-    std::optional<report::Document> document = report::read_json(content.bytes, problem);
+    std::optional<report::Document> document = report::read_json(content.bytes, problem, path);
     if (!document) diagnostics_.report(DiagnosticId::result_not_readable, {}, path, problem);
     return document;
   }

@@ -220,7 +220,7 @@ std::string export_ifc(const ExportOptions& options, const RecordingReader& file
   const std::optional<std::string> json = read_input(options.results, files, diagnostics);
   if (!model || !json) return "";
   std::string problem;
-  const std::optional<report::Document> result = report::read_json(*json, problem);
+  const std::optional<report::Document> result = report::read_json(*json, problem, options.results);
   if (!result) {
     diagnostics.report(DiagnosticId::result_not_readable, {}, options.results, problem);
     return "";

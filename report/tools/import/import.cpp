@@ -3,6 +3,7 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "report/formats/write.h"
+#include "report/shell/command/help_text.h"
 #include "report/shell/command/option_values.h"
 #include "report/shell/process/print.h"
 #include "report/stream/sink.h"
@@ -10,6 +11,7 @@
 #include "report/tools/import/dxf_design.h"
 #include "report/tools/import/dxf_drawing.h"
 #include "report/tools/import/ifc_import.h"
+#include "report/tools/import/import_kind.h"
 #include "report/tools/import/import_map.h"
 #include "report/tools/import/import_report.h"
 #include "report/tools/import/project_merge.h"
@@ -41,17 +43,17 @@ struct NewFile {
   std::string path, bytes;
 };
 
-bool begins_like_step(const std::string& bytes) { return bytes.compare(0, 9, "ISO-10303") == 0; }
-
 std::optional<Design> read_design(const std::string& bytes, const ImportOptions& options,
                                   const ImportMap& map, calc::Diagnostics& diagnostics) {
   const calc::SourceLocation where{options.file, 0, 0};
   std::string problem;
   std::optional<Design> design;
-  if (begins_like_step(bytes)) {
+  if (is_read_as_ifc(bytes)) {
     design = design_of_ifc(bytes, options.file, map, options.unit, problem);
   } else if (const std::optional<DxfDrawing> drawing = read_dxf(bytes, problem)) {
     design = design_of_dxf(*drawing, options.file, map, options.unit, problem);
+  } else {
+    problem = unread_drawing(bytes, options.file, problem);
   }
   if (!design) diagnostics.report(DiagnosticId::file_of_other_kind, where, problem);
   return design;
@@ -176,10 +178,12 @@ bool plan_project(const std::string& folder, const std::string& imported,
 ExitCode run_suggest(const ImportOptions& options, const std::string& bytes) {
   std::string problem;
   std::optional<std::string> map;
-  if (begins_like_step(bytes)) {
+  if (is_read_as_ifc(bytes)) {
     map = suggest_ifc_map(bytes, options.file, options.unit, problem);
   } else if (const std::optional<DxfDrawing> drawing = read_dxf(bytes, problem)) {
     map = suggest_map(*drawing, options.file);
+  } else {
+    problem = unread_drawing(bytes, options.file, problem);
   }
   CommandOutcome outcome;
   if (map) {
@@ -204,7 +208,16 @@ ExitCode run_import(const ImportOptions& options) {
   };
   const calc::FileContent plan = read(options.file);
   if (!plan.ok()) return failed();
+  if (const std::string other = import_kind_problem(plan.bytes, options.file); !other.empty()) {
+    diagnostics.report(DiagnosticId::file_of_other_kind, {options.file, 0, 0}, other);
+    return failed();
+  }
   if (options.suggests_map) return run_suggest(options, plan.bytes);
+  if (options.map.empty()) {
+    const auto* needed = "--map FILE.toml is needed; --suggest-map prints one to start from";
+    tell("{}", usage_error_text(needed, "luxgate import"));
+    return kNotJudged;
+  }
   const calc::FileContent map_file = read(options.map);
   if (!map_file.ok()) return failed();
   const std::optional<ImportMap> map = read_import_map(map_file.bytes, options.map, diagnostics);
@@ -283,9 +296,9 @@ Command import_command() {
       {1, "some of it was not, or was changed by hand, too; the report says what"},
       {2, "an error; nothing was written"}};
   command.complete = [options](const Environment&) -> std::string {
-    if (!options->suggests_map) return options->map.empty() ? "--map FILE.toml is needed" : "";
+    if (!options->suggests_map) return "";
     const bool is_alone = options->map.empty() && options->folder.empty() && !options->as_json;
-    return is_alone ? "" : "--suggest-map stands alone";
+    return is_alone ? "" : "--suggest-map cannot be used with --map, --output or JSON";
   };
   command.run = [options](const RunContext&) { return run_import(*options); };
   return command;

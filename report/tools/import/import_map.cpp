@@ -1,6 +1,7 @@
 #include "report/tools/import/import_map.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
@@ -338,6 +339,7 @@ std::optional<ImportMap> read_import_map(const std::string& bytes, const std::st
                        "it is larger than 256 KiB");
     return map;
   }
+  if (!calc::check_file_kind(bytes, file, calc::FileUse::settings, diagnostics)) return map;
   try {
     map = MapReader(file, diagnostics).read(toml::parse(bytes, file));
   } catch (const toml::parse_error& error) {

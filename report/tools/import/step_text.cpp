@@ -1,5 +1,6 @@
 #include "report/tools/import/step_text.h"
 
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 
@@ -458,7 +459,11 @@ class StepText::Opener {
 std::optional<StepText> StepText::open(std::string_view bytes, StepProblem& problem) {
   const std::string_view begun = calc::without_byte_order_mark(bytes);
   const std::string_view start = calc::trim(begun.substr(0, 4096));
-  if (start.starts_with("PK\x03\x04")) {
+  const calc::FileKind* kind = calc::kind_by_content(bytes);
+  const bool is_drawing = kind != nullptr && kind->use == calc::FileUse::drawing;
+  if (kind != nullptr && !kind->is_vague && !is_drawing && !start.starts_with("ISO-10303")) {
+    problem = {0, fmt::format("it is {}; an IFC model (STEP text) is needed here", kind->words)};
+  } else if (start.starts_with("PK\x03\x04")) {
     problem = {0, "this is a ZIP file; unpack it and give the IFC file within it"};
   } else if (start.starts_with("<")) {
     problem = {0, "this is XML; IFC is read as STEP text, which begins with ISO-10303-21"};

@@ -463,9 +463,9 @@ namespace {
 constexpr std::string_view meaning_of(calc::DiagnosticId id) {
   switch (id) {
     case calc::DiagnosticId::file_of_other_kind:
-      return "A file is of another kind than the attribute that names it, by its name or by "
-             "what is in it: photometry where a mesh is meant, for example. The file is not read, "
-             "and the exit code is 2.";
+      return "A file is of another kind than the one that is needed, by its contents or by its "
+             "name: photometry where a mesh is needed, for example. The message says what the "
+             "file is and what to do with it. The file is not read, and the exit code is 2.";
     case calc::DiagnosticId::csv_quotes:
       return "A table (CSV) has a quoted cell that does not end, or text behind the end of "
              "one. The message says where it begins. The exit code is 2.";

@@ -125,7 +125,7 @@ TEST(Encoding, TablesAreReadInOtherEncodings) {
   EXPECT_EQ(first_cell("B\u00FCro,1\n"), "B\u00FCro");
   EXPECT_THAT(first_cell(utf16("a,1", false, true) + "x"), HasSubstr("problem: its UTF-16 ends"));
   EXPECT_THAT(first_cell("PK\x03\x04....xl/workbook.xml"),
-              HasSubstr("this is an Excel workbook, and a table of comma-separated values (CSV)"));
+              HasSubstr("it is an Excel workbook; a table of comma-separated values (CSV)"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace calc::file_kind_test {
 namespace {
 
 using namespace std::string_literals;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 std::string kind_of(const std::string& bytes) {
@@ -43,9 +44,15 @@ TEST(FileKind, ContentsTell) {
       {"<ns0:gbXML xmlns:ns0='x'>", "a gbXML file"},
       {"<luxgate version='1'/>", "a luxgate project"},
       {"<rule-pack id='a'/>", "a rule pack"},
+      {"<luxgate-policy version='1'/>", "a policy"},
+      {"v 0 0 0\nf 1 2 3\n", "an OBJ mesh"},
+      {"# hall\nmtllib a.mtl\no light\nv 1 2 3\n", "an OBJ mesh"},
+      {"g glass box\nv 1 2 3\n", "an OBJ mesh"},
+      {"solid a\nfacet\n", "an STL mesh"},
+      {"a company\r\n1\r\n1\r\n24\r\n15\r\n37\r\n5\r\nreport\r\n", "an EULUMDAT file"},
       {"IESNA:LM-63-2002\n", "an LM-63 file"},
       {"{\"format\": \"luxgate-result\", ", "a luxgate result"},
-      {"{\"asset\": {\"version\": \"2.0\"}}", "a glTF file"},
+      {"{\"asset\": {\"version\": \"2.0\"}}", "a glTF model"},
       {"PK\x03\x04........product.xml", "a GLDF file"},
       {"PK\x03\x04........structure.xml", "an L3D body of a luminaire"},
       // A GLDF file lists its product last, and may begin with an L3D body.
@@ -57,10 +64,8 @@ TEST(FileKind, ContentsTell) {
 
 TEST(FileKind, WhatOthersReadIsNotTakenForSomethingElse) {
   const std::vector<std::string> kNone{"",
-                                       "v 0 0 0\nf 1 2 3\n",
-                                       "o light\nv 1 2 3\n",
-                                       "g glass box\nv 1 2 3\n",
-                                       "solid a\nfacet\n",
+                                       "solid a\n",
+                                       "v 2\nb 3\n",
                                        "a light company\r\n1\r\n1\r\n24\r\n",
                                        "x,y,z\n0,1,2\n",
                                        "0\n1\n2\n",
@@ -81,25 +86,44 @@ TEST(FileKind, NamesCountWhereContentsSayNothing) {
     return other_kind_problem(bytes, name, FileUse::mesh, is_recognised);
   };
   EXPECT_EQ(problem("words", "a.evo", true), "");
-  EXPECT_THAT(problem("words", "a.evo", false), HasSubstr("by its name this is a DIALux project"));
+  EXPECT_THAT(problem("words", "a.evo", false), HasSubstr("by its name it is a DIALux project"));
   EXPECT_EQ(problem("ply\n", "a.pdf", false), "");
   EXPECT_EQ(problem("%PDF-1", "a.obj", true),
-            "this is a PDF document, and a mesh (OBJ, STL, PLY or glTF) is wanted here; luxgate "
-            "reads no pictures and no documents");
+            "it is a PDF document; a mesh (OBJ, STL, PLY or glTF) is needed here. luxgate reads no "
+            "pictures and no documents");
   // Of an archive the name says more.
   EXPECT_THAT(problem("PK\x03\x04........", "a.evo", true), HasSubstr("a DIALux project"));
-  EXPECT_THAT(problem("IESNA91", "a.obj", true), HasSubstr("of a <luminaire-type>"));
+  EXPECT_THAT(problem("IESNA91", "a.obj", true),
+              HasSubstr(". Use it as <luminaire-type photometry=\"a.obj\">"));
   EXPECT_EQ(other_kind_problem("AC1027\0\0"s, "a", FileUse::photometry),
-            "this is an AutoCAD drawing (DWG), and photometry (LM-63, EULUMDAT, TM-33 or GLDF) is "
-            "wanted here");
+            "it is an AutoCAD drawing (DWG); photometry (LM-63, EULUMDAT, TM-33 or GLDF) is needed "
+            "here");
+}
+
+TEST(FileKind, AdviceIsForWhatIsNeeded) {
+  const std::string dwg = "AC1027\0\0"s;
+  EXPECT_THAT(other_kind_problem(dwg, "a", FileUse::drawing), EndsWith(". Save it as DXF"));
+  EXPECT_THAT(other_kind_problem(dwg, "a", FileUse::project),
+              EndsWith(". Save it as DXF, which 'luxgate import' reads"));
+  EXPECT_THAT(other_kind_problem("#VRML", "a", FileUse::drawing),
+              EndsWith(". Export it as IFC or DXF"));
+  EXPECT_THAT(other_kind_problem("v 0 0 0\n", "b/hall.obj", FileUse::project),
+              EndsWith(". Use it as <room file=\"hall.obj\"> or <mesh file=\"hall.obj\">"));
+  EXPECT_THAT(other_kind_problem("v 0 0 0\n", "", FileUse::table),
+              EndsWith(". Use it as <room file=\"...\"> or <mesh file=\"...\">"));
+  EXPECT_THAT(other_kind_problem("<gbXML/>", "h.xml", FileUse::project),
+              EndsWith(". Use it as <room file=\"h.xml\" space=\"...\">"));
+  EXPECT_THAT(
+      other_kind_problem("version https://git-lfs.github.com/spec/v1\n", "a.dxf", FileUse::drawing),
+      EndsWith(" is needed here. Run 'git lfs pull' to get the file"));
+  EXPECT_EQ(other_kind_problem("0\nSECTION\n", "a.obj", FileUse::drawing), "");
 }
 
 TEST(FileKind, TheErrorNamesTheFile) {
   Diagnostics diagnostics;
   EXPECT_FALSE(check_file_kind("%PDF-1", "a.obj", FileUse::gbxml, diagnostics));
-  EXPECT_TRUE(
-      format_diagnostic(diagnostics.all().at(0))
-          .starts_with("a.obj: error[file-of-other-kind]: this is a PDF document, and gbXML"));
+  EXPECT_TRUE(format_diagnostic(diagnostics.all().at(0))
+                  .starts_with("a.obj: error[file-of-other-kind]: it is a PDF document; gbXML"));
   EXPECT_TRUE(check_file_kind("<gbXML>", "a.obj", FileUse::gbxml, diagnostics));
 }
 

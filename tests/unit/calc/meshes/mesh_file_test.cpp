@@ -29,8 +29,8 @@ TEST(MeshFile, NamesOfFilesDecideNothing) {
 
 TEST(MeshFile, BytesThatAreNoMeshAreRefused) {
   EXPECT_EQ(parse(std::string("PK\0\1", 4), "tile.zip").messages,
-            "tile.zip: error[file-of-other-kind]: by its name this is a ZIP archive, and a mesh "
-            "(OBJ, STL, PLY or glTF) is wanted here; unpack it and name the file inside");
+            "tile.zip: error[file-of-other-kind]: by its name it is a ZIP archive; a mesh "
+            "(OBJ, STL, PLY or glTF) is needed here. Unpack it and name the file inside");
   EXPECT_EQ(parse(std::string("PK\0\1", 4), "tile").messages,
             "tile: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
             "glTF, PLY, STL nor OBJ");
@@ -41,9 +41,8 @@ TEST(MeshFile, BytesThatAreNoMeshAreRefused) {
 
 TEST(MeshFile, FilesOfOtherKindsAreNamed) {
   EXPECT_EQ(parse("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\n", "a.obj").messages,
-            "a.obj: error[file-of-other-kind]: this is an IFC building model, and a mesh (OBJ, "
-            "STL, PLY or glTF) is wanted here; 'luxgate import' begins a project with it, or "
-            "export its rooms as gbXML, or bodies as OBJ, STL, PLY or glTF");
+            "a.obj: error[file-of-other-kind]: it is an IFC building model; a mesh (OBJ, STL, "
+            "PLY or glTF) is needed here. 'luxgate import' begins a project with it");
   // A mesh under a foreign name is a mesh.
   EXPECT_EQ(parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "tile.rad").mesh->format,
             MeshFormat::obj);

@@ -43,8 +43,8 @@ end)",
      "valid UTF-8; readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 "
      "and Windows-1252"},
     {"AnotherKind", "%PDF-1.4\n",
-     "dir/p.xml: error[file-of-other-kind]: this is a PDF document, and a luxgate project (XML) is "
-     "wanted here; luxgate reads no pictures and no documents"},
+     "dir/p.xml: error[file-of-other-kind]: it is a PDF document; a luxgate project (XML) is "
+     "needed here. luxgate reads no pictures and no documents"},
     {"ForeignXml", "<measure>\n<schema_version>3.0</schema_version></measure>",
      "dir/p.xml:1:1: error[wrong-root-element]: the root element is <measure>; expected <luxgate>"},
     {"ControlCharacter", "<luxgate version=\"1\"\n name=\"a\x01\"/>",

@@ -132,11 +132,10 @@ TEST(PhotometryFile, Utf16IsRead) {
 }
 
 TEST(PhotometryFile, OtherKindsOfFilesAreNamed) {
-  EXPECT_EQ(
-      messages("%PDF-1.7\n..."),
-      "x: error[file-of-other-kind]: this is a PDF document, and photometry (LM-63, EULUMDAT, "
-      "TM-33 or GLDF) is wanted here; luxgate reads no pictures and no documents\n");
-  EXPECT_THAT(messages("<gbXML/>"), HasSubstr("this is a gbXML file, and photometry"));
+  EXPECT_EQ(messages("%PDF-1.7\n..."),
+            "x: error[file-of-other-kind]: it is a PDF document; photometry (LM-63, EULUMDAT, "
+            "TM-33 or GLDF) is needed here. luxgate reads no pictures and no documents\n");
+  EXPECT_THAT(messages("<gbXML/>"), HasSubstr("it is a gbXML file; photometry"));
   // EULUMDAT's first line is any text.
   test_support::LdtSample sample;
   const std::string ldt = test_support::ldt_text(sample);
@@ -146,7 +145,7 @@ TEST(PhotometryFile, OtherKindsOfFilesAreNamed) {
   // Of a file that nobody knows the name counts, and only then.
   EXPECT_FALSE(parse_photometry("nothing", "lamp.uld", diagnostics));
   EXPECT_THAT(test_support::diagnostics_text(diagnostics),
-              HasSubstr("by its name this is a DIALux luminaire"));
+              HasSubstr("by its name it is a DIALux luminaire"));
   EXPECT_TRUE(parse_photometry(ldt, "lamp.uld", diagnostics));
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+// Tells what a plan is before it is read.
+
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+// Returns true for IFC models, also for packed ones and those in XML, whose reader refuses them by
+// name. Requires that import_kind_problem() found nothing.
+bool is_read_as_ifc(std::string_view bytes);
+
+// "cannot import 'hall.obj': it is an OBJ mesh; import reads DXF and IFC. ...", or "" if nothing
+// speaks against a drawing or a model.
+std::string import_kind_problem(std::string_view bytes, const std::string& path);
+
+// The problem of a reader of drawings, with words around it if the contents are not known as DXF.
+std::string unread_drawing(std::string_view bytes, const std::string& path,
+                           const std::string& problem);
+
+}  // namespace cli
