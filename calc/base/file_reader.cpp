@@ -61,20 +61,72 @@ bool lies_in(const fs::path& place, const std::string& folder) {
   return std::mismatch(real.begin(), real.end(), place.begin(), place.end()).first == real.end();
 }
 
-// "; did you mean 'lamp.ldt'?" of what is not there, "" where nothing in its folder is named alike.
-std::string suggested_name(const fs::path& path) {
-  constexpr std::size_t kMostNames = 10000;  // of more the first few would be any
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+// Sorted, since folders have no order of their own. None of a folder with too many: the first few
+// would be any.
+std::vector<std::string> names_in(const fs::path& folder) {
+  constexpr std::size_t kMostNames = 10000;
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end;
        !error && at != end && names.size() < kMostNames; at.increment(error)) {
-    if (at->path().filename() != path.filename())  // a link to nowhere is there itself
-      names.push_back(at->path().filename().string());
+    names.push_back(at->path().filename().string());
   }
   if (names.size() == kMostNames) return {};
-  std::sort(names.begin(), names.end());  // folders have no order of their own
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// "; did you mean 'lamp.ldt'?" of what is not there, "" where nothing in its folder is named alike.
+std::string suggested_name(const fs::path& path) {
+  std::vector<std::string> names =
+      names_in(path.has_parent_path() ? path.parent_path() : fs::path("."));
+  std::erase(names, path.filename().string());  // a link to nowhere is there itself
   return suggestion(path.filename().string(), {names.begin(), names.end()});
+}
+
+// The parts of a path, whichever slashes it is written with.
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find_first_of("/\\"), path.size());
+    if (end > 0 && path.substr(0, end) != ".") parts.emplace_back(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return parts;
+}
+
+// The name of `part` in a folder: as it is written, else the first that differs in letter case
+// only, else "".
+std::string name_in_folder(const fs::path& folder, const std::string& part) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder / part, error))) return part;
+  const std::string lowered = ascii_lowered(part);
+  for (std::string& name : names_in(folder)) {
+    if (ascii_lowered(name) == lowered) return std::move(name);
+  }
+  return {};
+}
+
+// The file that a path means but for letter case and backslashes: "lamps/a.ies" for
+// "Lamps\A.ies", below `folder` where that is given; "" = there is none. may_show: whether names
+// in a folder may be told.
+template <class MayShow>
+std::string same_but_for_spelling(const std::string& folder, std::string_view path,
+                                  const MayShow& may_show) {
+  if (!folder.empty() && path.starts_with(folder)) path.remove_prefix(folder.size());
+  const bool is_absolute = folder.empty() && path.starts_with('/');
+  fs::path at = is_absolute ? "/" : folder.empty() ? "." : folder;
+  fs::path found = is_absolute ? "/" : "";
+  for (const std::string& part : parts_of(path)) {
+    const bool leads_up = part == "..";
+    if ((leads_up && !folder.empty()) || !may_show(at)) return {};
+    const std::string name = leads_up ? part : name_in_folder(at, part);
+    if (name.empty()) return {};
+    at /= name;
+    found /= name;
+  }
+  std::error_code error;
+  return may_show(at) && fs::is_regular_file(at, error) ? found.string() : std::string();
 }
 
 }  // namespace
@@ -84,18 +136,24 @@ FileContent DiskFileReader::read_within(const std::string& folder, const std::st
   const int reason = errno;
   const bool is_open = file.number() >= 0;
   fs::path place = path;
+  const auto is_allowed = [&](const fs::path& where) {
+    const auto is_in = [&where](const std::string& one) { return lies_in(where, one); };
+    return folder.empty() || is_in(folder) || std::any_of(allowed_.begin(), allowed_.end(), is_in);
+  };
   if (!folder.empty()) {
     // Also of what is not there: a link must not tell what there is elsewhere.
     place = is_open ? real_place(file.number(), path) : real_path(path);
-    const auto is_in = [&place](const std::string& one) { return lies_in(place, one); };
-    if (place.empty() ||
-        (!is_in(folder) && std::none_of(allowed_.begin(), allowed_.end(), is_in))) {
+    if (place.empty() || !is_allowed(place)) {
       return {{}, "a symbolic link leads out of the folder '" + folder + "'", true};
     }
   }
-  if (!is_open) {
-    return failure(std::strerror(reason) + (reason == ENOENT ? suggested_name(place) : ""));
+  if (!is_open && reason == ENOENT) {
+    const std::string same = same_but_for_spelling(
+        folder, path, [&](const fs::path& where) { return is_allowed(real_path(where)); });
+    const std::string hint = same.empty() ? suggested_name(place) : "; there is '" + same + "'";
+    return failure(std::strerror(reason) + hint);
   }
+  if (!is_open) return failure(std::strerror(reason));
   struct stat status {};
   if (fstat(file.number(), &status) != 0) return failure(std::strerror(errno));
   if (S_ISDIR(status.st_mode)) return failure("it is a folder");

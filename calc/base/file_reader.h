@@ -26,7 +26,8 @@ class FileReader {
 };
 
 // Reads regular files from disk; folders, devices, pipes and files over 512 MiB are refused with a
-// reason. That of a file which is not there names one of its folder that is spelt alike.
+// reason. For a file that is not there the reason names the one that differs in letter case or
+// slashes only, anywhere in its path, else one of its folder that is spelt alike.
 class DiskFileReader : public FileReader {
  public:
   // allowed: folders that links may lead into besides.

@@ -38,6 +38,31 @@ TEST_F(DiskFiles, NameOneThatIsSpeltAlike) {
   EXPECT_EQ(error_of("gone/MIREL_42925637.ldt"), "No such file or directory");
 }
 
+TEST_F(DiskFiles, NameTheOneThatDiffersInCaseOrSlashes) {
+  fs::create_directories(folder_ / "project/a/B");
+  std::ofstream(folder_ / "project/a/B/c.IES") << "x";
+  for (const char* name : {"Lamps/mirel_42925637.LDT", "lamps\\MIREL_42925637.ldt",
+                           "LAMPS\\mirel_42925637.ldt", ".\\lamps\\MIREL_42925637.ldt"}) {
+    EXPECT_EQ(error_of(name), "No such file or directory; there is 'lamps/MIREL_42925637.ldt'")
+        << name;
+  }
+  EXPECT_EQ(error_of("A/b\\C.ies"), "No such file or directory; there is 'a/B/c.IES'");
+  EXPECT_EQ(error_of("A/b"), "No such file or directory");  // a folder is not a file
+  // Without a folder to stay in the whole path is named.
+  const std::string whole = (folder_ / "project/a/B/c.IES").string();
+  EXPECT_EQ(DiskFileReader().read((folder_ / "project/A\\b/c.ies").string()).error,
+            "No such file or directory; there is '" + whole + "'");
+}
+
+TEST_F(DiskFiles, NameNothingOutsideForAnotherSpelling) {
+  fs::create_symlink(folder_ / "elsewhere", folder_ / "project/link");
+  for (const char* name :
+       {"Link/mirel_42925639.LDT", "lamps\\..\\..\\elsewhere\\x.ldt", "LINK\\MIREL_42925639.ldt"}) {
+    EXPECT_EQ(error_of(name).find("42925639"), std::string::npos) << name;
+    EXPECT_EQ(error_of(name).find("there is"), std::string::npos) << name;
+  }
+}
+
 // Whoever may put links into a project must not learn what there is elsewhere.
 TEST_F(DiskFiles, NameNothingOfAnotherFolder) {
   fs::create_symlink(folder_ / "elsewhere", folder_ / "project/link");
