@@ -42,6 +42,7 @@ std::optional<CsvRecord> CsvReader::next() {
   if (comments_ == CsvComments::hash && is_at('#')) {
     while (!is_at_line_end()) take();
   }
+  check_separator();
   record.cells.push_back(read_cell());
   while (!problem_ && is_at(',')) {
     take();
@@ -51,6 +52,33 @@ std::optional<CsvRecord> CsvReader::next() {
   record.text = trim(begin.substr(0, begin.size() - rest_.size()));
   if (!rest_.empty()) take();
   return record;
+}
+
+// Looks at the first line that is not blank.
+void CsvReader::check_separator() {
+  if (has_checked_separator_ || is_at_line_end() || problem_) return;
+  has_checked_separator_ = true;
+  std::optional<CsvPlace> first;
+  char separator = ';';
+  bool is_quoted = false;
+  CsvPlace at = here_;
+  const std::string_view line = trim(rest_.substr(0, rest_.find_first_of("\r\n")));
+  for (const char c : line) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (!is_quoted && c == ',') return;
+    const bool is_first = !first && (c == ';' || c == '\t');
+    if (!is_quoted && is_first) {
+      first = at;
+      separator = c;
+    }
+    if (!is_utf8_continuation(c)) ++at.column;
+  }
+  if (!first) return;
+  problem_ = {*first,
+              fmt::format("cells are separated by {}; commas are needed between cells, and decimal "
+                          "points in numbers",
+                          separator == ';' ? "semicolons" : "tabs"),
+              true};
 }
 
 // Up to the comma or line end after it.
@@ -91,9 +119,22 @@ std::string CsvReader::read_quoted() {
 
 bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics) {
   if (!table.problem()) return false;
-  const auto& [place, what] = *table.problem();
-  diagnostics.report(DiagnosticId::csv_quotes, {name, place.line, place.column}, what);
+  const auto& [place, what, is_of_separator] = *table.problem();
+  const SourceLocation where{name, place.line, place.column};
+  if (is_of_separator) {
+    diagnostics.report(DiagnosticId::csv_separator, where, what);
+  } else {
+    diagnostics.report(DiagnosticId::csv_quotes, where, what);
+  }
   return true;
+}
+
+std::string decimal_comma_hint(std::string_view text) {
+  std::string with_point(text);
+  const std::size_t comma = with_point.find(',');
+  if (comma == std::string::npos) return "";
+  with_point[comma] = '.';
+  return parse_number(with_point) ? "; write it with a decimal point" : "";
 }
 
 LengthColumn length_column(std::string_view written) {

@@ -30,18 +30,19 @@ struct CsvRecord {
   bool is_blank() const { return cells.size() == 1 && cells[0].text.empty(); }
 };
 
-// A mistake with quotes: nobody knows where the cells after it end.
+// A mistake with quotes or separators: nobody knows where the cells after it end.
 struct CsvProblem {
-  CsvPlace place;  // of the quote
+  CsvPlace place;  // of the quote or the separator
   std::string what;
+  bool is_of_separator = false;
 };
 
 enum class CsvComments { none, hash };  // hash: a line that begins with # is a blank one
 
 // Cells are separated by commas only. Quotes may enclose a cell; a comma or a line end between them
 // is text, and a doubled quote is one. A quote anywhere else, or one that is never closed, is a
-// problem. Lines end with CR LF, LF or CR. How many cells a
-// record must have is the caller's to say.
+// problem, and so is a first line with semicolons or tabs instead of commas. Lines end with CR LF,
+// LF or CR. How many cells a record must have is the caller's to say.
 class CsvReader {
  public:
   // UTF-8 and UTF-16, with a byte order mark or without; bytes that are no UTF-8 are taken for
@@ -59,6 +60,7 @@ class CsvReader {
   bool is_at_blank() const { return is_at(' ') || is_at('\t'); }
   bool is_at_line_end() const { return rest_.empty() || is_at('\n') || is_at('\r'); }
   void take();  // a byte, or a line end
+  void check_separator();
   CsvCell read_cell();
   std::string read_quoted();
 
@@ -66,11 +68,15 @@ class CsvReader {
   std::string_view rest_;
   CsvComments comments_;
   CsvPlace here_;  // of rest_
+  bool has_checked_separator_ = false;
   std::optional<CsvProblem> problem_;
 };
 
 // Reports the problem of the file `name`; false if it has none.
 bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics);
+
+// "; write it with a decimal point", or "" of what would not be a number then.
+std::string decimal_comma_hint(std::string_view text);
 
 // A column "x_mm" holds lengths: name "x", 0.001 m. No metres: the name ends with no unit of
 // length.

@@ -287,7 +287,8 @@ class Importer {
   std::string number(const CsvRecord& record, ImportColumnIndex column) {
     const std::string& text = columns_.cell(record, column);
     if (!text.empty() && !calc::parse_number(text)) {
-      report(record, fmt::format("column '{}': '{}' is not a number", written_[column], text));
+      report(record, fmt::format("column '{}': '{}' is not a number{}", written_[column], text,
+                                 calc::decimal_comma_hint(text)));
     } else if (may_be_thousands(text)) {
       const std::size_t point = text.find('.');
       report(record, fmt::format("column '{}': '{}' is ambiguous, {:.6g} or {}{}; write it without "

@@ -140,8 +140,8 @@ class ListReader {
     const std::string& text = cell(column);
     const std::optional<double> number = parse_number(text);
     if (number && std::abs(*number) <= kCoordinate.high) return *number;
-    throw BadLine{fmt::format("{} '{}' is not a number from -1e9 to 1e9", kNames[column],
-                              shorten_utf8(text, 30))};
+    throw BadLine{fmt::format("{} '{}' is not a number from -1e9 to 1e9{}", kNames[column],
+                              shorten_utf8(text, 30), decimal_comma_hint(text))};
   }
 
   std::optional<glm::dvec3> optional_vector(Column first) const {

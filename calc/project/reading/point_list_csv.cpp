@@ -46,7 +46,8 @@ bool parse_line(const CsvRecord& record, double metres, const SourceLocation& wh
     const std::string& text = record.cells[i].text;
     const std::optional<double> number = parse_number(text);
     if (!number || std::abs(*number) > kLargestCoordinate) {
-      diagnostics.report(DiagnosticId::point_list_number, where, shorten_utf8(text, 30));
+      diagnostics.report(DiagnosticId::point_list_number, where, shorten_utf8(text, 30),
+                         decimal_comma_hint(text));
       return false;
     }
     value[i] = *number;

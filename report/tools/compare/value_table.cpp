@@ -104,7 +104,8 @@ class TableReader {
     const std::string& text = columns_.cell(record, column);
     const std::optional<double> value = calc::parse_number(text);
     if (!value && is_good_) {
-      fail(fmt::format("'{}' in column '{}' is no number", text, kNames[column]));
+      fail(fmt::format("'{}' in column '{}' is not a number{}", text, kNames[column],
+                       calc::decimal_comma_hint(text)));
     }
     return value.value_or(0.0);
   }

@@ -107,7 +107,8 @@ class ReferenceReader {
     const std::string& text = columns_.cell(record, column);
     const std::optional<double> value = calc::parse_number(text);
     if (!value)
-      fail(fmt::format("'{}' in column '{}' is no number", text, kReferenceColumns[column]));
+      fail(fmt::format("'{}' in column '{}' is not a number{}", text, kReferenceColumns[column],
+                       calc::decimal_comma_hint(text)));
     return value;
   }
 

@@ -469,6 +469,10 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
     case calc::DiagnosticId::csv_quotes:
       return "A table (CSV) has a quoted cell that does not end, or text behind the end of "
              "one. The message says where it begins. The exit code is 2.";
+    case calc::DiagnosticId::csv_separator:
+      return "The cells of a table (CSV) are separated by semicolons or tabs, as spreadsheets of "
+             "some languages write them. Commas between cells and decimal points in numbers are "
+             "needed. The table is not read, and the exit code is 2.";
     case calc::DiagnosticId::luminaire_list_line:
       return "A line of a table of luminaires cannot be used: a cell is no number or out of its "
              "range, or it names a luminaire type that the project does not have. The exit "

@@ -92,6 +92,28 @@ TEST(Csv, MistakesWithQuotesAreFoundWhereTheyBegin) {
   EXPECT_EQ(problem_of("a, \"b\" c\n"), "t.csv:1:4:" + stray);
 }
 
+TEST(Csv, SemicolonsAndTabsAreNamed) {
+  const std::string needed = "; commas are needed between cells, and decimal points in numbers";
+  EXPECT_EQ(problem_of("\n x;y;z\n1,5;2;3\n"),
+            "t.csv:2:3: error[csv-separator]: cells are separated by semicolons" + needed);
+  EXPECT_EQ(problem_of("\"\xC3\xA4,b\";\"y\"\n"),
+            "t.csv:1:6: error[csv-separator]: cells are separated by semicolons" + needed);
+  EXPECT_EQ(problem_of("x\ty\n1\t2\n"),
+            "t.csv:1:2: error[csv-separator]: cells are separated by tabs" + needed);
+  EXPECT_EQ(problem_of("sep=;\nx;y\n"),
+            "t.csv:1:5: error[csv-separator]: cells are separated by semicolons" + needed);
+  // A comma between cells, one column, and text in later lines.
+  EXPECT_THAT(all_of("a;b,c\n\"1;2\",3\n"), ElementsAre(Texts{"a;b", "c"}, Texts{"1;2", "3"}));
+  EXPECT_THAT(all_of("a\n1;2\n"), ElementsAre(Texts{"a"}, Texts{"1;2"}));
+  EXPECT_THAT(all_of("\"a;b\"\n"), ElementsAre(Texts{"a;b"}));
+  EXPECT_THAT(all_of("# a;b\nx,y\n", CsvComments::hash), ElementsAre(Texts{""}, Texts{"x", "y"}));
+}
+
+TEST(Csv, DecimalCommasAreTold) {
+  EXPECT_EQ(decimal_comma_hint("-1,5"), "; write it with a decimal point");
+  for (const char* text : {"", "1.5", "a,b", "1,2,3"}) EXPECT_EQ(decimal_comma_hint(text), "");
+}
+
 TEST(Csv, ColumnsOfLengthsNameTheirUnit) {
   EXPECT_EQ(length_column("aim_x_mm").name, "aim_x");
   EXPECT_EQ(length_column("aim_x_mm").metres, 0.001);

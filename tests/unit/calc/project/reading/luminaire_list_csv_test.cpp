@@ -89,7 +89,9 @@ TEST(LuminaireList, HeadersAreChecked) {
       "y_m, z_m, and if needed axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, rotation_deg, "
       "group; _mm, _cm, _in or _ft instead of _m for other units; ";
   EXPECT_EQ(parse("").messages, start + "unknown column ''");
-  EXPECT_EQ(parse("name;type;x;y;z\n").messages, start + "unknown column 'name;type;x;y;z'");
+  EXPECT_EQ(parse("name;type;x;y;z\n").messages,
+            "l.csv:1:5: error[csv-separator]: cells are separated by semicolons; commas are needed "
+            "between cells, and decimal points in numbers");
   EXPECT_EQ(parse("name,type,x_m,y_m,z_m,rotation_dg\n").messages,
             start + "unknown column 'rotation_dg'; did you mean 'rotation_deg'?");
   EXPECT_EQ(parse("name,type,x_m,y_m\n").messages, start + "column 'z_m' is missing");

@@ -53,13 +53,20 @@ TEST(ValueTable, LeavesOutRatingsByTheirQuantity) {
 TEST(ValueTable, RefusesWhatItCannotMean) {
   EXPECT_NE(problem_with("plane,column,row,lx,quantity\np,0,0,5,E\n").find("'E' in column"),
             std::string::npos);
-  EXPECT_NE(problem_with("plane,column,row,lx,quantity\np,0,0,,planar\n").find("is no number"),
+  EXPECT_NE(problem_with("plane,column,row,lx,quantity\np,0,0,,planar\n").find("is not a number"),
             std::string::npos);
   EXPECT_NE(problem_with("x,y,z\n1,2,3\n").find("'lx' or a column 'fc'"), std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx,fc\n").find("either"), std::string::npos);
   EXPECT_NE(problem_with("lx\n3\n").find("'x', 'y' and 'z'"), std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx\n1,2,3\n").find("t.csv:2: "), std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx\n1,2,3,much\n").find("'much' in column 'lx'"),
+            std::string::npos);
+  EXPECT_NE(problem_with("x,y,z,lx\n1,2,3,\"4,5\"\n")
+                .find("'4,5' in column 'lx' is not a number; write it with a decimal point"),
+            std::string::npos);
+  EXPECT_NE(problem_with("x;y;z;lx\n1;2;3;4,5\n").find("t.csv:1:2: error[reference-unreadable]: "),
+            std::string::npos);
+  EXPECT_NE(problem_with("x;y;z;lx\n1;2;3;4,5\n").find("cells are separated by semicolons"),
             std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx\n1,2,3,-1\n").find("0 or more"), std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx,low_lx\n").find("error_lx"), std::string::npos);
