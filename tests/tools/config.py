@@ -106,7 +106,7 @@ shown = run("config", "show", "a.xml", code=0).stdout
 expect("rules         [../own.xml]  (../luxgate.toml:1)" in shown and "seed          1  (by default)" in shown, shown)
 shown = json.loads(run("config", "show", "a.xml", "--json", code=0).stdout)
 for setting, words in (("goal", "verdict"), ("tolerance", "0.02"), ("confidence", "0.95"), ("seed", "1"), ("replicates", "16"), ("max-paths", "65536"),
-                       ("by-luminaire", "off"), ("decimal", "as in the language (point in English)"), ("paper", "a4"), ("scale", "room"), ("palette", "cividis"), ("passes", "fold"), ("notes", "off")):
+                       ("by-luminaire", "off"), ("decimal", "that of the language"), ("paper", "a4"), ("scale", "room"), ("palette", "cividis"), ("passes", "fold"), ("notes", "off")):
     expect(shown["settings"][setting] == {"from": "default", "words": words}, f"default of {setting}: {shown['settings'][setting]}")
 expect(shown["settings"]["strict"] == {"value": ["values-set", "maintenance-not-stated"], "from": "../luxgate.toml", "line": 2}, str(shown))
 expect("No luxgate.toml here" in run("config", "show", code=0, at="elsewhere").stdout, "config show without a file")

@@ -44,7 +44,8 @@ class ValueParser {
 struct Option {
   std::string names;       // "--seed", "-o,--output"
   std::string value_name;  // as the help shows it; "" of a flag
-  std::string help;        // lines of at most 80 characters
+  // Sentences in the imperative; the first is short and says the default: "...; default 16. ...".
+  std::string help;
   std::variant<ValueParser, bool*> target;
   bool repeats = false;
   std::vector<std::string> excludes = {};  // options listed before it that it cannot stand beside

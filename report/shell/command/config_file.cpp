@@ -224,13 +224,13 @@ std::vector<std::string_view> setting_names() {
 
 std::vector<Option> config_options(ConfigChoice& choice) {
   return {{"--config", "FILE",
-           fmt::format("Take settings from this file instead of the closest {} in the folder of\n"
-                       "the projects or above, up to the top of a git repository. The command line "
-                       "beats it;\nwith --against the file is that of the revision, with --policy "
-                       "none is read",
+           fmt::format("Read settings from this file instead of the closest {}. It is searched for "
+                       "in the folder of the projects and above, up to the top of a git "
+                       "repository. Options of the command line come first. With --against the "
+                       "file of that revision is read, with --policy none",
                        kConfigName),
            some_text(choice.file)},
-          {"--no-config", "", "Take settings from no file", &choice.is_off, false, {"--config"}}};
+          {"--no-config", "", "Read no settings file", &choice.is_off, false, {"--config"}}};
 }
 
 std::string ConfigSetting::words() const {

@@ -15,11 +15,12 @@ const Command& program() {
   static const Command about = [] {
     Command command{"luxgate", "Check calculated illuminance against lighting requirements"};
     command.notes =
-        "Results go to standard output, everything else to standard error. Messages have ids;\n"
-        "'luxgate explain ID' says what one means.";
-    command.examples = {{"luxgate init", "A small project to begin with"},
-                        {"luxgate check project.xml --output out", "Its verdicts, and a report"},
-                        {"luxgate help check", "All that a command can do"}};
+        "Results go to standard output, everything else to standard error. Messages have ids:\n"
+        "'luxgate explain ID' says what an id means.";
+    command.examples = {
+        {"luxgate init", "Write a small project to start from"},
+        {"luxgate check project.xml --output out", "Print the verdicts, and write a report"},
+        {"luxgate help check", "Print all options of a command"}};
     command.exit_codes = {
         {kAllMet, "no error; of 'check': every requirement is met or waived"},
         {kNotMet, "of 'check': at least one requirement is not met"},
@@ -261,8 +262,9 @@ std::vector<Paragraph> paragraphs_of(std::string_view notes) {
 
 std::vector<Option> help_options() {
   const auto nothing = [](const std::string&) { return std::string(); };
-  return {{"-h", "", "A short help, of one screen", nothing},
-          {"--help", "", "All of the help: options, examples, exit codes, environment", nothing}};
+  return {{"-h", "", "Print a short help, of one screen", nothing},
+          {"--help", "", "Print all of the help: options, examples, exit codes and environment",
+           nothing}};
 }
 
 std::string short_help(const Topic& topic) {
@@ -319,7 +321,7 @@ std::string long_help(const Topic& topic) {
     add_row(out, option_words(option), option.help, kIndent);
   }
   if (command.name == program().name) {
-    add_row(out, "-V, --version", "The version", kIndent);
+    add_row(out, "-V, --version", "Print the version", kIndent);
   }
   for (const Paragraph& paragraph : paragraphs_of(command.notes)) {
     if (!paragraph.is_verbatim) out += "\n";

@@ -171,14 +171,14 @@ std::string day_of_moment(const std::string& moment) {
 
 Option rules_option(std::vector<std::string>& target) {
   return {"--rules", "FILE|DIR",
-          "Rule packs besides those delivered: a file, or a folder of them; may be repeated",
+          "Add rule packs to those delivered: a file, or a folder of them; repeatable",
           one_more(target), true};
 }
 
 Option allow_option(std::vector<std::string>& target) {
   return {"--allow", "DIR",
-          "Read files there, too, where symbolic links in a project's folder lead: a library of\n"
-          "photometry. Links that lead elsewhere are errors. May be repeated",
+          "Allow symbolic links of projects to lead into this folder, such as a photometry "
+          "library. Links that lead elsewhere are errors; repeatable",
           one_more(target), true};
 }
 
@@ -231,40 +231,43 @@ Option limit_option(calc::Budget& target) {
     return "";
   };
   return {"--limit", "NAME=N",
-          "What one project may take, and a file that is written: beyond it the project is an\n"
-          "error, and others go on. N may end with k, M, G or T; by default " +
-              defaults + ".\nMay be repeated",
+          "Limit what one project and one output file may take; repeatable. A project beyond the "
+          "limit is an error, and the others go on. N may end with k, M, G or T. By default " +
+              defaults,
           ValueParser(parse, std::move(words)), true};
 }
 
 Option seed_option(std::uint64_t& target) {
-  return {"--seed", "N", "Seed of the random numbers; default 1",
+  return {"--seed", "N", "Set the seed of the random numbers; default 1",
           whole_number(target, 0, UINT64_MAX)};
 }
 
 Option jobs_option(int& target, const std::string& never_changes) {
-  return {"-j,--jobs", "N", "Threads; default one per core. Never changes " + never_changes,
+  return {"-j,--jobs", "N",
+          "Use N threads, 1 to 1024; default one per core. Never changes " + never_changes,
           whole_number(target, 1, 1024)};
 }
 
 Option space_option(std::string& target) {
-  return {"--space", "ID", "Which space; needed if there are several", some_text(target)};
+  return {"--space", "ID", "Choose the space by its id; needed if there are several",
+          some_text(target)};
 }
 
 Option quiet_option(bool& target) {
-  return {"-q,--quiet", "", "Print errors and what an option asks for, nothing else", &target};
+  return {"-q,--quiet", "", "Print only errors, and what other options request", &target};
 }
 
 Option quiet_option_with_count(bool& target) {
   return {"-q,--quiet", "",
-          "Print errors and what an option asks for. Of warnings one line: how many, and ids",
+          "Print only errors, and what other options request. Warnings share one line: how many, "
+          "and their ids",
           &target};
 }
 
 std::vector<Option> text_or_json_options(bool& as_json) {
-  return {{"--format", "KIND", "Kind of output: text or json; default text",
+  return {{"--format", "KIND", "Choose the output: text or json; default text",
            choice<bool>(as_json, {{"text", false}, {"json", true}})},
-          {"--json", "", "As JSON: --format json", &as_json}};
+          {"--json", "", "Print JSON: the same as --format json", &as_json}};
 }
 
 Place project_place(std::string& target) {

@@ -51,25 +51,25 @@ ValueParser reason(std::string& target) {
 
 Option baseline_option(std::string& target) {
   return {"--baseline", "FILE",
-          "An earlier result. Say what became worse or better, what is asked for less and what has "
-          "changed since this\n"
-          "result, a file that '--format json' wrote",
+          "Compare with an earlier result that '--format json' wrote. Reports say what became "
+          "better or worse, what is required less, and what changed in the input",
           some_text(target)};
 }
 
 std::vector<Option> gate_options(report::Gate& gate) {
   return {{"--gate", "NAME",
-           "all: exit code 1 for everything that is not met; regression: only for what was met or\n"
-           "not asked before, for values that fell by more than --allow-worse, and for weaker\n"
-           "questions that are not accepted; default all",
+           "Choose what ends with exit code 1: all or regression; default all. all: everything "
+           "that is not met. regression: only what was met or not required before, values that "
+           "fell by more than --allow-worse, and weaker requirements that are not accepted",
            choice<report::GateMode>(gate.mode, {{"all", report::GateMode::all},
                                                 {"regression", report::GateMode::regression}})},
           {"--allow-worse", "SHARE",
-           "What a value may lose with --gate regression while its verdict stays, as 0.01 or\n"
-           "1%; of one quantity: Uo=2%; may be given again; default 0.01",
+           "Let values fall by this share with --gate regression, as 0.01 or 1%; default 0.01. It "
+           "counts while the verdict stays the same. For one quantity: Uo=2%; repeatable",
            [&gate](const std::string& text) { return take_allowed_loss(text, gate); }, true},
           {"--accept-weaker", "REASON",
-           "Let weaker and other questions through --gate regression; the reason stands in reports",
+           "Accept weaker and other requirements with --gate regression. The reason is printed in "
+           "reports",
            reason(gate.weaker_accepted_by)}};
 }
 

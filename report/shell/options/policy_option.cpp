@@ -11,11 +11,11 @@
 namespace cli {
 
 Option policy_option(std::string& target) {
-  return {
-      "--policy", "FILE",
-      "Judge projects by this policy, too: who may waive what, which rows must be asked, which\n"
-      "factors are believed. What is not as it wants counts like an error. See 'luxgate policy'",
-      some_text(target)};
+  return {"--policy", "FILE",
+          "Apply the policy of the owner of the gate. It says who may waive what, which rows are "
+          "required and which factors are believed. What it does not allow counts as an error. See "
+          "'luxgate policy'",
+          some_text(target)};
 }
 
 std::optional<report::Policy> read_policy_or_print(const std::string& file,

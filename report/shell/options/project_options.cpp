@@ -92,23 +92,22 @@ std::string add_listed(ProjectOptions& options) {
 Place projects_place(ProjectOptions& options) {
   return {"projects", "PROJECT.xml",
           options.takes_standard_input
-              ? "Project files, folders of them (and below), or - for standard input"
-              : "Project files, or folders: all projects in them and below",
+              ? "Project files, folders that are searched for projects, or - for standard input"
+              : "Project files, or folders that are searched for projects",
           &options.projects, false};
 }
 
 std::vector<Option> project_options(ProjectOptions& options) {
   std::vector<Option> all{
       {"--files-from", "FILE",
-       "Take more projects from a list, a path a line, or ended by a byte 0 each as 'find\n"
-       "-print0' writes them; '-' is standard input. For more than a command line holds",
+       "Read more project paths from a list, one per line; '-' is standard input. Paths may also "
+       "end with a zero byte, as 'find -print0' writes them. A list has no limit of length",
        some_text(options.list_file)},
       rules_option(options.rule_files),
       allow_option(options.allowed)};
   add(all, config_options(options.config));
   add(all, {{"-v,--verbose", "",
-             "Say on standard error which settings hold, which files are read, and how large they "
-             "are",
+             "Print settings in force, files that are read and their sizes to standard error",
              &options.is_verbose}});
   return all;
 }

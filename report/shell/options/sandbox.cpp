@@ -304,14 +304,13 @@ std::string close_calls() { return "it is known for x86-64 processors alone"; }
 }  // namespace
 
 Option sandbox_option(SandboxMode& target) {
-  return {
-      "--sandbox", "WHEN",
-      "Give up, before projects are read, what is not needed: other files than theirs, those\n"
-      "named here and the outputs', programs and the network; auto (as far as the kernel can),\n"
-      "on (an error where it cannot) or off; default auto",
-      choice<SandboxMode>(
-          target,
-          {{"auto", SandboxMode::automatic}, {"on", SandboxMode::on}, {"off", SandboxMode::off}})};
+  return {"--sandbox", "WHEN",
+          "Give up rights that are not needed, before projects are read: auto, on or off; default "
+          "auto. The program can then not use other files, other programs or the network. auto "
+          "does what the kernel can. on is an error where the kernel cannot",
+          choice<SandboxMode>(target, {{"auto", SandboxMode::automatic},
+                                       {"on", SandboxMode::on},
+                                       {"off", SandboxMode::off}})};
 }
 
 std::string enter_sandbox(const SandboxRules& rules, const Environment& environment) {

@@ -9,14 +9,16 @@ namespace cli {
 std::vector<Option> selection_options(check::Selection& selection) {
   return {
       {"--space", "PATTERN",
-       "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
-       "The rest is neither calculated nor judged, which every report says",
+       "Judge only spaces whose id or name matches, as 'office-*'; repeatable. Nothing else is "
+       "calculated or judged, and every report says so",
        one_more(selection.spaces), true},
-      {"--plane", "PATTERN", "The same of planes", one_more(selection.planes), true},
-      {"--tag", "PATTERN", "The same of planes by their tags, and by those of their spaces",
+      {"--plane", "PATTERN", "Judge only planes whose id or name matches; repeatable",
+       one_more(selection.planes), true},
+      {"--tag", "PATTERN",
+       "Judge only planes with a tag that matches, their own or of their space; repeatable",
        one_more(selection.tags), true},
       {"--require", "PATTERN",
-       "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
+       "Judge only requirements whose id or quantity matches (Uo, minimum, UGR-table); repeatable",
        one_more(selection.requirements), true}};
 }
 

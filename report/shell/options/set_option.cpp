@@ -20,10 +20,10 @@ Option set_option(std::vector<check::SetValue>& set) {
     return "";
   };
   return {"--set", "PATH=VALUE",
-          "Check a variant: this attribute of the project has this value, whatever the file says;\n"
-          "the file stays as it is. PATH is ID.attribute (linear.flux-lm=4000), with the ids of\n"
-          "elements around it where one is not enough (room.desk.general.at-least=500), or\n"
-          "luxgate.attribute of the root. Every result warns of it. Can be repeated",
+          "Set an attribute of the project for this run; repeatable. The file stays as it is, and "
+          "every result warns of the change. PATH is ID.attribute (linear.flux-lm=4000). Where an "
+          "id is not unique, write the ids of the elements around it first "
+          "(room.desk.general.at-least=500). luxgate.attribute is an attribute of the root",
           parse, true};
 }
 

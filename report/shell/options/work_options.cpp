@@ -78,44 +78,47 @@ std::string method_name(calc::Method method) {
 }  // namespace
 
 std::vector<Option> work_options(calc::RadiositySettings& settings) {
-  return {{"--replicates", "N", "Independent repetitions behind each interval, 4 to 64; default 16",
-           whole_number(settings.replicates, calc::kFewestReplicates, calc::kMostReplicates)},
-          {"--max-paths", "N",
-           "At most so many light paths per replicate and plane, a power of two; default 65536",
-           power_of_two(settings.max_paths, calc::kFewestPaths, calc::kMostPaths)},
-          jobs_option(settings.jobs),
-          {"--method", "NAME",
-           "light-pool, or instant-radiosity for comparison: every point is connected to every\n"
-           "light vertex; default light-pool",
-           choice<calc::Method>(settings.method, kMethods)},
-          {"--visibility", "NAME",
-           "rays, or shadow-map:N with --method instant-radiosity: OpenGL draws what each light\n"
-           "vertex sees, N texels along a cube's edge (16 to 2048, a power of two); default rays",
-           visibility(settings.shadow_map_texels)},
-          {"--clamp", "G",
-           "With --method instant-radiosity: cut off geometry terms above G /m2; default none.\n"
-           "What is cut off is lost and in no interval: verdicts that more light could turn\nare "
-           "undecided",
-           positive_number(settings.clamp_per_m2)},
-          {"--no-skip", "NAME",
-           "Leave nothing out for this reason, or any ('all'); may be repeated.\n"
-           "Other random numbers may then be drawn. 'luxgate plan' lists the names",
-           forbidden_skip(settings.skips), true}};
+  return {
+      {"--replicates", "N", "Repeat each calculation N times for its interval, 4 to 64; default 16",
+       whole_number(settings.replicates, calc::kFewestReplicates, calc::kMostReplicates)},
+      {"--max-paths", "N",
+       "Limit light paths per replicate and plane, a power of two; default 65536",
+       power_of_two(settings.max_paths, calc::kFewestPaths, calc::kMostPaths)},
+      jobs_option(settings.jobs),
+      {"--method", "NAME",
+       "Choose the method: light-pool or instant-radiosity; default light-pool. instant-radiosity "
+       "is for comparison: it connects every point with every light vertex",
+       choice<calc::Method>(settings.method, kMethods)},
+      {"--visibility", "NAME",
+       "Choose how visibility is found: rays or shadow-map:N; default rays. shadow-map:N needs "
+       "--method instant-radiosity and OpenGL. N is the number of texels along an edge of the "
+       "cube, a power of two from 16 to 2048",
+       visibility(settings.shadow_map_texels)},
+      {"--clamp", "G",
+       "Cut off geometry terms above G, in 1/m2, with --method instant-radiosity; default none. "
+       "The light that is cut off is in no interval. Verdicts that more light could change are "
+       "undecided",
+       positive_number(settings.clamp_per_m2)},
+      {"--no-skip", "NAME",
+       "Calculate also what could be omitted for this reason; 'all' for every reason; repeatable. "
+       "Other random numbers may then be drawn. 'luxgate plan' lists the names",
+       forbidden_skip(settings.skips), true}};
 }
 
 std::vector<Option> backend_options(check::BackendRequest& request) {
   return {{"--backend", "NAME",
-           "auto, cpu or gpu (OpenGL compute); auto takes a GPU if there is one and enough work\n"
-           "for it, never software OpenGL; default auto. 'luxgate plan' says what it takes",
+           "Choose the processor: auto, cpu or gpu (OpenGL compute); default auto. auto takes a "
+           "GPU if there is one and enough work for it. It never takes software OpenGL. 'luxgate "
+           "plan' prints the choice",
            choice<Backend>(
                request.backend,
                {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"gpu", Backend::gpu}})},
           {"--gl-device", "N",
-           "With --backend gpu: the OpenGL device to use; 'luxgate devices' lists them",
+           "Choose the OpenGL device for --backend gpu. 'luxgate devices' lists them",
            whole_number(request.gl_device, 0, 1023)},
           {"--gpu-stages", "LIST",
-           "With --backend gpu: what runs on it, of direct-light, light-paths, connections and\n"
-           "near-field, with commas between; default all. The CPU does the rest",
+           "Choose what runs on the GPU with --backend gpu; default all. A list with commas of "
+           "direct-light, light-paths, connections and near-field. The CPU does the rest",
            gpu_stages(request.stages)}};
 }
 

@@ -42,8 +42,8 @@ ValueParser data_output(std::vector<DataOutput>& target, bool has_markdown) {
 std::vector<Option> data_format_options(std::vector<DataOutput>& target, const std::string& help,
                                         bool has_markdown) {
   const ValueParser parse = data_output(target, has_markdown);
-  return {{"--format", "KIND[=FILE]", "Kind of output, and its file: " + help, parse, true},
-          {"--json", "", "As JSON: --format json",
+  return {{"--format", "KIND[=FILE]", "Choose the output and its file: " + help, parse, true},
+          {"--json", "", "Print JSON: the same as --format json",
            [parse](const std::string&) { return parse("json"); }}};
 }
 

@@ -101,107 +101,109 @@ bool writes_html_file(const OutputOptions& options) {
 std::vector<Option> output_options(OutputOptions& options) {
   return {
       {"--format", "KIND[=FILE]",
-       "Kind of report, and its file: " + format_list(78) +
-           ". To FILE or, without it or with '-', to standard output: one kind only, and text "
-           "where\n"
-           "there is none. May be repeated; FILE's folder is made if needed",
+       "Choose the kind of report and its file; default text; repeatable. Kinds: " +
+           format_list(78) +
+           ". Without FILE, or with '-', it goes to standard output, which takes one kind only. "
+           "The folder of FILE is made if needed",
        format_item(options.formats), true},
-      {"--json", "", "As JSON: --format json",
+      {"--json", "", "Print JSON: the same as --format json",
        [parse = format_item(options.formats)](const std::string&) { return parse("json"); }},
       {"-o,--output", "FOLDER",
-       fmt::format("Folder for reports: {}; made if needed", folder_files()),
+       fmt::format("Write reports into this folder; made if needed. Files: {}", folder_files()),
        any_text(options.folder)},
       {"--html-split", "",
-       "HTML files as an index with a page for each room, at most 24 planes on each, in\n"
-       "a folder '<name>-rooms' beside it: for hundreds of planes",
+       "Write HTML as an index and a page for each room, for hundreds of planes. A page has at "
+       "most 24 planes. The pages are in a folder '<name>-rooms' beside the index",
        &options.html_split},
       {"--language", "LANG",
-       "Words of html, pdf, xlsx, dxf, markdown and text: " + language_names() +
-           "; default en. All\nother formats are English, and so are messages about the input and "
-           "the texts of projects\nand rule packs",
+       "Choose the language of reports: " + language_names() +
+           "; default en. It applies to html, pdf, xlsx, dxf, markdown and text. Other formats "
+           "and messages about the input are English. Texts of projects and rule packs stay as "
+           "they are",
        language_choice(options.language)},
       decimal_option(options.decimal, "html, pdf, dxf, markdown and text"),
       paper_option(options.page.paper, "pdf, and of html and xlsx when they are printed"),
       {"--detail", "FOR",
-       "How much pdf and html say: client, what is sent to people, room first, or full, with what "
-       "a\nchecker needs: grids, sampling, messages, hashes; default client for pdf, full for html",
+       "Choose how much pdf and html print: client or full; default client for pdf, full for html. "
+       "client is a document to send, room by room. full adds what a checker needs: grids, "
+       "sampling, messages and hashes",
        choice<report::Detail>(options.page.detail, {{"client", report::Detail::client},
                                                     {"full", report::Detail::full}})},
       {"--annex", "WHEN",
-       fmt::format("Tables of all values at the end of a full pdf, and of html when it is printed: "
-                   "auto, always\nor never; default auto: where there are at most {} values",
+       fmt::format("Print tables of all values in a full pdf: auto, always or never; default auto. "
+                   "They are at the end, also of html when it is printed. auto prints them where "
+                   "there are at most {} values",
                    report::kMostAnnexValues),
        choice<report::Annex>(options.page.annex, {{"auto", report::Annex::automatic},
                                                   {"always", report::Annex::always},
                                                   {"never", report::Annex::never}})},
       {"--cover", "WHEN",
-       "A cover page of pdf, and of html when it is printed: auto, always or never; default auto: "
-       "of\n"
-       "a full report where one project names its client, author, company or logo",
+       "Print a cover page in pdf and printed html: auto, always or never; default auto. auto "
+       "prints one in a full report if one project names its client, author, company or logo",
        choice<report::Cover>(options.page.cover, {{"auto", report::Cover::automatic},
                                                   {"always", report::Cover::always},
                                                   {"never", report::Cover::never}})},
       {"--datasheets", "",
-       fmt::format("A photometric data sheet of each luminaire type at the end of html and pdf, at "
-                   "most {} of\nthem; the photometry files are read again for it",
+       fmt::format("Add a photometric data sheet of each luminaire type to html and pdf, at most "
+                   "{}. The photometry files are read again for it",
                    report::kMostSheets),
        [&options](const std::string&) {
          options.page.sheets = std::make_shared<SheetFiles>();
          return std::string();
        }},
       {"--scale", "OF",
-       "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
-       "room, or each plane for itself; default room. Shared by dim and bright planes it has\n"
-       "classes (1, 1.5, 2, 3, 5 ...), else bands of equal width",
+       "Choose which planes share a colour scale: project, room or plane; default room. It applies "
+       "to html, pdf and images. A scale shared by dim and bright planes has classes (1, 1.5, 2, "
+       "3, 5 ...), others have bands of equal width",
        choice<report::ScaleSharing>(options.page.scale, {{"project", report::ScaleSharing::project},
                                                          {"room", report::ScaleSharing::room},
                                                          {"plane", report::ScaleSharing::plane}})},
       {"--palette", "NAME",
-       "Colours of values in html, pdf and images: cividis (dark blue to yellow, for all readers\n"
-       "and for grey print) or false-colour (blue, cyan, green, yellow, red, magenta, as in\n"
-       "lighting programs); default cividis. Pictures of rooms are painted by the check",
+       "Choose the colours of values: cividis or false-colour; default cividis. It applies to "
+       "html, pdf and images. cividis goes from dark blue to yellow, for all readers and for grey "
+       "print. false-colour goes from blue to magenta, as in lighting programs. Pictures of rooms "
+       "keep the colours of the check",
        choice<report::ColourMap>(options.page.palette,
                                  {{"cividis", report::ColourMap::cividis},
                                   {"false-colour", report::ColourMap::false_colour}})},
       {"--dxf-scale", "1:N",
-       "Scale at which dxf is plotted: all its texts are 2.5 mm high then. auto: the coarsest of\n"
-       "1:20 to 1:1000 at which at least half of the values have room and the plan is 150 mm "
-       "long;\n"
-       "default auto. Values that would overlap are on a frozen layer",
+       "Set the scale at which the dxf is plotted; default auto. Its texts are then 2.5 mm high. "
+       "auto takes the coarsest of 1:20 to 1:1000 at which at least half of the values have room "
+       "and the plan is 150 mm long. Values that would overlap are on a frozen layer",
        drawing_scale(options.page.drawing.scale)},
-      {"--dxf-unit", "UNIT", "Unit of lengths in dxf: m, cm, mm, in or ft; default m",
+      {"--dxf-unit", "UNIT", "Set the unit of lengths in dxf: m, cm, mm, in or ft; default m",
        choice<report::DrawingUnit>(options.page.drawing.unit, {{"m", report::DrawingUnit::m},
                                                                {"cm", report::DrawingUnit::cm},
                                                                {"mm", report::DrawingUnit::mm},
                                                                {"in", report::DrawingUnit::in},
                                                                {"ft", report::DrawingUnit::ft}})},
       {"--images", "",
-       "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
-       "picture too,\na PNG file of a rendered view",
+       "Write images into the folder of --output. Each plane gets PNG, SVG and EXR files, each "
+       "room picture PNG and EXR files, and each rendered view a PNG file",
        &options.images},
       {"--redact", "",
-       "Reports without what tells of this machine: folders of files, also in the command\n"
-       "and in messages, and names of graphics devices. The project's own names stay, as do\n"
-       "versions and hashes. Reports say so",
+       "Remove machine-specific details from reports: folders of files and names of graphics "
+       "devices. Folders are also removed from the command and from messages. Names of the "
+       "project, versions and hashes stay. Reports say that they are redacted",
        &options.redact}};
 }
 
 std::vector<Option> text_options(OutputOptions& options) {
-  return {
-      {"--passes", "HOW",
-       "In text. fold: requirements of a workplace that pass share a line, and several rooms\n"
-       "have a line each, and the reasons where they do not pass; list: each requirement has\n"
-       "its own line; default fold",
-       choice<bool>(options.lists_passes, {{"fold", false}, {"list", true}})},
-      {"--notes", "",
-       "In text of several rooms: also notes on method and limits, which are else only counted,\n"
-       "and each warning on a terminal, where those of a kind else share a line",
-       &options.shows_notes}};
+  return {{"--passes", "HOW",
+           "Choose how text prints passes: fold or list; default fold. fold: passes of a workplace "
+           "share a line, and of several rooms each has a line, with the reasons where it does not "
+           "pass. list: each requirement has its own line",
+           choice<bool>(options.lists_passes, {{"fold", false}, {"list", true}})},
+          {"--notes", "",
+           "Print notes on method and limits in text of several rooms. Otherwise they are only "
+           "counted. On a terminal warnings of one kind share a line without it",
+           &options.shows_notes}};
 }
 
 Option color_option(ColorChoice& target) {
   return {"--color", "WHEN",
-          "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
+          "Colour the terminal output: auto, always or never; default auto. auto obeys NO_COLOR, "
+          "CLICOLOR_FORCE, TERM=dumb and the terminal",
           choice<ColorChoice>(target, {{"auto", ColorChoice::automatic},
                                        {"always", ColorChoice::always},
                                        {"never", ColorChoice::never}})};

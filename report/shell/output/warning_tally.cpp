@@ -87,8 +87,8 @@ Option strict_option(StrictWarnings& target) {
     return "";
   };
   Option option{"--strict", "",
-                "Let warnings count like errors: exit code 2. --strict=ID,ID: only\n"
-                "these, by the ids that they carry, as in warning[light-leaves-room]",
+                "Count warnings as errors: exit code 2. --strict=ID,ID counts only warnings with "
+                "these ids, as light-leaves-room in warning[light-leaves-room]",
                 ValueParser(parse, warning_names()), true};
   option.may_have_value = true;
   return option;

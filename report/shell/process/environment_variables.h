@@ -17,21 +17,21 @@ struct EnvironmentVariable {
 
 inline constexpr auto kEnvironmentVariables = std::to_array<EnvironmentVariable>({
     {"SOURCE_DATE_EPOCH",
-     "Seconds since 1970: the date of reports, and the day on which a waiver has ended or not, "
+     "Seconds since 1970: the date of reports, and the day for which waivers are checked, "
      "unless --timestamp gives one",
      "--timestamp", "plan,validate,rules diff"},
-    {"LUXGATE_STORE", "Folder of looks that are kept, unless --store names one", "--store"},
-    {"NO_COLOR", "Not empty: --color auto is without colours", "--color"},
+    {"LUXGATE_STORE", "Folder of the result cache, unless --store names one", "--store"},
+    {"NO_COLOR", "Not empty: --color auto prints no colours", "--color"},
     {"CLICOLOR_FORCE",
-     "Not empty and not 0: --color auto is with colours, also where standard output is no "
-     "terminal. NO_COLOR wins",
+     "Not empty and not 0: --color auto prints colours, also where standard output is not a "
+     "terminal. NO_COLOR comes first",
      "--color"},
-    {"TERM", "dumb: --color auto is without colours", "--color"},
+    {"TERM", "dumb: --color auto prints no colours", "--color"},
     {"LUXGATE_CHROMIUM",
      "Chromium or Chrome, which prints PDF files: its path, or its name in PATH; default the first "
      "of the usual names that is in PATH",
      "--paper"},
-    {"PATH", "Folders in which Chromium is looked for", "--paper"},
+    {"PATH", "Folders in which Chromium is searched", "--paper"},
     {"TMPDIR",
      "Folder of temporary files: of reports longer than memory that go to standard output, and of "
      "pages that are printed; default /tmp",
@@ -74,7 +74,7 @@ inline constexpr auto kEnvironmentVariables = std::to_array<EnvironmentVariable>
      "For tests: which of the processor's vectors are used, a name that 'luxgate version --json' "
      "lists",
      "--jobs", "version"},
-    {"LUXGATE_GL_FAULT", "For tests: how OpenGL is to fail", "--gl-device", "devices"},
+    {"LUXGATE_GL_FAULT", "For tests: how OpenGL fails", "--gl-device", "devices"},
 });
 
 constexpr bool is_environment_variable(std::string_view name) {

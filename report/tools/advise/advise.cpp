@@ -40,22 +40,21 @@ namespace {
 constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
 
 constexpr const char* kAdviseNotes =
-    "Light is linear in the levels of dimming groups, so that of a project that was calculated\n"
-    "once the levels that need the least power follow without a ray, for each scene and for full\n"
-    "output. Averages, least and greatest values, values at points, Uo and Ud are conditions of\n"
-    "the search; all else (glare, shares, gradients ...) takes no part in it. The levels are then\n"
-    "checked with other random numbers (--seed plus one) before anything is said, and what this\n"
-    "check says of every requirement stands beside it. Power is taken to be in proportion to the\n"
-    "level. Luminaires without a group count as one more group.\n"
-    "Where no levels meet everything, it is said which requirements exclude each other, and how\n"
-    "much more light would meet them, if any does.\n"
-    "--packages looks for the lamp packages of least installed power that are enough, among all\n"
-    "that the project's luminaire types have.\n"
-    "--places, --turns and --surfaces follow light backwards from the points that lack it, so "
-    "that\n"
-    "every free place of a ceiling grid, every way of hanging a luminaire and every surface is\n"
-    "known without a run for it. The best three places and turns, as many together as it takes,\n"
-    "and each surface are checked likewise.";
+    "Light is linear in the levels of dimming groups. After one calculation the levels of\n"
+    "least power follow without new rays, for each scene and for full output. The search uses\n"
+    "averages, smallest and largest values, values at points, Uo and Ud. Other quantities\n"
+    "(glare, shares, gradients ...) take no part in it. The levels are then checked with\n"
+    "other random numbers (--seed plus one), and the result of this check is printed with\n"
+    "every requirement. Power is taken as proportional to the level. Luminaires without a\n"
+    "group count as one more group.\n\n"
+    "If no levels meet all requirements, the output names the requirements that exclude each\n"
+    "other. It also says how much more light would meet them, if any does.\n\n"
+    "--packages finds the lamp packages of least installed power that are sufficient, among\n"
+    "all packages of the luminaire types of the project.\n\n"
+    "--places, --turns and --surfaces follow light backwards from the points that lack it.\n"
+    "Every free place of a ceiling grid, every turn of a luminaire and every surface is then\n"
+    "known without a new calculation. The best three places and turns, as many together as\n"
+    "needed, and each surface are checked in the same way.";
 
 struct AdviseOptions {
   CheckOptions check;  // of one project
@@ -370,7 +369,8 @@ Command advise_command() {
   command.options = {
       rules_option(check.input.rule_files),
       allow_option(check.input.allowed),
-      {"--scene", "ID", "Only this scene; 'full-output' is that of requirements without one",
+      {"--scene", "ID",
+       "Find levels only for this scene. 'full-output' means the requirements without a scene",
        [options](const std::string& text) -> std::string {
          if (text.empty()) return "the id of a scene, or full-output";
          options->scene = text == "full-output" ? "" : text;
@@ -378,38 +378,37 @@ Command advise_command() {
          return "";
        }},
       {"--least", "WHAT",
-       "What levels take least of: power, or energy, that of a year by the use that rooms state;\n"
-       "default power",
+       "Choose what the levels minimise: power or energy; default power. energy is that of a year, "
+       "by the use that rooms state",
        choice<CostUnit>(options->least,
                         {{"power", CostUnit::watt}, {"energy", CostUnit::kilowatt_hour}})},
-      {"--steps", "N", "Levels are multiples of 1/N, from 1 to 1000; default 100",
+      {"--steps", "N", "Use levels that are multiples of 1/N, N from 1 to 1000; default 100",
        whole_number(options->steps, 1, 1000)},
       {"--write", "FILE",
-       "Write the project with the levels that were found (or packages, places, turns: see "
-       "there),\n"
-       "for --against or compare; in the folder of the project. What is asked of full output is\n"
-       "then asked of a new scene",
+       "Write the project with the levels that were found. With --packages, --places or --turns it "
+       "has those instead. The file must be in the folder of the project. It can be used with "
+       "--against or compare. What is required at full output is then required in a new scene",
        some_text(options->write_file)},
       {"--packages", "",
-       "Also which lamp packages of the luminaire types (<package> in the project) are enough;\n"
-       "--write then writes them",
+       "Find lamp packages of the luminaire types (<package>) that are sufficient. --write then "
+       "writes them",
        &options->packages},
       {"--places", "",
-       "Also where one luminaire more helps most, in rooms where no levels meet everything,\n"
-       "and which ones can go where everything is met; --write then writes those more, if there\n"
-       "are any",
+       "Find where one more luminaire helps most, and which ones can be removed. The first is for "
+       "rooms where no levels meet all limits, the second for rooms where all are met. --write "
+       "then writes the added ones, if there are any",
        &options->places},
       {"--turns", "",
-       "Also which luminaires to turn or tilt, in rooms where no levels meet everything;\n"
-       "--write then writes those that are enough",
+       "Find which luminaires to turn or tilt, in rooms where no levels meet all limits. --write "
+       "then writes turns that are sufficient",
        &options->turns},
-      {"--surfaces", "", "Also what a lighter floor, ceiling or walls add, in each room",
+      {"--surfaces", "", "Find what a lighter floor, ceiling or walls add in each room",
        &options->surfaces}};
   add(command.options,
       data_format_options(
           options->outputs,
-          "text, json, html (with maps of ceilings) or markdown, into a file or to\n"
-          "standard output; default text. Can be repeated",
+          "text, json, html (with maps of ceilings) or markdown; default text. It is repeatable. "
+          "Without FILE, or with '-', it goes to standard output, which takes one kind only",
           true));
   for (Option& option : accuracy_options(check.settings)) {
     if (option.names != "--goal" && option.names != "--by-luminaire") {

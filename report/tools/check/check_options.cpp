@@ -16,37 +16,35 @@ namespace cli {
 namespace {
 
 std::vector<ExitMeaning> check_exit_codes() {
-  return {
-      {kAllMet, "every requirement is met or waived, or nothing is required: a warning says so"},
-      {kNotMet, "at least one requirement is not met"},
-      {kNotJudged,
-       "not judged: usage, input or file error, a plane or project that could not be judged, "
-       "or a warning that --strict makes count"},
-      {kUndecided, "nothing failed, but a result's interval holds its limit: undecided"},
-      {kInterrupted, "interrupted; no report was written"}};
+  return {{kAllMet, "every requirement is met or waived, or nothing is required (with a warning)"},
+          {kNotMet, "at least one requirement is not met"},
+          {kNotJudged,
+           "not judged: usage, input or file error, a plane or project that could not be judged, "
+           "or a warning that --strict makes count"},
+          {kUndecided, "nothing failed, but a result's interval holds its limit: undecided"},
+          {kInterrupted, "interrupted; no report was written"}};
 }
 
 std::vector<Option> document_options(CheckOptions& options) {
-  return {
-      {"--pictures", "WHEN",
-       "Rooms in false colours, in HTML and with --images: auto (where OpenGL can draw) or\n"
-       "off; default auto. Their bytes depend on the machine's OpenGL",
-       choice<bool>(options.pictures, {{"auto", true}, {"off", false}})},
-      {"--timestamp", "WHEN",
-       "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"
-       "else no date, so that equal inputs give equal files",
-       moment(options.timestamp)},
-      {"--timing", "", "Print times and counts of rays to standard error and put them into reports",
-       &options.settings.has_times},
-      {"--explain-cost", "",
-       "Print predicted beside true work to standard error: see 'luxgate plan'",
-       &options.explain_cost},
-      {"--advice", "",
-       "Where something is not met: dimming levels with which it would be, with the least power,\n"
-       "or why there are none; in HTML, PDF, text, Markdown and JSON. Takes a calculation to\n"
-       "--tolerance and at least one check more. See 'luxgate advise', which says more",
-       &options.advice},
-      color_option(options.output.color)};
+  return {{"--pictures", "WHEN",
+           "Draw rooms in false colours, in HTML and with --images: auto or off; default auto. "
+           "auto draws where OpenGL can. The bytes of pictures depend on the machine's OpenGL",
+           choice<bool>(options.pictures, {{"auto", true}, {"off", false}})},
+          {"--timestamp", "WHEN",
+           "Print a date in reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH. "
+           "Without either there is no date, and equal inputs give equal files",
+           moment(options.timestamp)},
+          {"--timing", "", "Print times and numbers of rays to standard error, and in reports",
+           &options.settings.has_times},
+          {"--explain-cost", "",
+           "Print predicted and actual work to standard error. See 'luxgate plan'",
+           &options.explain_cost},
+          {"--advice", "",
+           "Find dimming levels that meet what is not met, with the least power. If there are "
+           "none, the report says why. It is in HTML, PDF, text, Markdown and JSON. This takes a "
+           "calculation to --tolerance and at least one more check. See 'luxgate advise' for more",
+           &options.advice},
+          color_option(options.output.color)};
 }
 
 // Its repository says whether it is one.
@@ -61,16 +59,16 @@ ValueParser git_revision(std::string& target) {
 }
 
 Option against_option(std::string& target) {
-  return {
-      "--against",
-      "REV",
-      "The same since a git revision: branch, tag, commit, HEAD~1, or 'main...' for the commit\n"
-      "at which HEAD left main. The projects are checked as they were then, with the same\n"
-      "options, from the repository's objects: the work tree is not touched, nothing is\n"
-      "fetched. --rules in the repository are those of then, others those of now",
-      git_revision(target),
-      false,
-      {"--baseline", "--set"}};
+  return {"--against",
+          "REV",
+          "Compare with the projects of a git revision: branch, tag, commit, HEAD~1 or 'main...'. "
+          "'main...' is the commit at which HEAD left main. Those projects are checked with the "
+          "same options. They are read from the repository's objects: the work tree is not "
+          "touched, and nothing is fetched. Rule packs of --rules in the repository are read from "
+          "the revision, others as they are now",
+          git_revision(target),
+          false,
+          {"--baseline", "--set"}};
 }
 
 // In the folder of the reports: the light of a run until these are written.
@@ -96,21 +94,21 @@ ValueParser share_of_batch(BatchShare& target) {
 }
 
 std::vector<Option> batch_options(BatchOptions& batch) {
-  return {
-      shard_option(batch.share,
-                   "Calculate only share I of N of the light, from 1 to N, into --store, and judge "
-                   "nothing:\n"
-                   "for as many machines. Shares are alike in predicted work. Then one run with\n"
-                   "--stored-only reports. Exit code 0: all of the share is in the store"),
-      {"--units", "FILE",
-       "With --shard: the list that 'luxgate plan --units --format json' wrote of the same\n"
-       "projects, so that each share reads its own projects only",
-       some_text(batch.units_file)},
-      stored_only_option(batch.is_stored_only),
-      {"--resume", "",
-       "Keep finished light in a folder of --output until the reports are written: a run that\n"
-       "was ended goes on there when the same command is given again. A --store does that, too",
-       &batch.resumes}};
+  return {shard_option(
+              batch.share,
+              "Calculate only share I of N into --store, for N machines; I from 1 to N. Nothing "
+              "is judged. Shares have about the same predicted work. Afterwards one run with "
+              "--stored-only writes the reports. Exit code 0: all of the share is in the "
+              "store"),
+          {"--units", "FILE",
+           "Read the list that 'luxgate plan --units --format json' wrote, with --shard. Each "
+           "share then reads only its own projects",
+           some_text(batch.units_file)},
+          stored_only_option(batch.is_stored_only),
+          {"--resume", "",
+           "Continue an interrupted run of the same command. Finished light is kept in a folder of "
+           "--output until the reports are written. A --store does that, too",
+           &batch.resumes}};
 }
 
 // "" or which options cannot stand beside each other.
@@ -214,19 +212,17 @@ Option shard_option(BatchShare& share, const std::string& help) {
 
 Option stored_only_option(bool& is_stored_only) {
   return {"--stored-only", "",
-          "Calculate nothing: take all light from --store. What is not there is named, and not\n"
-          "judged",
+          "Take all light from --store and calculate nothing. What is not in the store is named, "
+          "and not judged",
           &is_stored_only};
 }
 
 Option store_option(std::string& store) {
-  return {
-      "--store", "DIR",
-      "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
-      "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "
-      "set,\n"
-      "else none. See 'luxgate store'",
-      some_text(store)};
+  return {"--store", "DIR",
+          "Keep a result cache in this folder; 'off' for none; default LUXGATE_STORE if set, else "
+          "none. Only what changed is calculated. The folder is made if needed. Results are the "
+          "same to the bit. See 'luxgate store'",
+          some_text(store)};
 }
 
 std::string take_store(const std::string& variable, std::string& store) {
@@ -239,31 +235,31 @@ std::string take_store(const std::string& variable, std::string& store) {
 }
 
 std::vector<Option> accuracy_options(check::Settings& settings) {
-  return {
-      {"--goal", "NAME",
-       "What ends the calculation. verdict: a plane is done once each of its requirements passes "
-       "or fails;\n"
-       "accuracy: once every judged value is known to --tolerance; default verdict",
-       choice<rules::Goal>(settings.goal, {{"verdict", rules::Goal::verdict},
-                                           {"accuracy", rules::Goal::accuracy}})},
-      {"--tolerance", "SHARE",
-       "Relative half-width of the intervals to aim at, as 0.02 or 2%, with --goal accuracy\n"
-       "and for planes without requirements; default 0.02",
-       share_between(settings.tolerance, 0.0, 1.0)},
-      {"--confidence", "SHARE",
-       "Level of the intervals, as 0.95 or 95%, over all times that a plane is looked at;\n"
-       "default 0.95",
-       share_between(settings.confidence, 0.5, 1.0)},
-      {"--by-luminaire", "",
-       "Say in HTML and JSON what each luminaire gives to the average and at the minimum of a\n"
-       "plane, reflections included: the ten largest and the rest. Takes more time and memory,\n"
-       "and other random numbers are drawn",
-       &settings.by_luminaire},
-      limit_option(settings.budget),
-      seed_option(settings.radiosity.seed),
-      {"--time-limit", "SECONDS",
-       "Stop refining a project after this time; results then depend on the machine's speed",
-       seconds(settings.radiosity.time_limit_s)}};
+  return {{"--goal", "NAME",
+           "Choose when a calculation ends: verdict or accuracy; default verdict. verdict: each "
+           "requirement of the plane passes or fails. accuracy: every judged value is known to "
+           "--tolerance",
+           choice<rules::Goal>(settings.goal, {{"verdict", rules::Goal::verdict},
+                                               {"accuracy", rules::Goal::accuracy}})},
+          {"--tolerance", "SHARE",
+           "Set the relative half-width of intervals to reach, as 0.02 or 2%; default 0.02. It "
+           "holds with --goal accuracy and for planes without requirements",
+           share_between(settings.tolerance, 0.0, 1.0)},
+          {"--confidence", "SHARE",
+           "Set the confidence level of intervals, as 0.95 or 95%, above 50%; default 0.95. It "
+           "holds for all sampling rounds of a plane together",
+           share_between(settings.confidence, 0.5, 1.0)},
+          {"--by-luminaire", "",
+           "Print each luminaire's share of the average and of the minimum in HTML and JSON. "
+           "Reflections are included. The ten largest are listed, and the rest as a sum. This "
+           "takes more time and memory, and other random numbers are drawn",
+           &settings.by_luminaire},
+          limit_option(settings.budget),
+          seed_option(settings.radiosity.seed),
+          {"--time-limit", "SECONDS",
+           "Stop the calculation of a project after this time in seconds; default none. Results "
+           "then depend on the speed of the machine",
+           seconds(settings.radiosity.time_limit_s)}};
 }
 
 Command check_syntax(CheckOptions& options) {
@@ -285,9 +281,8 @@ Command check_syntax(CheckOptions& options) {
   add(command.options,
       {{"--vpl",
         "FILE",
-        "Take the light vertices of one space from a file of 'luxgate vpl' instead of tracing "
-        "them;\n"
-        "seed, replicates and the most paths are the file's. Results are the same to the bit",
+        "Read the light vertices of one space from a file of 'luxgate vpl'. Seed, replicates and "
+        "the number of paths are those of the file. Results are the same to the bit",
         some_text(options.vpl_file),
         false,
         {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against", "--advice"}},
@@ -297,13 +292,13 @@ Command check_syntax(CheckOptions& options) {
                         quiet_option_with_count(options.output.quiet)});
   command.config = &options.input.config;
   command.config_revision = &options.against;
-  command.notes = "The worst exit code of all projects counts; worst first: 2, 1, 3, 0.";
-  command.examples = {
-      {"luxgate check office.xml --output out", "A report for people, tables and JSON into 'out'"},
-      {"luxgate check designs/a.xml designs/b.xml --format junit=junit.xml",
-       "For a CI system, and text on standard output"},
-      {"luxgate check office.xml --against main... --gate regression",
-       "Only what became worse since HEAD left the branch main ends with 1"}};
+  command.notes = "The worst exit code of all projects counts. From worst to best: 2, 1, 3, 0.";
+  command.examples = {{"luxgate check office.xml --output out",
+                       "Write a report for people, tables and JSON into 'out'"},
+                      {"luxgate check designs/a.xml designs/b.xml --format junit=junit.xml",
+                       "Write JUnit for a CI system, and text to standard output"},
+                      {"luxgate check office.xml --against main... --gate regression",
+                       "End with 1 only for what became worse since HEAD left the branch main"}};
   command.exit_codes = check_exit_codes();
   command.most_used = {"--output",   "--format", "--json",   "--rules", "--goal",
                        "--baseline", "--jobs",   "--strict", "--color", "--quiet"};

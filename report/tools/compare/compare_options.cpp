@@ -12,18 +12,18 @@ Command compare_syntax(CompareOptions& options) {
        &options.b}};
   command.options = {
       {"--partial", "",
-       "Compare the values that both have; what one lacks is noted, no error. Questions and\n"
-       "verdicts are not compared then",
+       "Compare only values that both sides have. What one side lacks is noted and is not an "
+       "error. Requirements and verdicts are not compared",
        &options.is_partial},
       {"--tolerance", "SHARE",
-       "Difference allowed besides the intervals, as 0.05 or 5% of B; default none",
+       "Allow this difference besides the intervals, as 0.05 or 5% of B; default none",
        share_between(options.tolerance, 0.0, 1.0)},
-      {"--distance", "METRES", "Points this near to each other are the same; default 0.01",
+      {"--distance", "METRES",
+       "Treat points within this distance as the same, in metres; default 0.01",
        positive_number(options.distance_m)},
       {"--plane", "ID[=ID]",
-       "Only this plane: its values, and what is asked and judged of it.\n=ID where B calls it so: "
-       "values "
-       "alone; may be repeated",
+       "Compare only this plane: its values, requirements and verdicts; repeatable. ID=ID where B "
+       "has another id: values alone",
        [&options](const std::string& text) -> std::string {
          const std::size_t equals = text.find('=');
          if (text.empty() || equals == 0 || equals + 1 == text.size()) {
@@ -33,34 +33,36 @@ Command compare_syntax(CompareOptions& options) {
          return "";
        },
        true},
-      {"--worst", "N", "Points to name, furthest apart first; default 5",
+      {"--worst", "N", "Name N points, largest difference first, 0 to 1000; default 5",
        whole_number(options.worst, 0, 1000)}};
   add(command.options,
       data_format_options(
           options.outputs,
-          "text, csv (all points), json, html or markdown, to FILE or (one kind only) to standard\n"
-          "output; default text; may be repeated",
+          "text, csv (all points), json, html or markdown; default text. It is repeatable. Without "
+          "FILE, or with '-', it goes to standard output, which takes one kind only",
           true));
   add(command.options, page_options(options.page, "html"));
   add(command.options, {quiet_option(options.quiet)});
   command.notes =
-      "Of two results, the first thing said is what is judged and asked otherwise than in B, as\n"
-      "'check --baseline' says it: what became worse, what is asked for less, what has changed in\n"
-      "the input. Projects are matched by path, else by name; planes by their ids.\n\n"
-      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m)\n"
-      "with or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error,\n"
-      "or 'low_lx,high_lx'; perhaps 'quantity', as planar. 'points.csv' of 'check' is one.\n\n"
-      "Values are maintained illuminances at full output. Ratings and ratios are named and left\n"
-      "out.\n\n"
-      "Points are judged, all together, and each plane's average, which shows a common bias that\n"
-      "no point does; an average whose interval is not known (--partial, some points) is not\n"
-      "judged.";
+      "For two results the differences of requirements and verdicts come first, as 'check\n"
+      "--baseline' prints them: what became worse, what is required less, and what changed in the\n"
+      "input. Projects are matched by path, else by name, and planes by their ids.\n\n"
+      "A table has a line of names, then one line per point. Columns are 'plane,column,row' or\n"
+      "'x,y,z' (m, with or without 'plane'), and 'lx' or 'fc'. Others are optional: 'error_lx' or\n"
+      "'error_fc', a standard error, or 'low_lx,high_lx'; and 'quantity', as planar. 'points.csv'\n"
+      "of 'check' is such a table.\n\n"
+      "Values are maintained illuminances at full output. Ratings and ratios are named and\n"
+      "omitted.\n\n"
+      "All points are judged together, and so is the average of each plane. The average shows a\n"
+      "common bias that no single point shows. An average without a known interval (--partial, "
+      "some\n"
+      "points) is not judged.";
   command.examples = {
       {"luxgate compare result.json measured.csv --tolerance 10% --format html=c.html",
        "A result against measured values, with a page of all differences"}};
   command.exit_codes = {
-      {0, "values are alike within intervals and tolerance, and all is asked and judged as in B"},
-      {1, "they are not"},
+      {0, "values agree within intervals and tolerance, and requirements and verdicts are as in B"},
+      {1, "they do not"},
       {2, "an error"}};
   command.complete = [&options](const Environment&) {
     return data_output_problem(options.outputs);

@@ -131,14 +131,13 @@ ExitCode run_show(const ShowOptions& options) {
 
 Command config_command() {
   const auto options = std::make_shared<ShowOptions>();
-  Command show{"show",
-               "Say which settings hold for projects, and which line of which file says so"};
+  Command show{"show", "Print the settings in force for projects, with the file and line of each"};
   show.places = {{"projects", "PROJECT.xml",
-                  "Projects whose settings are meant; those of the current folder if there is none",
+                  "Projects whose settings are printed; default those of the current folder",
                   &options->projects, false}};
   show.options = config_options(options->config);
   add(show.options, text_or_json_options(options->as_json));
-  show.notes = "Options of the command line beat settings of the file.";
+  show.notes = "Options of the command line override settings of the file.";
   show.examples = {{"luxgate config show office.xml", "Those that hold for a project"}};
   show.exit_codes = {{0, "shown"}, {2, "an error"}};
   show.run = [options](const RunContext&) { return run_show(*options); };

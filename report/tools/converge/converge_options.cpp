@@ -64,52 +64,59 @@ Command converge_syntax(ConvergeOptions& options) {
   command.places = {project_place(options.project)};
   command.options = {
       {"--methods", "LIST",
-       "Any of core (what 'check' does), gpu (what 'check --backend gpu' does), path-tracing,\n"
-       "instant-radiosity, clamped-instant-radiosity and shadow-map:N (instant radiosity that\n"
-       "sees by shadow maps with N texels along a cube's edge, 16 to 2048, a power of two; may\n"
-       "be there with several N), with commas; gpu and shadow-map need OpenGL; default\n"
-       "core,instant-radiosity",
+       "Choose the methods to measure, a list with commas; default core,instant-radiosity. core is "
+       "what 'check' does, gpu what 'check --backend gpu' does. Others are path-tracing, "
+       "instant-radiosity, clamped-instant-radiosity and shadow-map:N. shadow-map:N is instant "
+       "radiosity with shadow maps of N texels along an edge of the cube, a power of two from 16 "
+       "to 2048; it may be listed with several N. gpu and shadow-map need OpenGL",
        method_list(options.methods)},
       {"--reference", "own|FILE.csv",
-       "What errors are measured against: a long run of the core with other random numbers, whose\n"
-       "own error is subtracted, or a table with a line for every point: plane,column,row,lx or\n"
-       "x,y,z,lx (m, lx, initial) and perhaps error_lx, its standard error; default own",
+       "Choose what errors are measured against: own or a table; default own. own is a long run of "
+       "the core with other random numbers; its own error is subtracted. A table has a line for "
+       "every point: plane,column,row,lx or x,y,z,lx (m, lx, initial), and perhaps error_lx, its "
+       "standard error",
        ValueParser(some_text(options.reference), {"own"})},
       {"--reference-paths", "N",
-       "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
+       "Use N light paths in each of the 64 replicates of 'own', a power of two; default twice "
+       "--max-paths",
        power_of_two(options.reference_paths, 16, calc::kMostPaths)},
-      {"--part", "NAME", "total, or indirect: errors of the reflected light alone; default total",
+      {"--part", "NAME",
+       "Choose which light is measured: total or indirect; default total. indirect is the "
+       "reflected light alone",
        choice<bool>(options.is_indirect, {{"total", false}, {"indirect", true}})},
-      {"--min-paths", "N", "First step of the ladder, per replicate, a power of two; default 64",
+      {"--min-paths", "N", "Begin with N light paths per replicate, a power of two; default 64",
        power_of_two(options.min_paths, 16, calc::kMostPaths)},
-      {"--max-paths", "N", "Last step; every step takes twice as many; default 8192",
+      {"--max-paths", "N",
+       "End with N light paths per replicate, a power of two; default 8192. Every step takes twice "
+       "as many",
        power_of_two(options.max_paths, 16, calc::kMostPaths)},
-      {"--replicates", "N", "Replicates of a run, which is their mean, 4 to 64; default 16",
+      {"--replicates", "N", "Take the mean of N replicates for each run, 4 to 64; default 16",
        whole_number(options.replicates, calc::kFewestReplicates, calc::kMostReplicates)},
-      {"--seeds", "N", "Runs at every step, with different random numbers; default 5",
+      {"--seeds", "N",
+       "Run N times at every step, with different random numbers, 1 to 1000; default 5",
        whole_number(options.seeds, 1, 1000)},
-      {"--seed", "N", "Seed of the first of them; default 1",
+      {"--seed", "N", "Set the seed of the first run; default 1",
        whole_number(options.seed, 0, UINT64_MAX - 1000)},
-      {"--clamp", "B", "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
+      {"--clamp", "B",
+       "Set the largest geometry term of clamped-instant-radiosity, in 1/m2; default 1",
        positive_number(options.clamp_per_m2)},
       space_option(options.space),
-      {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
+      {"--plane", "ID", "Measure only this plane; repeatable; default all planes of the space",
        one_more(options.planes), true},
       rules_option(options.rule_files),
       allow_option(options.allowed),
       jobs_option(options.jobs),
       {"--gl-device", "N",
-       "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"
-       "hardware before software",
+       "Choose the OpenGL device for gpu and shadow-map; default the first that works. Hardware "
+       "comes before software. 'luxgate devices' lists them",
        whole_number(options.gl_device, 0, 1000)}};
   add(command.options,
       data_format_options(options.outputs,
-                          "text, csv, json or html, to FILE or (one kind only) to standard output, "
-                          "where text goes\n"
-                          "unless another kind does; may be repeated"));
+                          "text, csv, json or html; default text. It is repeatable. Without FILE, "
+                          "or with '-', it goes to standard output, which takes one kind only"));
   add(command.options, page_options(options.page, "html"));
   add(command.options, {quiet_option(options.quiet)});
-  command.notes = "Times depend on the machine and on what else it does; errors do not.";
+  command.notes = "Times depend on the machine and its load. Errors do not.";
   command.examples = {
       {"luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 "
        "--methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 "

@@ -28,44 +28,52 @@ std::string export_contradiction(const ExportOptions& options) {
 
 Command export_syntax(ExportOptions& options) {
   Command command{"export", "Write Radiance or glTF files, or results into an IFC model"};
-  command.places = {{"target",
-                     fmt::format("{}|{}|{}", kRadiance, kGltf, kIfc),
-                     "What to write",
-                     &options.target,
-                     true,
-                     {kRadiance, kGltf, kIfc}},
-                    {"source", "PROJECT.xml|MODEL.ifc",
-                     "The project; for ifc the model that it was begun from", &options.project}};
+  command.places = {
+      {"target",
+       fmt::format("{}|{}|{}", kRadiance, kGltf, kIfc),
+       "What to write",
+       &options.target,
+       true,
+       {kRadiance, kGltf, kIfc}},
+      {"source", "PROJECT.xml|MODEL.ifc",
+       "The project, or with ifc the model from which it was imported", &options.project}};
   command.options = {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
-      {"-o,--output", "FOLDER|FILE", "Where to, made if needed; for ifc the new file. Needed",
+      {"-o,--output", "FOLDER|FILE",
+       "Write into this folder, or with ifc into this new file; needed. It is made if needed",
        some_text(options.output)},
       jobs_option(options.jobs, "a model"),
-      {"--results", "RESULT.json", "Of ifc: what 'check --format json' wrote; needed",
+      {"--results", "RESULT.json",
+       "Write the results of this file, with ifc; needed. 'check --format json' wrote it",
        some_text(options.results)},
-      {"--scene", "ID", "Of radiance: luminaires at the levels of this scene; else at full output",
+      {"--scene", "ID",
+       "Set luminaires to the levels of this scene, with radiance; default full output",
        some_text(options.scene)},
       seed_option(options.seed),
       {"--space", "ID",
-       "Which space; radiance needs it if there are several, gltf takes all without it",
+       "Choose the space by its id. radiance needs it if there are several; gltf writes all "
+       "without it",
        some_text(options.space)},
       rules_option(options.rule_files),
       allow_option(options.allowed)};
   command.notes =
-      "radiance writes a scene that Radiance calculates as it is: materials, surfaces, luminaires\n"
-      "with their photometry, the points of all planes of illuminance (those of workplaces too), "
-      "a\n"
-      "script and a README.md. Planes of cylindrical, semicylindrical, hemispherical and scalar\n"
-      "illuminance are sums over directions; ratings and ratios are left out, with a message.\n\n"
-      "gltf writes ROOM.glb of every room, or of that of --space: a model that any viewer opens,\n"
-      "with the maintained illuminance of the surfaces as colours on the scale of all that are\n"
-      "written, and as numbers (_ILLUMINANCE_LX), luminaires, planes and legend. For pictures: it\n"
-      "is linear between the corners of a mesh, and no verdict. --seed and --jobs are for it.\n\n"
+      "radiance writes a scene that Radiance can calculate: materials, surfaces, luminaires with\n"
+      "their photometry, the points of all planes of illuminance, a script and a README.md. "
+      "Planes\n"
+      "of cylindrical, semicylindrical, hemispherical and scalar illuminance are sums over\n"
+      "directions. Ratings and ratios are omitted, with a message.\n\n"
+      "gltf writes ROOM.glb for every room, or for the one of --space: a model that any viewer\n"
+      "opens. It has luminaires, planes and a legend. Surfaces show the maintained illuminance as\n"
+      "colours, on one scale for all files, and as numbers (_ILLUMINANCE_LX). Values are linear\n"
+      "between the corners of a mesh: they are for pictures, not for verdicts. --seed and --jobs\n"
+      "apply to gltf.\n\n"
       "ifc writes a copy of the model (IFC 2x3 or 4) with the results as property sets of its\n"
-      "rooms: Luxgate_Results, and Luxgate_Plane_ID of each plane, with verdicts in words and\n"
-      "values with their intervals; Luxgate_Run of the project with warnings. All else stays byte\n"
-      "for byte. Rooms are found by the GlobalId in the ids that 'import' gave. What an earlier\n"
-      "export has added is replaced.";
+      "rooms: Luxgate_Results, and Luxgate_Plane_ID for each plane. They have verdicts in words "
+      "and\n"
+      "values with their intervals. Luxgate_Run of the project has the warnings. All other bytes\n"
+      "stay as they are. Rooms are found by the GlobalId in the ids that 'import' gave. Results "
+      "of\n"
+      "an earlier export are replaced.";
   command.examples = {
       {"luxgate export radiance office.xml -o office-radiance",
        "Then: office-radiance/run.sh && luxgate compare result.json office-radiance/radiance.csv"},

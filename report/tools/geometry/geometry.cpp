@@ -236,17 +236,18 @@ ExitCode run_geometry(const GeometryOptions& options) {
 
 Command geometry_syntax(GeometryOptions& options) {
   Command command{"geometry",
-                  "Say what is in mesh files and projects, and whether rooms are closed"};
+                  "Print what is in mesh files and projects, and whether rooms are closed"};
   command.places = {{"files", "FILE",
                      "Mesh files (OBJ, glTF, GLB, STL, PLY), gbXML files or projects",
                      &options.files}};
   command.options = {
-      {"--units", "UNIT", "Unit of OBJ, STL and PLY files: m, cm, mm, in or ft",
+      {"--units", "UNIT",
+       "Set the unit of OBJ, STL and PLY files: m, cm, mm, in or ft; they need it",
        choice<std::string>(options.mesh_units,
                            {{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}})},
-      {"--up", "AXIS", "Vertical axis of OBJ, STL and PLY files: z or y",
+      {"--up", "AXIS", "Set the vertical axis of OBJ, STL and PLY files: z or y; they need it",
        choice<std::string>(options.mesh_up, {{"z", "z"}, {"y", "y"}})},
-      {"--strict", "", "Exit with 1 if there is a warning", &options.strict}};
+      {"--strict", "", "End with exit code 1 if there is a warning", &options.strict}};
   add(command.options, text_or_json_options(options.as_json));
   command.examples = {{"luxgate geometry hall.glb", "Whether its surfaces are closed"},
                       {"luxgate geometry part.stl --units mm --up y", "Of a file without units"}};

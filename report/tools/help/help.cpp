@@ -53,9 +53,8 @@ Command help_command(const std::vector<std::string>& names) {
   Command command{"help", "Explain a command: its options, examples and exit codes"};
   command.places = {command_place(asked->command, names),
                     {"action", "ACTION", "An action of the command", &asked->action, false}};
-  command.options = {{"--options", "",
-                      "Print a table of all options of all commands instead, as CSV",
-                      &asked->table}};
+  command.options = {
+      {"--options", "", "Print a table of all options of all commands, as CSV", &asked->table}};
   command.examples = {{"luxgate help check", "All of 'check'"},
                       {"luxgate help rules import", "An action"}};
   command.exit_codes = {{kAllMet, "printed"}, {kNotJudged, "there is no such command"}};
@@ -104,9 +103,10 @@ Command man_command(const std::vector<std::string>& names) {
   const auto asked = std::make_shared<Asked>();
   Command command{"man", "Print a manual page, or write all of them"};
   command.places = {command_place(asked->command, names)};
-  command.options = {{"-o,--output", "FOLDER",
-                      "Write the pages of the program and of all commands there; made if needed",
-                      some_text(asked->folder)}};
+  command.options = {
+      {"-o,--output", "FOLDER",
+       "Write the pages of the program and of all commands into this folder; made if needed",
+       some_text(asked->folder)}};
   command.examples = {{"luxgate man check | man -l -", "Shows the page of 'check'"},
                       {"luxgate man -o man1", "All pages, to be installed"}};
   command.exit_codes = {{kAllMet, "printed or written"}, {kNotJudged, "an error"}};

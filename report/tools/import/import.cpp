@@ -266,14 +266,15 @@ Command import_command() {
                      "A drawing (DXF, text or binary, any version) or a model (IFC 2x3 or 4)",
                      &options->file}};
   command.options = {
-      {"--map", "FILE.toml", "What layers and blocks mean, and what no drawing knows; needed",
+      {"--map", "FILE.toml", "Read what layers and blocks mean, and what no drawing knows; needed",
        some_text(options->map)},
       {"-o,--output", "FOLDER",
-       "Where the project goes; made if needed. Without it nothing is written",
+       "Write the project into this folder; made if needed. Without it nothing is written",
        some_text(options->folder)},
       {"--suggest-map", "", "Print a map to start from: all layers and blocks, or rooms and types",
        &options->suggests_map},
-      {"--unit", "UNIT", "Of the drawing: m, cm, mm, in or ft; beats the map and the file",
+      {"--unit", "UNIT",
+       "Set the unit of the drawing: m, cm, mm, in or ft. It overrides the map and the file",
        ValueParser(
            [target = options](const std::string& text) -> std::string {
              if (!metres_per_import_unit(text)) return one_of_message(text, kImportUnits);
@@ -283,11 +284,11 @@ Command import_command() {
            {kImportUnits.begin(), kImportUnits.end()})}};
   add(command.options, text_or_json_options(options->as_json));
   command.notes =
-      "Closed outlines become rooms, blocks luminaires and furniture, polylines planes and\n"
-      "routes, as the map says. What could not be taken is said with its reason.\n\n"
-      "FOLDER gets project.xml, photometry/ and .luxgate-import.xml, which is what the drawing\n"
-      "said. The next import compares it with the drawing and with project.xml: what changed in\n"
-      "the drawing alone is taken over, what was changed by hand is kept.";
+      "The map says what closed outlines, blocks and polylines become: rooms, luminaires,\n"
+      "furniture, planes and routes. What could not be taken is listed with its reason.\n\n"
+      "FOLDER gets project.xml, photometry/ and .luxgate-import.xml, a copy of what the drawing\n"
+      "said. The next import compares this copy with the drawing and with project.xml. Changes of\n"
+      "the drawing are taken over, changes by hand are kept.";
   command.examples = {{"luxgate import plan.dxf --suggest-map > map.toml", "Then: edit map.toml"},
                       {"luxgate import plan.dxf --map map.toml -o project",
                        "Then: luxgate validate project/project.xml"}};

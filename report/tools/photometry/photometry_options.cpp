@@ -59,45 +59,50 @@ Command photometry_syntax(PhotometryOptions& options) {
   command.places = {
       {"files", "FILE", fmt::format("Photometry files ({})", formats), &options.files}};
   command.options = {
-      {"--format", "KIND", "Kind of output: text, csv (one line per file) or json; default text",
+      {"--format", "KIND", "Choose the output: text, csv (one line per file) or json; default text",
        choice<PhotometryFormat>(options.format, {{"text", PhotometryFormat::text},
                                                  {"csv", PhotometryFormat::csv},
                                                  {"json", PhotometryFormat::json}})},
-      {"--json", "", "As JSON", chosen(options.format, PhotometryFormat::json)},
+      {"--json", "", "Print JSON: the same as --format json",
+       chosen(options.format, PhotometryFormat::json)},
       {"--csv",
        "",
-       "As CSV, one line per file",
+       "Print CSV: the same as --format csv",
        chosen(options.format, PhotometryFormat::csv),
        false,
        {"--json"}},
-      {"--polar", "OUT.svg|.png", "Draw one file's polar diagram; the kind by the name",
+      {"--polar", "OUT.svg|.png", "Draw the polar diagram of one file, as SVG or PNG",
        any_text(options.polar_file)},
-      {"--polar-dir", "FOLDER", "Draw every file's polar diagram: FOLDER/FILE.svg; made if needed",
+      {"--polar-dir", "FOLDER",
+       "Draw the polar diagram of every file into this folder, as FILE.svg; made if needed",
        any_text(options.polar_folder)},
       {"--convert", "OUT.ies|.ldt",
-       "Write one file again as LM-63-2002 or EULUMDAT, by the name; never over an input",
+       "Convert one file to LM-63-2002 (.ies) or EULUMDAT (.ldt). It is never written over an "
+       "input",
        any_text(options.convert_file)},
       {"--sheet", "OUT.html|.pdf",
-       "One file's data sheet: figures, polar diagram, light cone, luminances, UGR table; a PDF is "
-       "printed by Chromium",
+       "Write a data sheet of one file, as HTML or PDF. It has figures, a polar diagram, a light "
+       "cone, luminances and a UGR table. Chromium prints the PDF",
        any_text(options.sheet_file)},
   };
   add(command.options, page_options(options.page, "the data sheet"));
   add(command.options,
       {{"--compare", "",
-        "Compare two files: are they one light, and which quarter turn lies between them?",
+        "Compare two files. The output says whether the light is the same, and after which quarter "
+        "turn",
         &options.compare},
-       {"--lamp-set", "N", "EULUMDAT: take the N-th lamp set; default the first",
+       {"--lamp-set", "N", "Use the N-th lamp set of an EULUMDAT file; default the first",
         whole_number(options.lamp_set, 1, 1'000'000)},
-       {"--variant", "ID", "GLDF: take the light of this variant", some_text(options.variant)},
+       {"--variant", "ID", "Use the light of this variant of a GLDF file",
+        some_text(options.variant)},
        {"--emitter", "ID",
-        "GLDF: this emitter, ID#2 for its second light, all for those that shine together; TM-33: "
-        "id, description or number",
+        "Use this emitter of a GLDF or TM-33 file. GLDF: ID, ID#2 for its second light, or all for "
+        "those that shine together. TM-33: id, description or number",
         some_text(options.emitter)},
-       {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
+       {"--strict", "", "End with exit code 1 if there is a warning", &options.strict},
        color_option(options.color),
        quiet_option(options.quiet)});
-  command.notes = "A bad file does not keep the others from being shown.";
+  command.notes = "Other files are shown even if one cannot be read.";
   command.examples = {
       {"luxgate photometry panel.ies --sheet panel.html", "A data sheet"},
       {"luxgate photometry old.ldt new.ies --compare", "Whether two files are the same light"},

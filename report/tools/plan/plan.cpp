@@ -72,7 +72,7 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
 }  // namespace
 
 Command plan_syntax(PlanOptions& options) {
-  Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
+  Command command{"plan", "Print what 'check' would do, omit and cost, without calculating"};
   options.input.takes_standard_input = true;
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
@@ -82,20 +82,21 @@ Command plan_syntax(PlanOptions& options) {
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
   add(command.options, text_or_json_options(options.as_json));
-  add(command.options, {{"--units",
-                         "",
-                         "List what machines can calculate apart from each other, rooms or planes "
-                         "of large\n"
-                         "ones, with predicted costs: for 'luxgate check --shard'",
-                         &options.as_units,
-                         false,
-                         {"--space", "--plane", "--tag", "--require"}},
-                        strict_option(options.strict),
-                        sandbox_option(options.sandbox),
-                        quiet_option_with_count(options.quiet)});
+  add(command.options,
+      {{"--units",
+        "",
+        "List the jobs that machines can calculate separately, with predicted costs. 'luxgate "
+        "check --shard' calculates them. A job is a room, or a plane of a large room",
+        &options.as_units,
+        false,
+        {"--space", "--plane", "--tag", "--require"}},
+       strict_option(options.strict),
+       sandbox_option(options.sandbox),
+       quiet_option_with_count(options.quiet)});
   command.examples = {
-      {"luxgate plan office.xml", "What is proved to add nothing, and the cost of the rest"},
-      {"luxgate plan designs/a.xml designs/b.xml --units --json", "What machines can share"}};
+      {"luxgate plan office.xml", "Print what is proved to add nothing, and the cost of the rest"},
+      {"luxgate plan designs/a.xml designs/b.xml --units --json",
+       "List the jobs that machines can share"}};
   command.exit_codes = {{0, "no error"},
                         {2, "at least one error, or a warning that --strict makes count"}};
   command.most_used = {"--rules", "--backend", "--units", "--format",

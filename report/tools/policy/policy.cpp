@@ -26,7 +26,7 @@ Command policy_command() {
     }
     return code;
   };
-  Command explain{"explain", "Say in words what a policy wants"};
+  Command explain{"explain", "Explain in words what a policy requires"};
   explain.places = {{"file", "FILE", "A policy", file.get()}};
   explain.examples = {{"luxgate policy explain office-policy.xml", ""}};
   explain.exit_codes = {{0, "no error"}, {2, "at least one error"}};
@@ -41,7 +41,7 @@ Command policy_command() {
   schema.run = [](const RunContext&) {
     return print_outcome({kAllMet, report::policy_schema(), {}});
   };
-  Command command{"policy", "Check and explain policies: what the owner of a gate wants"};
+  Command command{"policy", "Check and explain policies, the rules of the owner of a gate"};
   command.actions = {std::move(check), std::move(explain), std::move(schema)};
   return command;
 }

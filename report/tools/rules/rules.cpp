@@ -205,10 +205,10 @@ Command list_action() {
 
 Command show_action() {
   const auto options = std::make_shared<PackOptions>();
-  Command command{"show", "Print all of one rule pack, or what one row of it is about"};
+  Command command{"show", "Print a rule pack, or one row of it"};
   command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name},
                     {"part", "ROW",
-                     "A row, role or check of it: on which planes it is held, and\n"
+                     "A row, role or check of it: to which planes it applies, and "
                      "what is required there",
                      &options->part, false}};
   command.options = {rules_option(options->rule_files)};
@@ -223,7 +223,7 @@ Command show_action() {
 
 Command lint_action() {
   const auto options = std::make_shared<PackOptions>();
-  Command command{"lint", "Find errors and doubtful things in rule pack files"};
+  Command command{"lint", "Find errors and doubtful entries in rule packs"};
   command.places = {{"files", "FILE|DIR", "Rule packs, or folders of them", &options->files}};
   command.examples = {{"luxgate rules lint own.xml", "Before it is used"}};
   return action<PackOptions>(
@@ -239,9 +239,11 @@ Command import_action() {
   command.places = {
       {"csv", "TABLE.csv", "Table with a line of column names, see below", &options->csv, false}};
   command.options = {
-      {"-o,--output", "PACK.xml", "Where to; default standard output", any_text(options->output)},
-      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)},
-      {"--template", "", "Print a table to begin with, of two rows, and nothing else",
+      {"-o,--output", "PACK.xml", "Write the pack into this file; default standard output",
+       any_text(options->output)},
+      {"--id", "ID", "Set the id of the new pack; default en12464-1-own",
+       any_text(options->pack_id)},
+      {"--template", "", "Print a table of two rows to start from, and nothing else",
        &options->wants_template}};
   command.complete = [options](const Environment&) -> std::string {
     return options->csv.empty() == options->wants_template
@@ -276,7 +278,7 @@ Command rules_command() {
 
 Command explain_command() {
   const auto options = std::make_shared<PackOptions>();
-  Command command{"explain", "Say what a rule requires, or what a message means"};
+  Command command{"explain", "Explain what a rule requires, or what a message means"};
   command.places = {
       {"what", "WHAT",
        "PACK/ROW, PACK/ROLE or PACK/CHECK, PACK being the id of a rule pack or id:edition; "

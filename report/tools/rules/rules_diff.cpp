@@ -95,22 +95,23 @@ ExitCode run_diff(const DiffOptions& asked, const RunContext& context) {
 
 Command diff_action() {
   const auto options = std::make_shared<DiffOptions>();
-  Command command{"diff", "Say in what two rule packs differ, and what that changes in a project"};
+  Command command{"diff", "Print how two rule packs differ, and what that changes in a project"};
   command.places = {{"a", "A", "A pack: its id, or id:edition, or a file", &options->before},
                     {"b", "B", "Another one", &options->after}};
   command.options = {
-      {"--rows", "FROM=TO", "Row FROM of A is row TO of B, where it has another number; repeatable",
+      {"--rows", "FROM=TO",
+       "Compare row FROM of A with row TO of B, which has another number; repeatable",
        one_more(options->rows), true},
       {"--project", "FILE",
-       "Check this project with A and with B, whichever of them it names, and tell\n"
-       "which limits and verdicts that changes",
+       "Check this project with A and with B, and print which limits and verdicts change. The "
+       "project may name either of them",
        some_text(options->project)},
       rules_option(options->check.input.rule_files),
       jobs_option(options->check.settings.radiosity.jobs)};
   add(command.options, text_or_json_options(options->as_json));
   command.notes =
-      "[stricter] and [easier] are of a change by itself, everything else as in A or as in B, and\n"
-      "stand only where that is certain.";
+      "[stricter] and [easier] describe a single change, with everything else as in A or as in B.\n"
+      "They are printed only where that is certain.";
   command.examples = {{"luxgate rules diff en12464-1:2011 en12464-1:2021 --project office.xml",
                        "What another edition changes in a project"}};
   command.exit_codes = {

@@ -20,14 +20,12 @@ struct OtherSchema {
 };
 
 constexpr std::array kOtherSchemas{
-    OtherSchema{"--markdown",
-                "Print the reference of project files for people instead, in Markdown",
+    OtherSchema{"--markdown", "Print the reference of project files in Markdown, for people",
                 rules::project_reference},
-    OtherSchema{"--result", "Print the JSON schema of 'check --format json' instead",
+    OtherSchema{"--result", "Print the JSON schema of 'check --format json'",
                 report::result_schema},
-    OtherSchema{"--sweep", "Print the JSON schema of 'sweep --format json' instead", sweep_schema},
-    OtherSchema{"--advice", "Print the JSON schema of 'advise --format json' instead",
-                advice_schema}};
+    OtherSchema{"--sweep", "Print the JSON schema of 'sweep --format json'", sweep_schema},
+    OtherSchema{"--advice", "Print the JSON schema of 'advise --format json'", advice_schema}};
 
 }  // namespace
 

@@ -41,28 +41,28 @@ std::string selftest_contradiction(const SelftestOptions& options) {
 Command selftest_syntax(SelftestOptions& options) {
   Command command{"selftest", "Calculate cases whose light is known exactly, and compare"};
   command.options = {
-      {"--list", "", "Name the cases and run none", &options.lists},
-      {"--all", "", "A line for every number, not for every case", &options.shows_all},
-      {"--timing", "", "Times and rays too; without them equal runs print equal bytes",
+      {"--list", "", "Print the names of the cases and run none", &options.lists},
+      {"--all", "", "Print a line for every number instead of every case", &options.shows_all},
+      {"--timing", "", "Print times and numbers of rays. Without it equal runs print equal bytes",
        &options.has_timing},
-      {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
-       true},
+      {"--only", "NAME", "Run only this case or kind of cases; repeatable",
+       case_or_kind(options.only), true},
       {"--report", "FOLDER",
-       "Write validation.html and validation.md there: every case with its\n"
-       "numbers. Made if needed",
+       "Write validation.html and validation.md into this folder; made if needed. They have every "
+       "case with its numbers",
        some_text(options.report_folder)},
       seed_option(options.seed),
       {"--seeds", "N",
-       "As many runs, with this seed and those after it: how often the stated intervals\n"
-       "hold, and no verdict that hangs on one seed's luck; 1 to 1000, default 1",
+       "Run with N seeds, from --seed on, 1 to 1000; default 1. It shows how often the stated "
+       "intervals hold, and no verdict then depends on one seed",
        whole_number(options.seeds, 1, 1000)},
       jobs_option(options.jobs)};
   add(command.options, text_or_json_options(options.as_json));
   command.notes =
-      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or\n"
-      "by a matrix solution, none of which uses the calculation. 'in': the exact value lies in "
-      "our\n"
-      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.";
+      "The light of every case is known exactly: by a closed form, by quadrature or by a matrix\n"
+      "solution. None of them uses the calculation. 'in': the exact value is in the interval. "
+      "Fewer\n"
+      "than one of a thousand seeds miss any of the numbers at this level.";
   command.examples = {
       {"luxgate selftest --only cie171-5.8 --all", "Every number of one kind of cases"}};
   command.exit_codes = {{kAllMet, "all cases are right"},

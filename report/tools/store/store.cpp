@@ -123,8 +123,8 @@ using Work = CommandOutcome (*)(const StoreOptions&);
 Command store_action(std::string name, std::string summary,
                      const std::shared_ptr<StoreOptions>& options, Work work) {
   Command command{std::move(name), std::move(summary)};
-  command.places = {{"dir", "DIR", "The folder of 'check --store'", &options->folder}};
-  command.examples = {{fmt::format("luxgate store {} looks", command.name), ""}};
+  command.places = {{"dir", "DIR", "Folder of 'check --store'", &options->folder}};
+  command.examples = {{fmt::format("luxgate store {} cache", command.name), ""}};
   command.exit_codes = {{0, "no error"}, {2, "an error or a damaged entry"}};
   command.complete = [options](const Environment&) { return problem_with_folder(options->folder); };
   command.run = [options, work](const RunContext&) { return print_outcome(work(*options)); };
@@ -137,17 +137,16 @@ Command prune_action() {
   Command command = store_action(
       "prune", "Delete entries until the rest has a given size, those unused for longest first",
       options, prune);
-  command.examples = {{"luxgate store prune looks --max-size 2GiB", ""}};
-  command.options = {
-      {"--max-size", "SIZE",
-       "Bytes to be left at most: 500MB, 2GiB, 0; needed. An entry counts as used when it is\n"
-       "written and, once a day at most, when it is read",
-       [options](const std::string& text) -> std::string {
-         const auto bytes = parse_bytes(text);
-         if (!bytes) return "a whole number and a unit are needed: 500MB, 2GiB";
-         options->max_bytes = *bytes;
-         return "";
-       }}};
+  command.examples = {{"luxgate store prune cache --max-size 2GiB", ""}};
+  command.options = {{"--max-size", "SIZE",
+                      "Keep at most this size, as 500MB, 2GiB or 0; needed. An entry counts as "
+                      "used when it is written, and once a day at most when it is read",
+                      [options](const std::string& text) -> std::string {
+                        const auto bytes = parse_bytes(text);
+                        if (!bytes) return "a whole number and a unit are needed: 500MB, 2GiB";
+                        options->max_bytes = *bytes;
+                        return "";
+                      }}};
   command.complete = [options](const Environment&) -> std::string {
     if (options->max_bytes == std::numeric_limits<std::uint64_t>::max()) {
       return "--max-size is needed: 500MB, 2GiB";
@@ -172,14 +171,13 @@ std::optional<std::uint64_t> parse_bytes(std::string_view text) {
 }
 
 Command store_command() {
-  Command command{"store", "Show, check and prune a store of looks ('check --store')"};
+  Command command{"store", "Show, check and prune a result cache ('check --store')"};
   command.actions = {
-      store_action("info", "Say how many entries there are, their size, and when they were used",
+      store_action("info", "Print how many entries there are, their size, and when they were used",
                    std::make_shared<StoreOptions>(), info),
       prune_action(),
       store_action("verify",
-                   "Read every entry whole: format, checksum and key; says which are damaged.\n"
-                   "Nothing is calculated again",
+                   "Read all entries and print which are damaged: format, checksum and key",
                    std::make_shared<StoreOptions>(), verify)};
   return command;
 }

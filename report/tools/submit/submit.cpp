@@ -44,12 +44,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSubmitNotes =
-    "Shards calculate into the store, the closing job reports from it: with the bytes of one\n"
-    "machine. What is in the store is only read, so the same command once more completes what was\n"
-    "cut off; a shard of which all is there costs its reading. Store, job folder, projects and\n"
-    "luxgate must have the same paths on all machines. Where some have a GPU and some do not, say\n"
-    "--backend. Each batch has a folder of its own in the job folder; it may be deleted later.\n"
-    "All other options are those of 'check'; those of reports are for the closing job alone.";
+    "Shards calculate into the store, and the closing job writes the reports from it. The\n"
+    "reports have the bytes of a run on one machine. The same command again completes what\n"
+    "was cut off: what is in the store is read, not calculated. Store, job folder, projects\n"
+    "and luxgate must have the same paths on all machines. Where only some machines have a\n"
+    "GPU, set --backend. Each batch has its own folder in the job folder, which may be\n"
+    "deleted later. All other options are those of 'check'; options of reports apply to the\n"
+    "closing job only.";
 
 struct SubmitOptions {
   CheckOptions check;
@@ -311,31 +312,34 @@ Command submit_command() {
   command.places = {projects_place(options->check.input)};
   command.options = {
       {"--engine", "NAME",
-       "slurm: an array of shards and a closing job after it; parallel: GNU parallel;\n"
-       "local: bash alone",
+       "Choose what runs the batch: slurm, parallel or local. slurm: an array of shards and a "
+       "closing job. parallel: GNU parallel. local: bash alone",
        engine_parser(options->engine)},
       {"--shards", "N",
-       "Into how many shards; at most one for each unit. Default: about three minutes each, where\n"
-       "the predicted first looks are taken for a quarter of the work",
+       "Split the batch into N shards, at most one per job; default about three minutes each. The "
+       "predicted first rounds are taken for a quarter of the work",
        whole_number(options->shards, 1, 1'000'000)},
       {"--job-folder", "DIR",
-       "For script, lists of projects and units, and logs; made if it is not there; default the\n"
-       "store's name with '-job' behind it",
+       "Write the script, lists and logs into this folder; default the name of the store with "
+       "'-job'. It is made if needed",
        some_text(options->job_folder)},
       jobs_option(options->jobs),
       {"--closing-jobs", "N",
-       "Threads of the closing job, which mostly wait for the store; with slurm the cores that it\n"
-       "asks for. Default: as many as a shard for slurm, else one per core",
+       "Use N threads in the closing job, which mostly wait for the store; 1 to 1024. By default "
+       "as many as a shard with slurm, otherwise one per core. With slurm it is also the number of "
+       "cores that are requested",
        whole_number(options->closing_jobs, 1, 1024)},
       {"--at-once", "N",
-       "At most so many shards at a time; default all that slurm has room for, else one for\n"
-       "each core",
+       "Run at most N shards at a time; default all that slurm has room for, else one per core",
        whole_number(options->at_once, 1, 1'000'000)},
-      {"--send", "", "Start it, instead of printing the script", &options->sends},
+      {"--send", "", "Start the batch instead of printing the script", &options->sends},
       {"--wait", "",
-       "With --send and slurm: wait for the closing job, print its results and end with its code",
+       "Wait for the closing job, print its results and end with its exit code; with --send and "
+       "slurm",
        &options->waits}};
-  command.options[3].help = "Threads of a shard, cores that it asks for; default 1";
+  command.options[3].help =
+      "Use N threads in a shard, 1 to 1024; default 1. With slurm it is also the number of cores "
+      "that are requested";
   add(command.options, options_of_check(*options, std::move(of_check.options)));
   command.config = of_check.config;
   command.config_revision = of_check.config_revision;

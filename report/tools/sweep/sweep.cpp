@@ -42,18 +42,20 @@ constexpr std::size_t kMostSweepStoreBytes = std::size_t{1} << 30;
 constexpr std::size_t kMostLogged = 100;
 
 constexpr const char* kSweepNotes =
-    "All combinations are checked, the last --vary fastest. What a change does not touch is taken\n"
-    "from the store, or from memory without one: limits, dimming and maintenance factors trace no\n"
-    "ray. A margin is (value - limit) / limit, turned for upper limits, so that above 0 is good;\n"
-    "that of a variant is the smallest over all requirements that count. Limits of 0, aggregates\n"
-    "and classes have none: the verdict knows them, 'N without' counts them. Power and price are\n"
-    "of all installed luminaires; 'price' of <luminaire-type> is that of one, in any currency.\n"
-    "On the front ('on') is a variant that passes if no other one that passes has a margin as\n"
-    "large with less power, or a larger one with as much; 'perhaps' if others have, but none with\n"
-    "its whole interval: --goal accuracy makes intervals narrow. Variants with the same power and\n"
-    "margin are on it together. With --front price it is the same of the price. Where the power "
-    "or\n"
-    "price of a luminaire is not known, its variant is not on the front, and a line says so.";
+    "All combinations are checked, the last --vary fastest. What a change does not affect\n"
+    "comes from the store, or from memory. Limits, dimming and maintenance factors need no\n"
+    "new calculation.\n\n"
+    "A margin is (value - limit) / limit, with the sign changed for upper limits, so that\n"
+    "more than 0 is good. The margin of a variant is the smallest of all requirements that\n"
+    "count. Limits of 0, aggregates and classes have no margin: 'N without' counts them.\n"
+    "Power and price are those of all installed luminaires. The attribute 'price' of\n"
+    "<luminaire-type> is that of one luminaire, in any currency.\n\n"
+    "A variant that passes is on the front ('on') if no other one is better: with a margin as\n"
+    "large and less power, or with a larger margin and the same power. 'perhaps': others are\n"
+    "better, but not with their whole interval. --goal accuracy makes intervals narrow.\n"
+    "Variants with the same power and margin are on the front together. With --front price\n"
+    "the price counts instead of the power. A variant with a luminaire of unknown power or\n"
+    "price is not on the front, and a line says so.";
 
 // Every file is read once, so that all variants are of the same files.
 class KeptFiles : public calc::FileReader {
@@ -275,11 +277,12 @@ Option vary_option(std::vector<Vary>& vary) {
     vary.push_back(*std::move(one));
     return "";
   };
-  return {"--vary", "PATH=LIST",
-          "Values that an attribute of the project takes, one after the other: a,b,c or\n"
-          "from:to:step, or both mixed. PATH is as of --set: linear.flux-lm=3000:5000:500,\n"
-          "room.L.columns=3,4,5. Can be repeated: all combinations, at most 100000",
-          parse, true};
+  return {
+      "--vary", "PATH=LIST",
+      "Try each value of a list for an attribute of the project; repeatable. LIST is a,b,c or "
+      "from:to:step, or both mixed. PATH is written as for --set: linear.flux-lm=3000:5000:500, "
+      "room.L.columns=3,4,5. Several lists give all combinations, at most 100000",
+      parse, true};
 }
 
 }  // namespace
@@ -400,12 +403,12 @@ Command sweep_command() {
       rules_option(check.input.rule_files),
       allow_option(check.input.allowed),
       {"--front", "NAME",
-       "What a larger margin is held against: power or price, of all luminaires; default power",
+       "Choose what is compared with the margin: power or price of all luminaires; default power",
        choice<FrontOf>(options->front_of, {{"power", FrontOf::power}, {"price", FrontOf::price}})}};
   add(command.options,
       data_format_options(options->outputs,
-                          "text, csv, json or html, into a file or to standard output; default "
-                          "text. Can be repeated"));
+                          "text, csv, json or html; default text. It is repeatable. Without FILE, "
+                          "or with '-', it goes to standard output, which takes one kind only"));
   add(command.options, config_options(check.input.config));
   command.config = &check.input.config;
   add(command.options, accuracy_options(check.settings));
@@ -415,11 +418,10 @@ Command sweep_command() {
       {store_option(check.store),
        shard_option(
            check.batch.share,
-
-           "Calculate only share I of N of the variants, from 1 to N, into --store, and write no\n"
-           "table: for as many machines. Variants that need the same light are in one share: more\n"
-           "shares than different lights are of no use. Then the same command with --stored-only\n"
-           "reports"),
+           "Calculate only share I of N into --store, for N machines; I from 1 to N. No table is "
+           "written. Variants that need the same light are in one share, so that more shares than "
+           "different lights are of no use. Afterwards the same command with --stored-only writes "
+           "the table"),
        stored_only_option(check.batch.is_stored_only), quiet_option(check.output.quiet)});
   command.notes = kSweepNotes;
   command.examples = {

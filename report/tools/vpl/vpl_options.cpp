@@ -34,20 +34,23 @@ Command vpl_syntax(VplOptions& options) {
   Command command{"vpl", "Trace the light vertices of a space and write them as a PLY file"};
   command.places = {project_place(options.project)};
   command.options = {
-      {"-o,--output", "FILE.ply", "Where to, never over an input; this or --view is needed",
+      {"-o,--output", "FILE.ply",
+       "Write the light vertices into this file, never over an input. This or --view is needed",
        some_text(options.output)},
       {"--view", "OUT.png|.exr",
-       "A picture of the room with the light vertices of one replicate's first look (of its\n"
-       "first 1024 paths, or --paths if that is less) as dots: area by flux, drawn by OpenGL",
+       "Draw the room with its light vertices as dots, by OpenGL. The area of a dot shows its "
+       "flux. The picture has one replicate of the first round: its first 1024 paths, or --paths "
+       "if that is less",
        some_text(options.view)},
       {"--gl-device", "N",
-       "OpenGL device of 'luxgate devices' for --view; default hardware or software, whatever\n"
-       "draws sooner",
+       "Choose the OpenGL device for --view; default the one that draws sooner. 'luxgate devices' "
+       "lists them",
        whole_number(options.gl_device, 0, 1000)},
-      {"--paths", "N", "Light paths of each replicate, a power of two; default 4096",
+      {"--paths", "N", "Trace N light paths in each replicate, a power of two; default 4096",
        power_of_two(settings.max_paths, 16, calc::kMostPaths)},
       {"--replicates", "N",
-       "Independent repetitions, 1 to 64; 'check --vpl' needs 4 for its intervals; default 16",
+       "Repeat the tracing N times, 1 to 64; default 16. 'check --vpl' needs at least 4 for its "
+       "intervals",
        whole_number(settings.replicates, 1, 64)},
       seed_option(settings.seed),
       allow_option(options.allowed),

@@ -42,9 +42,9 @@ namespace {
 constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
 
 constexpr const char* kWatchNotes =
-    "The terminal shows the whole result first, then what each change did to it, and the time\n"
-    "from the last save to the verdict. What did not change is not calculated again. A change\n"
-    "while it calculates starts it anew. Ctrl-C ends it.";
+    "The terminal shows the whole result first. After each save it shows what changed, and\n"
+    "the time from the save to the verdict. Only what changed is calculated again. A change\n"
+    "during a calculation starts it again. Ctrl-C ends the command.";
 
 struct WatchOptions {
   CheckOptions check;
@@ -255,12 +255,11 @@ Command watch_command() {
   command.places = {projects_place(check.input)};
   command.options = project_options(check.input);
   command.config = &check.input.config;
-  add(command.options,
-      {{"--serve", "",
-        "Show the report in a browser, too, and keep it up to date: on this machine\n"
-        "alone, at an address that nobody can guess",
-        &options->serves},
-       color_option(check.output.color)});
+  add(command.options, {{"--serve", "",
+                         "Show the report in a browser and keep it up to date. Only this machine "
+                         "can reach it, at an address that nobody can guess",
+                         &options->serves},
+                        color_option(check.output.color)});
   add(command.options, text_options(check.output));
   add(command.options, selection_options(check.settings.selection));
   add(command.options, accuracy_options(check.settings));

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -173,6 +174,25 @@ TEST(Help, OptionsAreSpeltTheSameEverywhere) {
   EXPECT_EQ(one_letters.at("--output"), "-o");
   EXPECT_EQ(one_letters.at("--jobs"), "-j");
   EXPECT_EQ(one_letters.at("--quiet"), "-q");
+}
+
+// The first sentence is what the short help and shells show.
+TEST(Help, OptionsBeginWithAShortSentenceInTheImperative) {
+  constexpr std::size_t kLongest = 100;
+  const std::vector<cli::Command> commands = cli::all_commands();
+  for (const cli::Topic& topic : cli::all_topics(commands)) {
+    for (const cli::Option& option : topic.about->options) {
+      const std::string where = topic.line + " " + option.long_name() + ": " + option.help;
+      EXPECT_LE(std::min(option.help.find(". "), option.help.size()), kLongest) << where;
+      EXPECT_FALSE(option.help.ends_with('.')) << where;
+      for (const char* word : {"may be repeated", "an be repeated", " asked", "look", "hangs on"}) {
+        EXPECT_EQ(option.help.find(word), std::string::npos) << where;
+      }
+      const std::string first = option.help.substr(0, option.help.find(' '));
+      constexpr std::array kNone{"As", "Of", "The", "What", "Which", "Where", "Only", "Also"};
+      EXPECT_EQ(std::find(kNone.begin(), kNone.end(), first), kNone.end()) << where;
+    }
+  }
 }
 
 TEST(Help, TableHasALineForEveryOption) {
