@@ -1,7 +1,7 @@
 #pragma once
-// How much one project may take of the machine that reads it. Whoever starts a run decides; no file
-// can raise it. What would go beyond is refused before it is made, with an error of the project:
-// nothing of it is judged, and other projects go on.
+// Limits on what one project may take of the machine that reads it. The caller of a run sets them;
+// no file can raise them. What exceeds a limit is refused before it is made, with an error of the
+// project: none of it is judged, and other projects go on.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/names.h"
@@ -29,10 +29,10 @@ struct Budget {
   double& operator[](BudgetOf of) { return most[static_cast<std::size_t>(of)]; }
 };
 
-// "10000000", of bytes "8 GiB".
+// Returns the amount as text: "10000000", for bytes "8 GiB".
 std::string budget_text(BudgetOf of, double amount);
 
-// Reports the error: the project, or what `what` names, has or would take so much of it.
+// Reports the error that the project, or the thing `what` names, has or would take this amount.
 void report_beyond(Diagnostics& diagnostics, const SourceLocation& where, std::string_view what,
                    BudgetOf of, double amount, const Budget& budget);
 

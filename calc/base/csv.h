@@ -1,5 +1,5 @@
 #pragma once
-// Tables of comma-separated values, as every reader of such a file sees them. [RFC 4180]
+// Reads tables of comma-separated values; every reader of such files uses it. [RFC 4180]
 
 #include "calc/base/diagnostics.h"
 
@@ -45,13 +45,13 @@ enum class CsvComments { none, hash };  // hash: a line that begins with # is a 
 // LF or CR. How many cells a record must have is the caller's to say.
 class CsvReader {
  public:
-  // UTF-8 and UTF-16, with a byte order mark or without; bytes that are no UTF-8 are taken for
+  // Reads UTF-8 and UTF-16, with or without a byte order mark; bytes that are not UTF-8 are read as
   // Windows-1252. The reader must outlive its records.
   explicit CsvReader(std::string_view bytes, CsvComments comments = CsvComments::none);
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  // The next record, blank ones included. Empty after the last, and from a problem on.
+  // Returns the next record, blank ones included; empty after the last, and from a problem on.
   std::optional<CsvRecord> next();
   const std::optional<CsvProblem>& problem() const { return problem_; }
 
@@ -72,7 +72,7 @@ class CsvReader {
   std::optional<CsvProblem> problem_;
 };
 
-// Reports the problem of the file `name`; false if it has none.
+// Reports the problem of the file `name`; returns false if there is none.
 bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics);
 
 // "; write it with a decimal point", or "" of what would not be a number then.
@@ -86,24 +86,24 @@ struct LengthColumn {
 };
 LengthColumn length_column(std::string_view written);
 
-// Where the columns that a reader knows are in its table.
+// Maps the columns that a reader knows to their places in a table.
 class CsvColumns {
  public:
   using PlainName = std::string_view (*)(std::string_view);
 
   CsvColumns() = default;
-  // names: all that are known. plain_name: the one that a written name stands for, where there are
-  // several words for one column.
+  // names: all known columns. plain_name: returns the known name for a written one, where a column
+  // has several names.
   CsvColumns(const CsvRecord& header, std::span<const std::string_view> names,
              PlainName plain_name = nullptr);
 
   std::size_t width() const { return width_; }  // cells of the header; 0 = it was not read yet
   bool has(std::size_t name) const { return at_[name] != kAbsent; }
-  // Of a record with width() cells; "" if there is no such column.
+  // Returns the cell of a record with width() cells; "" if there is no such column.
   const std::string& cell(const CsvRecord& record, std::size_t name) const;
 
   const std::vector<std::string>& unknown() const { return unknown_; }  // as they are written
-  // The first that is there twice, as it is written; "" = none.
+  // Returns the first column that appears twice, as written; "" if there is none.
   const std::string& doubled() const { return doubled_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The ids of all messages about input. Apart from diagnostics.h, so that one more of them has only
-// those compiled anew that report something.
+// The ids of all messages about input. They are apart from diagnostics.h so that a new id
+// recompiles only the files that report something.
 
 #include "calc/base/diagnostics.h"
 

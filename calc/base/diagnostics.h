@@ -1,7 +1,6 @@
 #pragma once
-// Everything the program has to say about its input: one table of ids and message templates
-// (diagnostics.def), one collector, one text form. Libraries report here; only the command line
-// prints.
+// All messages about the program's input: one table of ids and templates (diagnostics.def), one
+// collector, one text form. Libraries report here; only the command line prints.
 
 #include "calc/base/names.h"
 
@@ -17,7 +16,7 @@
 
 namespace calc {
 
-// Where in the user's files something was found. line and column count from 1; 0 means "not known".
+// A place in the user's files. line and column count from 1; 0 means "not known".
 struct SourceLocation {
   std::string file;
   int line = 0;
@@ -35,9 +34,9 @@ struct EnumNames<Severity> {
 enum class DiagnosticId : std::uint16_t;  // see calc/base/diagnostic_ids.h
 class Message;
 
-// Stable kebab-case name of an id, e.g. "unknown-attribute". Scripts may rely on it.
+// Returns the stable kebab-case name of an id, e.g. "unknown-attribute". Scripts may rely on it.
 std::string diagnostic_name(DiagnosticId id);
-// The inverse; empty if there is none of that name.
+// Returns the id of this name; empty if there is none.
 std::optional<DiagnosticId> diagnostic_from_name(std::string_view name);
 Severity diagnostic_severity(DiagnosticId id);
 std::string_view diagnostic_template(DiagnosticId id);
@@ -50,37 +49,37 @@ struct Diagnostic {
   Severity severity() const { return diagnostic_severity(id); }
 };
 
-// "file:12:5: error[unknown-attribute]: message"; unknown line or column is left out. One line, and
-// no command for a CI runner, whatever the name of the file.
+// Returns "file:12:5: error[unknown-attribute]: message" without an unknown line or column. The
+// text is one line and never a command for a CI runner, whatever the file's name.
 std::string format_diagnostic(const Diagnostic& diagnostic);
 
-// Of one id, so that a file of a million mistakes does not fill memory and logs.
+// Limits the messages of one id, because a file may have a million mistakes.
 inline constexpr std::size_t kMostMessagesOfAnId = 1000;
-// In characters.
+// Limits the length of a message, in characters.
 inline constexpr std::size_t kLongestMessage = 4000;
 
-// Collects diagnostics in the order they were found: of each id the first kMostMessagesOfAnId, and
-// one that counts the others. Not thread-safe: readers run on one thread.
+// Collects diagnostics in the order they were found: the first kMostMessagesOfAnId of each id, and
+// one message that counts the others. Not thread-safe: readers run on one thread.
 class Diagnostics {
  public:
-  // Arguments fill the template's {} in order; a count that does not match is our own mistake and
-  // throws fmt::format_error, which the tests of each message would show. A Message among them is
-  // told in English.
+  // Reports one message. Arguments fill the template's {} in order; a wrong number of them is a bug
+  // and throws fmt::format_error, which the tests of each message would show. A Message among them
+  // is written in English.
   template <class... Args>
   void report(DiagnosticId id, const SourceLocation& where, const Args&... args) {
     if (!take(id, 1, where.file)) return;  // not even written
     write(id, where, shown(args)...);
   }
 
-  // Those of `others`, after its own.
+  // Appends the diagnostics of `others`.
   void add(const Diagnostics& others);
 
   bool has_errors() const { return error_count_ > 0; }
   std::size_t error_count() const { return error_count_; }  // also of those left out
   const std::vector<Diagnostic>& all() const { return all_; }
 
-  // Messages about `file` from the `first` one on go into the order of its lines; those of a line
-  // keep theirs, and those about other files, or that count what is left out, keep their places.
+  // Sorts the messages about `file`, from the `first` on, by line; messages of the same line keep
+  // their order. Messages about other files, or that count omitted ones, keep their places.
   void sort_by_line(std::string_view file, std::size_t first);
 
  private:
@@ -95,8 +94,8 @@ class Diagnostics {
     add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
   }
   void add(DiagnosticId id, const SourceLocation& where, std::string message);
-  // Counts them. Whether there is room for one more of the id. file: of which the first one that is
-  // left out is told.
+  // Counts the messages and returns whether there is room for another of this id. file: named in
+  // the message that counts the omitted ones.
   bool take(DiagnosticId id, std::size_t count, const std::string& file);
 
   struct OfAnId {

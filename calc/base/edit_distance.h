@@ -9,7 +9,7 @@
 
 namespace calc {
 
-// How many bytes must be put in, taken out or replaced to make `b` of `a` (Levenshtein's distance).
+// Returns the number of bytes to insert, delete or replace to turn `a` into `b` (Levenshtein).
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -25,9 +25,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// The distance of `found` from a name that it may be meant for: within a third of the name's
-// length, or 1. A text of any length costs next to nothing where it is too long or too short for
-// that.
+// Returns the distance of `found` from `name`, if it is within a third of the name's length, or 1.
+// A text too long or too short for that costs next to nothing.
 inline std::optional<std::size_t> distance_if_near(std::string_view found, std::string_view name) {
   const std::size_t most = std::max<std::size_t>(1, name.size() / 3);
   const std::size_t longer = std::max(found.size(), name.size());

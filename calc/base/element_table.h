@@ -1,7 +1,7 @@
 #pragma once
-// What an XML file format allows, as rows: its elements with their attributes and children. The
-// readers take the names from here and xml_schema.h writes the schema from here, so that neither
-// knows a name that the other does not. What attributes mean together is the readers' own.
+// An XML file format as rows: its elements with their attributes and children. The readers take the
+// names from here and xml_schema.h writes the schema from here, so that both know the same names.
+// Rules between attributes belong to the readers.
 
 #include <cstddef>
 #include <optional>
@@ -24,16 +24,16 @@ struct NumberRange {
   }
 };
 
-// Beyond 1e9 nothing is meant seriously, and squares or differences would lose their meaning.
+// Limits of coordinates: beyond 1e9, squares and differences would lose their accuracy.
 inline constexpr NumberRange kCoordinate{-1.0e9, 1.0e9, false, "a number from -1e9 to 1e9"};
 inline constexpr NumberRange kPositive{0.0, 1.0e9, true, "a number above 0, up to 1e9"};
 inline constexpr NumberRange kNonNegative{0.0, 1.0e9, false, "a number from 0 to 1e9"};
 inline constexpr NumberRange kFraction{0.0, 1.0, false, "a number from 0 to 1"};
 inline constexpr NumberRange kPositiveFraction{0.0, 1.0, true, "a number above 0, up to 1"};
 
-// Texts of all rows go into the schema as they are: what XML reserves is written as an entity.
+// All texts of the rows go into the schema unchanged: characters reserved in XML are entities.
 
-// What an attribute may hold, whatever the others say: a simple type of the schema.
+// The values that an attribute may have on its own: a simple type of the schema.
 struct ValueType {
   std::string_view name;            // in the schema; xs:... are its own and need nothing else
   const ValueType* base = nullptr;  // what it narrows
@@ -46,7 +46,7 @@ struct ValueType {
   std::string_view verbatim{};      // instead of all these: the contents of xs:simpleType
 };
 
-// Of the schema itself.
+// Types of the schema language itself.
 inline const ValueType kAnyText{"xs:string"};
 inline const ValueType kAnyDouble{"xs:double"};
 inline const ValueType kAnyInt{"xs:int"};
@@ -73,14 +73,14 @@ struct ChildRow {
   const ElementGroup* group = nullptr;
 };
 
-// Children that stand in several elements.
+// Children that several elements have.
 struct ElementGroup {
   std::string_view name;
   std::vector<ChildRow> children;
 };
 
-// What elements of one type hold, in the order in which messages name it. Elements of several names
-// may have one type.
+// The content of elements of one type, in the order in which messages name it. Elements of several
+// names may share a type.
 struct ElementRow {
   std::string_view type;
   std::string_view meaning{};
@@ -92,7 +92,8 @@ struct ElementRow {
 Names attribute_names(const ElementRow& row);
 Names child_names(const ElementRow& row);
 
-// What either allows, required only where it is in `one`: for an element with two forms.
+// Returns a row for an element with two forms: it allows what either allows, requires what `one`
+// does.
 ElementRow either_of(const ElementRow& one, const ElementRow& other);
 
 }  // namespace calc

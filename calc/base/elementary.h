@@ -12,7 +12,7 @@
 
 namespace calc {
 
-// Within 3.5 units of the last place; sines and cosines for |x| up to 1e9.
+// Results are within 3.5 units of the last place; sines and cosines for |x| up to 1e9.
 double sin(double x);
 double cos(double x);
 double tan(double x);
@@ -20,13 +20,13 @@ double asin(double x);
 double acos(double x);
 double atan(double x);
 double atan2(double y, double x);
-// Two at once: the same bits, in the time of one.
+// Returns two results with the same bits, in the time of one.
 std::array<double, 2> atan2(const std::array<double, 2>& y, const std::array<double, 2>& x);
 float cos(float x);
 float acos(float x);
 
-// Within 1 unit of the last place. pow of whole numbers and log10 of powers of ten are exact where
-// the result is a double, up to 10^22.
+// Results are within 1 unit of the last place. pow of whole numbers and log10 of powers of ten are
+// exact where the result is a double, up to 10^22.
 double exp(double x);
 double exp2(double x);
 double log(double x);
@@ -35,6 +35,6 @@ double log2(double x);
 double log10(double x);
 double pow(double base, double exponent);
 
-double hypot(double x, double y);  // sqrt(x x + y y), as it stands: no care for 1e154 and beyond
+double hypot(double x, double y);  // sqrt(x x + y y), no scaling: overflows from 1e154 on
 
 }  // namespace calc

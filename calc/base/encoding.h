@@ -1,5 +1,5 @@
 #pragma once
-// Text files in other encodings to UTF-8, which is what everything inside the program is.
+// Converts text files in other encodings to UTF-8, the encoding of all text inside the program.
 
 #include <cstddef>
 #include <optional>
@@ -10,23 +10,23 @@ namespace calc {
 
 enum class TextEncoding { utf8, utf16_le, utf16_be, utf32 };
 
-// By the byte order mark, else by where the zero bytes of the first two characters stand. Single-
-// byte code pages look like UTF-8 here.
+// Returns the encoding by the byte order mark, else by the places of zero bytes in the first two
+// characters. Single-byte code pages count as UTF-8.
 TextEncoding encoding_of(std::string_view bytes);
 
-// UTF-8 stays as it is, with its mark; UTF-16 loses its mark.
+// The text in UTF-8. UTF-8 input keeps its byte order mark; UTF-16 loses it.
 struct DecodedText {
   std::string utf8;     // with a problem: what comes before it
   std::string problem;  // in words, "" = none
 };
-// UTF-8 is not checked. Problems: UTF-32, and UTF-16 with half a character in it.
+// Decodes a text without checking UTF-8. Problems are UTF-32, and UTF-16 with half a character.
 DecodedText decoded_text(std::string bytes);
 
-// The beginning of the text, for those who tell what a file is. most: in bytes of the file. What
-// cannot be decoded ends it.
+// Returns the beginning of the text, to tell what a file is. It ends after `most` bytes of the file
+// or before what cannot be decoded.
 std::string start_of_text(std::string_view bytes, std::size_t most);
 
-// Bytes of single-byte code pages. Windows-1252 leaves five bytes open: U+FFFD.
+// Converts bytes of single-byte code pages. Five bytes unused in Windows-1252 become U+FFFD.
 std::string utf8_from_windows_1252(unsigned char byte);
 std::string utf8_from_windows_1252(std::string_view text);
 std::string utf8_from_latin1(std::string_view text);

@@ -1,5 +1,5 @@
 #pragma once
-// What the calculation hands to rules and report: illuminance per replicate, channel and point.
+// The results that rules and report receive: illuminance per replicate, channel and point.
 
 #include "calc/base/message.h"
 #include "calc/base/names.h"
@@ -29,8 +29,8 @@ inline bool is_finite(const Estimate& estimate) {
          std::isfinite(estimate.high);
 }
 
-// There is nothing that could be measured, and so it is less than every number. `high` is finite
-// where something may be there all the same.
+// Returns whether the estimate is "nothing measurable", which is less than every number. `high` is
+// finite where something may be there all the same.
 inline bool is_nothing(const Estimate& estimate) {
   return estimate.value == -std::numeric_limits<double>::infinity();
 }
@@ -40,14 +40,14 @@ inline bool is_nothing(const Estimate& estimate) {
 struct LightChannel {
   std::string group;
   double maintenance_factor = 1.0;
-  // Some of its luminaires have an opening, so that their direct light may be sampled; false: it is
-  // exact.
+  // Whether some of its luminaires have an opening, so that direct light may be sampled; false: it
+  // is exact.
   bool may_sample_direct = true;
 };
 
-// Why the work on a plane ended. exact: nothing was sampled; decided: every verdict stands;
-// accurate: every quantity has the accuracy asked for; endless_path: light that is hardly absorbed
-// at all would not end; memory_limit: the next look's light vertices would not fit.
+// Why the work on a plane ended. exact: nothing was sampled; decided: every verdict is certain;
+// accurate: every quantity has the required accuracy; endless_path: light is hardly absorbed, so
+// that paths would not end; memory_limit: the next round's light vertices would not fit.
 enum class StopReason {
   exact,
   decided,
@@ -77,11 +77,11 @@ struct SolveCounters {
   std::uint64_t direct_rays = 0;      // shadow rays towards luminaires
   std::uint64_t connection_rays = 0;  // shadow rays towards light vertices
   std::uint64_t near_rays = 0;        // rays of the near-field part, continuation included
-  // Points that took part in each look; the size is the number of looks.
+  // Points that took part in each sampling round; the size is the number of rounds.
   std::vector<std::size_t> active_points;
 };
 
-// For what of a luminaire that an eye sees CIE 117 does not state its formula.
+// Why CIE 117 states no formula for a luminaire that an eye sees.
 enum class GlareProblem {
   below_sight,  // something of it lies below the line of sight, where there is no position index
   too_large,    // what is seen of it, or may be, > 0.1 sr
@@ -95,12 +95,11 @@ struct GlareDoubt {
 };
 inline constexpr std::size_t kGlareProblems = 3;
 
-// What luminaires send to the eyes of a plane of DerivedQuantity::ugr, new and at full output; a
-// dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
-// calc/radiosity/direct/glare.h. low: without sources that have no position index on the table or
-// no area, with small ones by the milder rule for them, and with the least that is seen of openings
-// partly hidden; high: with all of these. What a source that is too large may count beyond `high`
-// is not in it: see `doubts`.
+// Glare from the luminaires at the eyes of a plane of DerivedQuantity::ugr, new and at full output;
+// a dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
+// calc/radiosity/direct/glare.h. low: without sources that have no position index or no area, with
+// the milder rule for small sources, and with the least visible part of partly hidden openings;
+// high: with all of these. `high` omits what a too large source may add: see `doubts`.
 struct GlareField {
   std::vector<double> value, low, high;
   std::vector<GlareDoubt> doubts;  // of every problem one per point and channel at most
@@ -115,16 +114,16 @@ struct PlaneField {
   std::size_t points = 0;      // of a derived quantity: receivers, [receiver of the point][point]
   std::size_t replicates = 0;  // >= 2; the sampled parts are empty when nothing was sampled
   std::vector<LightChannel> channels;
-  // Of DerivedQuantity::ugr, where all illuminance is of reflected light; else empty.
+  // Only for DerivedQuantity::ugr, where all illuminance is of reflected light; else empty.
   GlareField glare;
   std::vector<double> direct_exact_lx;  // [channel][point]
   std::vector<double>
       direct_sampled_lx;  // [replicate][channel][point]; empty without extended luminaires
   std::vector<double> indirect_lx;  // [replicate][channel][point]; empty without reflection
-  // The same two parts of those looks alone in which all points took part: what mixes points, as an
-  // average does, is of these. A mean of points that went on because they were dark, and of others
-  // that were left out because they were bright, would be too large. Empty: no point was ever left
-  // out, and both are one.
+  // The same two parts from only those rounds in which all points took part. Quantities over
+  // several points, such as averages, use these: a mean of dark points that went on and bright
+  // points that stopped early would be too large. Empty: every point took part in every round, and
+  // both are equal.
   std::vector<double> even_direct_sampled_lx, even_indirect_lx;
   // [point]: 1 if sampled light may reach the point but no sample has: its 0 lx is then not a
   // measurement, and its interval of width 0 means nothing. Empty when nothing was sampled.
@@ -133,30 +132,29 @@ struct PlaneField {
   // illuminance (all channels at full output), >= 0. Near 1 or above the value rests on one sample
   // and its t-interval is not to be trusted. Empty when nothing was sampled.
   std::vector<float> largest_share;
-  // [point]: what the largest single sample of reflected light, drawn or possible, adds to the mean
-  // over the replicates, lx (all channels at full output). Few such samples may have been drawn, or
-  // none, and then neither the mean nor the replicates' spread knows of them. Empty without
-  // reflection.
+  // [point]: the mean over the replicates of what the largest single sample of reflected light,
+  // drawn or possible, adds, lx (all channels at full output). If few or no such samples were
+  // drawn, neither the mean nor the replicates' spread shows them. Empty without reflection.
   std::vector<double> largest_sample_lx;
-  // [point]: what it counts in averages, in any unit; empty: all alike. See point_weights().
+  // [point]: its weight in averages, in any unit; empty: all alike. See point_weights().
   std::vector<double> point_weight;
-  // Looks that the plane might have taken, a number fixed before the first: its intervals hold over
-  // all of them together. 1: only one was planned, or nothing was sampled.
+  // Rounds that the plane might have taken, fixed before the first: its intervals hold over all of
+  // them together. 1: only one was planned, or nothing was sampled.
   int looks_planned = 1;
-  // Geometry terms were clamped (RadiositySettings::clamp_per_m2): reflected light is too little by
-  // nobody knows how much.
+  // Geometry terms were clamped (RadiositySettings::clamp_per_m2): reflected light is too low by an
+  // unknown amount.
   bool is_cut_off = false;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
 
-  // Number of the last look, 0: the first, or none was taken.
+  // Returns the number of the last round; 0 if it is the first, or none was taken.
   int last_look() const {
     return counters.active_points.empty() ? 0 : static_cast<int>(counters.active_points.size()) - 1;
   }
   bool is_exact() const { return direct_sampled_lx.empty() && indirect_lx.empty(); }
 
-  // The parts at one point; 0 where a part is empty. replicate < replicates, channel <
-  // channels.size(), point < points; not checked.
+  // Return the parts at one point; 0 where a part is empty. Require replicate < replicates, channel
+  // < channels.size(), point < points; not checked.
   double direct_exact_at(std::size_t channel, std::size_t point) const {
     return direct_exact_lx[channel * points + point];
   }
@@ -166,7 +164,7 @@ struct PlaneField {
   double indirect_at(std::size_t replicate, std::size_t channel, std::size_t point) const {
     return indirect_lx.empty() ? 0.0 : indirect_lx[index(replicate, channel, point)];
   }
-  // All parts and channels: new, at full output.
+  // Returns the sum of all parts and channels: new, at full output.
   double total_lx(std::size_t replicate, std::size_t point) const {
     double sum = 0.0;
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -176,7 +174,7 @@ struct PlaneField {
     }
     return sum;
   }
-  // The estimate itself: the mean over all replicates.
+  // Returns the estimate itself: the mean over all replicates.
   double mean_lx(std::size_t point) const {
     double sum = 0.0;
     for (std::size_t r = 0; r < replicates; ++r) sum += total_lx(r, point);

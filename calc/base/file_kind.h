@@ -1,6 +1,6 @@
 #pragma once
-// What a file is, for readers that were given one of another kind: they say what it is and what to
-// do instead of what they did not find in it.
+// Recognises the kind of a file, so that a reader given another kind can say what it is and what to
+// do instead.
 
 #include "calc/base/diagnostics.h"
 
@@ -32,13 +32,13 @@ struct FileKind {
   bool is_vague = false;    // a container: its name tells more
 };
 
-// "a mesh (OBJ, STL, PLY or glTF)"; never of FileUse::other.
+// Returns "a mesh (OBJ, STL, PLY or glTF)"; not for FileUse::other.
 std::string_view words_of(FileUse use);
 
-// By the contents; null where they do not tell. A binary STL may begin with anything: ask for that
-// before.
+// Returns the kind by the contents; null where they do not tell. A binary STL may begin with
+// anything: check for that first.
 const FileKind* kind_by_content(std::string_view bytes);
-// By the end of the name, small letters or capitals; null where it is not known.
+// Returns the kind by the end of the name, in any case; null where it is not known.
 const FileKind* kind_by_name(std::string_view name);
 
 // What a file is where something else is needed.
@@ -56,7 +56,7 @@ std::optional<OtherKind> other_kind(std::string_view bytes, std::string_view nam
 std::string other_kind_problem(std::string_view bytes, std::string_view name, FileUse wanted,
                                bool is_recognised = true);
 
-// The same as an error; false if it was reported.
+// Reports the same as an error; returns false if it was reported.
 bool check_file_kind(std::string_view bytes, const std::string& name, FileUse wanted,
                      Diagnostics& diagnostics, bool is_recognised = true);
 

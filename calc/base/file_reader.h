@@ -7,7 +7,7 @@
 
 namespace calc {
 
-// What a read gave: the bytes, or a reason in words ("No such file or directory").
+// The result of a read: the bytes, or a reason in words ("No such file or directory").
 struct FileContent {
   std::string bytes;
   std::string error;        // empty = success
@@ -20,8 +20,8 @@ class FileReader {
  public:
   virtual ~FileReader() = default;
   FileContent read(const std::string& path) const { return read_within("", path); }
-  // Of a path that a file names which somebody else may have written: it must lie in this folder or
-  // below it, links followed; "" = anywhere. Readers of their own files only need not ask.
+  // Reads a path that comes from a file, perhaps an untrusted one: it must be in this folder or
+  // below it, links followed; "" = anywhere. Readers of their own files use read().
   virtual FileContent read_within(const std::string& folder, const std::string& path) const = 0;
 };
 
@@ -30,7 +30,7 @@ class FileReader {
 // slashes only, anywhere in its path, else one of its folder that is spelt alike.
 class DiskFileReader : public FileReader {
  public:
-  // allowed: folders that links may lead into besides.
+  // allowed: further folders that links may lead into.
   explicit DiskFileReader(std::vector<std::string> allowed = {}) : allowed_(std::move(allowed)) {}
 
   FileContent read_within(const std::string& folder, const std::string& path) const override;

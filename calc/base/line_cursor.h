@@ -11,13 +11,13 @@ class LineCursor {
  public:
   explicit LineCursor(std::string_view text) : rest_(text) {}
 
-  // The next line without its end; empty optional after the last.
+  // Returns the next line without its end; empty after the last.
   std::optional<std::string_view> next();
-  // Number of the line that next() gave last, from 1; 0 before the first.
+  // Returns the number of the line that next() returned last, from 1; 0 before the first.
   int line() const { return line_; }
-  // The text after that line.
+  // Returns the text after that line.
   std::string_view rest() const { return rest_; }
-  // How many lines are left, blank ones at the end not counted.
+  // Returns the number of lines left, without blank ones at the end.
   std::size_t count_remaining() const;
 
  private:

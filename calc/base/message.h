@@ -1,8 +1,8 @@
 #pragma once
-// What results say in words: why a verdict, how a grid, from where a plane. A message is kept as
-// its parts: sentences by their ids with their arguments, numbers, names, paths and the words of
-// people. Words are made of it where somebody reads it, in English here and in other languages by
-// report/text/sentences.h. Who speaks includes calc/base/sentences.h.
+// Texts of results: the reason of a verdict, the origin of a grid or plane. A message is kept as
+// its parts: sentences by their ids with their arguments, numbers, names, paths and texts of users.
+// It becomes text only for a reader, in English here and in other languages by
+// report/text/sentences.h. Code that makes messages includes calc/base/sentences.h.
 
 #include <compare>
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace calc {
 
 enum class Sentence : std::uint16_t;  // see calc/base/sentences.h
 
-// What joins messages: "; ", ", ", " (", ")". The compiler refuses letters and digits, in which
-// words of ours could hide.
+// Punctuation that joins messages: "; ", ", ", " (", ")". The compiler refuses letters and digits,
+// so that all words come from sentences.def.
 class Glue {
  public:
   template <std::size_t N>
@@ -45,7 +45,7 @@ enum class PartKind : std::uint8_t {
 
 struct MessagePart;
 
-// A value. Empty: nothing is said. What needs its parts to be complete is defined below them.
+// A text as a value; it may be empty. Members that need complete parts are defined below them.
 class Message {
  public:
   Message();
@@ -69,7 +69,7 @@ class Message {
   friend Message operator+(Message a, Glue b) { return std::move(a += b); }
   friend Message operator+(Glue a, const Message& b);
 
-  // In English, for reports in that language and for logs.
+  // Returns the text in English, for reports in that language and for logs.
   std::string english() const;
 
  private:
@@ -91,18 +91,18 @@ inline Message& Message::operator=(Message&& other) noexcept = default;
 inline Message::~Message() = default;
 inline bool Message::empty() const { return parts_.empty(); }
 
-// By what they hold, in an order that means nothing.
+// Orders messages by their content; the order itself has no meaning.
 std::strong_ordering operator<=>(const Message& a, const Message& b);
 bool operator==(const Message& a, const Message& b);
 
-// Whether one of its own sentences is this one.
+// Returns whether a sentence of the message itself, not of an argument, has this id.
 bool says(const Message& message, Sentence id);
 
-// Adds it behind what is there; "; ..." where that is not empty. Nothing of an empty one.
+// Appends `next`, after the separator where `to` is not empty. An empty `next` adds nothing.
 void append(Message& to, const Message& next, Glue separator = "; ");
-// All that are not empty.
+// Joins all messages that are not empty.
 Message joined(const std::vector<Message>& messages, Glue separator);
-// "a, b, c and 3 more": at most so many.
+// Returns "a, b, c and 3 more" with at most `most` messages.
 Message listed(const std::vector<Message>& messages, std::size_t most);
 Message names_message(const std::vector<std::string>& names, std::size_t most);
 

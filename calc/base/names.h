@@ -1,6 +1,6 @@
 #pragma once
-// Names of enum values as files and messages have them: one list per enum, from which come the name
-// of a value, the value of a name and the choices that a message offers.
+// Names of enum values in files and messages. One list per enum gives the name of a value, the
+// value of a name and the choices that a message offers.
 
 #include <optional>
 #include <string_view>
@@ -19,7 +19,7 @@ struct EnumName {
 template <class Enum>
 struct EnumNames;
 
-// Of a value in the list; "" of any other.
+// Returns the name of a value; "" if it is not in the list.
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {
   for (const EnumName<Enum>& entry : EnumNames<Enum>::list) {
@@ -28,7 +28,7 @@ constexpr std::string_view name_of(Enum value) {
   return {};
 }
 
-// Exact spelling; empty: no value has that name.
+// Returns the value with exactly this name; empty if there is none.
 template <class Enum>
 constexpr std::optional<Enum> find_value(std::string_view name) {
   for (const EnumName<Enum>& entry : EnumNames<Enum>::list) {
@@ -37,7 +37,7 @@ constexpr std::optional<Enum> find_value(std::string_view name) {
   return std::nullopt;
 }
 
-// In the order of the list, for messages with choices.
+// Returns the names in the order of the list, for messages with choices.
 template <class Enum>
 std::vector<std::string_view> names_of() {
   std::vector<std::string_view> names;

@@ -1,12 +1,12 @@
 #pragma once
-// Where a path leads, whether there is something or not.
+// Resolves paths, also of files that do not exist.
 
 #include <filesystem>
 
 namespace calc {
 
-// The absolute path without symbolic links, "." and "..", also of what does not exist: what is
-// missing stays as it is named. After as many links as a kernel follows the rest stays, too.
+// Returns the absolute path without symbolic links, "." and "..". The missing rest of a path stays
+// as written, and so does the rest after as many links as a kernel follows.
 std::filesystem::path real_path(const std::filesystem::path& path);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Names of files beside another file.
+// Resolves names of files relative to another file.
 
 #include <optional>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace calc {
 
-// "a/./b/../c" -> "a/c"; empty for absolute names and for names that lead out of the folder they
-// start from.
+// Returns "a/c" for "a/./b/../c"; empty for absolute names and for names that lead out of the
+// folder they start from.
 std::optional<std::string> normalize_relative_path(std::string_view path);
 
 }  // namespace calc

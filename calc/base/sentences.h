@@ -1,6 +1,5 @@
 #pragma once
-// The sentences of messages, see message.h: what is to be translated is said with this table and in
-// no other way.
+// The sentences of messages, see message.h: all text that is translated comes from this table.
 
 #include "calc/base/message.h"
 
@@ -25,18 +24,18 @@ enum class Sentence : std::uint16_t {
 #undef SENTENCE
 };
 
-// In the order of Sentence. No std::array{...}: see report/text/texts.h.
+// English texts in the order of Sentence. No std::array{...}: see report/text/texts.h.
 inline constexpr auto kSentences = std::to_array<std::string_view>({
 #define SENTENCE(id, text) text,
 #include "calc/base/sentences.def"
 #undef SENTENCE
 });
 
-// "one-source" of one_source, as result files have it; and the inverse, empty if there is none.
+// Return "one-source" for one_source, as in result files, and the inverse; empty for unknown names.
 std::string sentence_name(Sentence id);
 std::optional<Sentence> sentence_from_name(std::string_view name);
 
-// What stands between the placeholders of a sentence's text, one more than there are of these.
+// The text of a sentence around its placeholders: one literal more than placeholders.
 struct SentenceTemplate {
   struct Placeholder {
     std::size_t argument = 0;  // in the order of the English text
@@ -45,13 +44,13 @@ struct SentenceTemplate {
   std::vector<std::string_view> literals;
   std::vector<Placeholder> placeholders;
 };
-// text: with the placeholders of fmt, {} in their order or {1} by their number.
+// Splits a text with the placeholders of fmt: {} in their order or {1} by their number.
 SentenceTemplate sentence_template(std::string_view text);
 const SentenceTemplate& english_template(Sentence id);
 
 namespace message_detail {
 
-// As which type fmt checks an argument against the text.
+// The type as which fmt checks an argument against the text.
 template <class T>
 using Checked = std::conditional_t<std::is_arithmetic_v<T>, T, std::string_view>;
 
@@ -74,9 +73,9 @@ Message say(Sentence id, std::index_sequence<Places...>, const Args&... args) {
 
 }  // namespace message_detail
 
-// A sentence with its placeholders filled in: with numbers, which have the format of the English
-// text, with texts, which are names or words of people, and with messages. The compiler holds the
-// English text against the arguments.
+// Returns a sentence with its placeholders filled in: with numbers, in the format of the English
+// text, with names or texts of users, and with messages. The compiler checks the arguments against
+// the English text.
 template <Sentence id, class... Args>
 Message say(const Args&... args) {
   static_cast<void>(fmt::format_string<const message_detail::Checked<std::decay_t<Args>>&...>(

@@ -7,8 +7,8 @@
 
 namespace calc {
 
-// x with P(T <= x) = probability for Student's t with degrees_of_freedom >= 1; probability in (0,
-// 1). Relative error below 1e-10 (tested against published tables and symmetry).
+// Returns x with P(T <= x) = probability for Student's t. Requires degrees_of_freedom >= 1 and
+// probability in (0, 1). Relative error below 1e-10 (tested against published tables and symmetry).
 double student_t_quantile(double probability, int degrees_of_freedom);
 
 // Mean of independent replicates of one quantity.
@@ -18,8 +18,8 @@ struct ReplicateMean {
 };
 ReplicateMean replicate_mean(std::span<const double> replicates);
 
-// Two-sided Student-t interval at `confidence` in (0, 1). One replicate counts as exact: low =
-// high.
+// Returns a two-sided Student-t interval at `confidence` in (0, 1). A single replicate is exact:
+// low = high.
 Estimate t_interval(std::span<const double> replicates, double confidence);
 
 }  // namespace calc

@@ -9,17 +9,17 @@
 
 namespace calc {
 
-// 0 to 9, whatever the locale.
+// Returns whether c is 0 to 9, whatever the locale.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Splits at blanks, tabs and line ends; no empty parts.
 std::vector<std::string_view> split_words(std::string_view text);
 std::string_view trim(std::string_view text);
-// A to Z as a to z, all else as it is.
+// Returns the text with A to Z as a to z and all else unchanged.
 std::string ascii_lowered(std::string_view text);
 
-// A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing
-// text.
+// Returns the finite decimal number that is the whole text ("1.5", "-2e3"); no nan, inf, hex or
+// trailing text.
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
 
@@ -29,13 +29,13 @@ bool comes_before(std::string_view a, std::string_view b);
 // "a, b or c"
 std::string join_choices(const std::vector<std::string_view>& choices);
 
-// Of a list that is cut short, for its end: "and 3 more", or with `what` "and 3 more rooms".
+// Returns the end of a shortened list: "and 3 more", or with `what` "and 3 more rooms".
 std::string and_more(std::size_t left_out, std::string_view what = {});
 
-// "a, b, c and 3 more": at most so many by name.
+// Returns "a, b, c and 3 more" with at most `most` names.
 std::string list_names(const std::vector<std::string>& names, std::size_t most);
 
-// "; did you mean 'x'?" for the closest choice within a third of its length, else "".
+// Returns "; did you mean 'x'?" for the closest choice within a third of its length, else "".
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// How long words in our XML files may be, for their reader and their schemas: ids and texts are
+// Limits on texts in our XML files, for their reader and their schemas, because ids and texts are
 // copied into everything that is made of an element.
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 #pragma once
-// One triangle in space: how far a point is from it, and what it divides, in double.
+// One triangle in space: its distance from points and the places it separates, in double.
 
 #include <glm/glm.hpp>
 
@@ -9,16 +9,16 @@ struct Triangle {
   glm::dvec3 a, b, c;
 };
 
-// From the nearest point of the triangle.
+// Returns the distance from the nearest point of the triangle.
 double distance_m(const glm::dvec3& point_m, const Triangle& triangle);
 
-// From the part of the triangle that reaches more than height_m in front of the plane through the
-// point with this unit normal; infinity if no part does.
+// Returns the distance from the part of the triangle more than height_m in front of the plane
+// through the point with this unit normal; infinity if there is none.
 double distance_in_front_m(const glm::dvec3& point_m, const glm::dvec3& normal, double height_m,
                            const Triangle& triangle);
 
-// Whether the triangle stands between two places, neither of which lies in its plane. Its edges
-// belong to it.
+// Returns whether the triangle, edges included, is between two places, neither of them in its
+// plane.
 bool divides(const Triangle& triangle, const glm::dvec3& from_m, const glm::dvec3& to_m);
 
 }  // namespace calc

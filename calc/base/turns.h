@@ -1,5 +1,5 @@
 #pragma once
-// turns.glsl as C++: sine and cosine of an angle given in turns, fast.
+// Includes turns.glsl as C++: fast sine and cosine of an angle given in turns.
 
 #include "calc/base/shader_words.h"
 

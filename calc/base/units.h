@@ -19,7 +19,7 @@ struct LengthUnit {
   std::string_view name;
   double metres;
 };
-// As projects and the columns of tables name them.
+// Names of length units in projects and in columns of tables.
 inline constexpr std::array kLengthUnits{
     LengthUnit{"m", 1.0}, LengthUnit{"cm", kMetresPerCentimetre},
     LengthUnit{"mm", kMetresPerMillimetre}, LengthUnit{"in", kMetresPerInch},

@@ -1,5 +1,5 @@
 #pragma once
-// Loops over many numbers, as wide as the processor is.
+// Compiles loops over many numbers for the vector width of the processor.
 
 // GCC makes one version of a function per instruction set and picks at start-up; without
 // contraction to fused multiply-add, and with sums in an order that the source fixes, all versions

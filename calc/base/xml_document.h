@@ -1,7 +1,7 @@
 #pragma once
-// Bytes to a tree of XML elements with source locations. The only owner of pugixml; stricter than
-// it: everything an XML parser must refuse is refused, and so is what our files never need
-// (DOCTYPE, and text between tags unless it is asked for).
+// Parses bytes to a tree of XML elements with source locations. Only this uses pugixml. It refuses
+// everything an XML parser must refuse, and what our files never need (DOCTYPE, and text between
+// tags unless `text` is XmlText::keep).
 
 #include "calc/base/diagnostics.h"
 
@@ -26,7 +26,7 @@ struct XmlElement {
   SourceLocation where;                  // of its '<'
   std::string text{};  // own text, references resolved, line ends as blanks; XmlText::keep only
 
-  // Null if there is none.
+  // Returns the attribute; null if there is none.
   const XmlAttribute* find(std::string_view attribute) const;
 };
 
@@ -36,10 +36,9 @@ inline constexpr std::size_t kXmlAttributeLimit = 100;
 // Text between tags: an error in our own formats, data in foreign ones.
 enum class XmlText { refuse, keep };
 
-// The root element of a file in an encoding that decoded_xml() reads (xml_encoding.h; CRLF is fine,
-// columns count characters).
-// name: the path used in messages. Comments and processing instructions are skipped. Empty if and
-// only if an error was reported.
+// Returns the root element of a file in an encoding that decoded_xml() reads (xml_encoding.h; CRLF
+// is fine, columns count characters). name: the path used in messages. Comments and processing
+// instructions are skipped. Empty if and only if an error was reported.
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
                                     Diagnostics& diagnostics, XmlText text = XmlText::refuse);
 

@@ -15,63 +15,63 @@
 
 namespace calc {
 
-// A-Z, a-z, digits and _ . : -
+// Returns whether c is one of A-Z, a-z, digits and _ . : -
 bool is_id_character(char c);
-// True for a non-empty text of these.
+// Returns true for a non-empty text of these.
 bool is_id(std::string_view text);
 
-// Getters report problems and then return something harmless of the right size: check ok() before
-// using values. Both the element and the diagnostics must outlive the reader.
+// Getters report problems and then return a harmless value of the right size: check ok() before
+// using values. The element and the diagnostics must outlive the reader.
 class ElementReader {
  public:
   ElementReader(const XmlElement& element, Diagnostics& diagnostics);
 
   const XmlElement& element() const { return element_; }
   const SourceLocation& where() const { return element_.where; }
-  // Of an attribute; of the element if it has no such attribute.
+  // Returns the place of an attribute, or of the element if it has no such attribute.
   const SourceLocation& where(std::string_view name) const;
   Diagnostics& diagnostics() { return diagnostics_; }
-  // No error was reported, by anyone, since this reader was made.
+  // Returns whether no error was reported, by any code, since this reader was made.
   bool ok() const { return diagnostics_.error_count() == errors_before_; }
 
-  // Reports every attribute and every child element that the row has not; `besides` may also be.
+  // Reports every attribute and child element that is not in the row or in `besides`.
   void allow(const ElementRow& row);
   void allow_attributes(const ElementRow& row, const Names& besides = {});
   void allow_children(const ElementRow& row);
 
   bool has(std::string_view name) const { return element_.find(name) != nullptr; }
-  // True if at most one of the two is there.
+  // Returns true if at most one of the two is there; else reports.
   bool exclude(std::string_view one, std::string_view other);
-  // True if both are there or none is.
+  // Returns true if both are there or none is; else reports.
   bool require_together(std::string_view one, std::string_view other);
 
-  // Required ones report their absence.
+  // Getters of required attributes report a missing attribute.
   std::string id(std::string_view name = "id");
-  // From one to `most`, separated by blanks.
+  // Returns one to `most` ids, separated by blanks.
   std::vector<std::string> ids(std::string_view name, std::size_t most);
   std::string text(std::string_view name);
   double number(std::string_view name, const NumberRange& range);
   int integer(std::string_view name, int low);
-  // Index into `choices`.
+  // Returns an index into `choices`.
   std::size_t choice(std::string_view name, const Names& choices);
-  // One of the names of an enum's values, see names.h.
+  // Returns the enum value of the name in the attribute, see names.h.
   template <class Enum>
   Enum value(std::string_view name) {
     return EnumNames<Enum>::list[choice(name, names_of<Enum>())].value;
   }
-  // Exactly `count` numbers; words name them: "3 numbers (x y z)".
+  // Returns exactly `count` numbers; words name them: "3 numbers (x y z)".
   std::vector<double> numbers(std::string_view name, std::size_t count, std::string_view words,
                               const NumberRange& range = kCoordinate);
-  // Exactly `count` whole numbers from `low`.
+  // Returns exactly `count` whole numbers from `low`.
   std::vector<int> integers(std::string_view name, std::size_t count, std::string_view words,
                             int low);
-  // A multiple of `group` numbers, at least minimum * group and at most maximum * group of them.
-  // Empty on errors.
+  // Returns a multiple of `group` numbers, at least minimum * group and at most maximum * group;
+  // empty on errors.
   std::vector<double> number_groups(std::string_view name, std::size_t group, std::size_t minimum,
                                     std::size_t maximum, std::string_view words,
                                     const NumberRange& range = kCoordinate);
 
-  // Optional ones.
+  // Getters of optional attributes.
   std::string text_or(std::string_view name, std::string_view fallback);
   double number_or(std::string_view name, const NumberRange& range, double fallback);
   std::optional<double> optional_number(std::string_view name, const NumberRange& range);

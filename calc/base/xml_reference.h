@@ -1,5 +1,5 @@
 #pragma once
-// The reference of a file format for people, in Markdown, written from its table as the schema is.
+// Writes the reference of a file format for people, in Markdown, from the table of its schema.
 
 #include "calc/base/xml_schema.h"
 
@@ -8,9 +8,9 @@
 
 namespace calc {
 
-// title: of the page. A section for each type of element, from the root on in the order in which
-// elements are named: what it means, where it stands, what it holds, and its attributes with what
-// they may be.
+// Returns a page under this title. Each type of element has a section, from the root on in the
+// order in which elements are named: its meaning, parents and content, and its attributes with
+// their values.
 std::string xml_reference(std::string_view title, const SchemaText& text);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// The XML schema (XSD 1.0) of a file format, written from its table.
+// Writes the XML schema (XSD 1.0) of a file format from its table.
 
 #include "calc/base/element_table.h"
 
@@ -13,7 +13,7 @@ struct SchemaText {
   std::string_view maker;    // what writes the file, for a comment at its beginning
   std::string_view meaning;  // of the file as a whole
   ChildRow root;
-  // Rows that stand for those of the table of the same type: what another module adds.
+  // Rows that replace those of the same type in the table: additions of another module.
   std::vector<ElementRow> instead{};
 
   const ElementRow& row_for(const ElementRow& row) const {
