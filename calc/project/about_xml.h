@@ -1,12 +1,12 @@
 #pragma once
-// <about>: whom the design is for and who made it.
+// Reads <about>: who the design is for and who made it.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/reading/project_context.h"
 
 namespace calc {
 
-// The only one of the project; a second one is reported.
+// Reads the only one of the project; a second one is reported.
 void read_about(ProjectContext& context, const XmlElement& root);
 
 }  // namespace calc

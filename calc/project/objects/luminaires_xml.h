@@ -1,5 +1,5 @@
 #pragma once
-// <luminaire> and the regular arrays of luminaires, in the coordinates around them.
+// Reads <luminaire> and the regular arrays of luminaires, in the coordinates around them.
 
 #include "calc/project/reading/project_context.h"
 #include "calc/scene/project.h"
@@ -13,7 +13,7 @@ std::vector<Luminaire> read_luminaire(ProjectContext& context, ElementReader& re
 std::vector<Luminaire> read_luminaire_grid(ProjectContext& context, ElementReader& reader);
 std::vector<Luminaire> read_luminaire_line(ProjectContext& context, ElementReader& reader);
 std::vector<Luminaire> read_luminaire_ring(ProjectContext& context, ElementReader& reader);
-// <luminaires id="L" file="x.csv"/>: "L.name" for each line.
+// Reads <luminaires id="L" file="x.csv"/>: a luminaire "L.name" for each line.
 std::vector<Luminaire> read_luminaire_list(ProjectContext& context, ElementReader& reader);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// <maintenance-plan>: how the installation is to be kept.
+// Reads <maintenance-plan>: how the installation is to be kept.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/reading/project_context.h"
@@ -8,12 +8,12 @@
 
 namespace calc {
 
-// What one of its numbers may be.
+// Returns the allowed range of a number of the plan.
 inline const NumberRange& range_of(const MaintenanceNumber& one) {
   return one.number == &MaintenancePlan::use_h ? kHours : kPositive;
 }
 
-// The only one of the project; a second one is reported.
+// Reads the only one of the project; a second one is reported.
 void read_maintenance_plan(ProjectContext& context, const XmlElement& root);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// What <mesh> and a <room> of a mesh say about their file, read in one place.
+// Reads how <mesh> and a <room> from a mesh describe their file.
 
 #include "calc/meshes/triangle_mesh.h"
 #include "calc/project/reading/project_context.h"
@@ -18,8 +18,8 @@ struct PlacedMesh {
   std::vector<std::uint32_t> material;  // per triangle, index into Project::materials
 };
 
-// Attributes file, format, node, position, rotation, scale, up, units and material and the children
-// <map>. Empty after an error.
+// Reads the attributes file, format, node, position, rotation, scale, up, units and material, and
+// the children <map>. Empty after an error.
 std::optional<PlacedMesh> read_placed_mesh(ProjectContext& context, ElementReader& reader);
 
 }  // namespace calc

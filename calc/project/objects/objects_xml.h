@@ -1,5 +1,5 @@
 #pragma once
-// Everything that can stand in a room, in the open space or in an assembly.
+// Reads all objects that a room, the open space or an assembly may contain.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/reading/object_set.h"
@@ -9,8 +9,8 @@ namespace calc {
 
 inline constexpr int kAssemblyDepthLimit = 16;
 
-// All child elements that are objects (kObjects), in the coordinates around them; other children
-// are left to the caller.
+// Returns all child elements that are objects (kObjects), in the coordinates around them; the
+// caller reads the other children.
 ObjectSet read_objects(ProjectContext& context, const XmlElement& parent);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Ids that were renamed: the attribute `was`.
+// Reads the attribute `was`: the former ids of renamed elements.
 
 #include "calc/base/xml_reader.h"
 
@@ -9,19 +9,19 @@
 
 namespace calc {
 
-// Of one kind ("plane"), as far as its ids must differ.
+// The ids of one kind ("plane"), within which ids must differ.
 class FormerIds {
  public:
   explicit FormerIds(std::string kind) : kind_(std::move(kind)) {}
 
-  // Attribute `was` of the element with this id; "" if it has none, or none that is an id.
+  // Returns attribute `was` of the element with this id; "" if there is none or it is not an id.
   std::string read(ElementReader& reader, const std::string& id);
 
-  // Of an element that has been read. where: of `was`; "" = it has none.
+  // Adds an element that has been read. where: of `was`; "" = it has none.
   void add(const std::string& id, int line, const std::string& was, const SourceLocation& where);
 
-  // Once all are read. What is there cannot be what another one was, and two cannot have been one:
-  // a comparison would take one thing for another.
+  // Checks all ids once all are read. A present id cannot be a former one, and two elements cannot
+  // share a former id, because a comparison would confuse them.
   void check(Diagnostics& diagnostics) const;
 
  private:

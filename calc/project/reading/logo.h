@@ -1,5 +1,5 @@
 #pragma once
-// Pictures that stand in reports: small, whole, and with nothing in them that acts or that fetches.
+// Checks pictures for reports: small, intact, and without scripts or references to other files.
 
 #include "calc/scene/about_project.h"
 
@@ -12,11 +12,11 @@ namespace calc {
 inline constexpr std::size_t kMostLogoBytes = std::size_t{1} << 20;
 inline constexpr unsigned kMostLogoPixels = 4096;  // of a side of a PNG
 
-// By the end of the file's name, small letters or capitals. False: neither .png nor .svg.
+// Returns whether the name ends in .png or .svg, in any case, and sets the format.
 bool is_logo_name(std::string_view file, LogoFormat& format);
 
-// "" or why a page does not take these bytes, a clause. A PNG is looked at from chunk to chunk, its
-// pixels are not decoded. An SVG holds shapes, texts and colours alone.
+// Returns why a page does not accept these bytes, a clause; "" if it does. A PNG is checked by its
+// chunks; its pixels are not decoded. An SVG may hold only shapes, texts and colours.
 std::string logo_problem(std::string_view bytes, LogoFormat format);
 
 }  // namespace calc

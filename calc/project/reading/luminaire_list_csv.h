@@ -1,5 +1,5 @@
 #pragma once
-// Luminaires from a CSV file, e.g. a schedule out of a CAD program.
+// Reads luminaires from a CSV file, e.g. a schedule out of a CAD program.
 
 #include "calc/base/diagnostics.h"
 
@@ -25,12 +25,12 @@ struct LuminaireList {
   std::vector<LuminaireEntry> entry;  // at least one, no name twice
 };
 
-// The first line names the columns, in any order: name, type, x_m, y_m, z_m; if wanted axis_x,
-// axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m (all three of a luminaire may be empty: straight
-// down), rotation_deg (empty: 0), group; x_mm, aim_x_mm and so on, all in one unit of units.h,
-// instead of metres. Values are separated by commas and may be quoted (csv.h), numbers have a
-// decimal point; empty lines are skipped. name: path used in messages. Empty if and only if an
-// error was reported.
+// Reads a table whose first line names the columns, in any order: name, type, x_m, y_m, z_m;
+// optional axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m (all three of a luminaire may be
+// empty: straight down), rotation_deg (empty: 0), group; x_mm, aim_x_mm and so on, all in one unit
+// of units.h, instead of metres. Values are separated by commas and may be quoted (csv.h), numbers
+// have a decimal point; empty lines are skipped. name: path used in messages. Empty if and only if
+// an error was reported.
 std::optional<LuminaireList> parse_luminaire_list(std::string_view bytes, const std::string& name,
                                                   Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Objects of one place (room, open space or assembly) while a project is read, and how they are
+// The objects of a room, the open space or an assembly while a project is read, and how they are
 // moved and repeated.
 
 #include "calc/scene/project.h"
@@ -14,7 +14,7 @@
 
 namespace calc {
 
-// world_from_local of a rigid motion.
+// A rigid motion, world from local.
 struct Placement {
   glm::dmat3 turn{1.0};
   glm::dvec3 shift_m{0.0};
@@ -27,7 +27,7 @@ struct BoxTop {
   glm::dvec3 origin_m{0.0}, u_m{0.0}, v_m{0.0};
 };
 
-// What a project keeps of so many objects and luminaires with so many triangles, about, in bytes.
+// Returns roughly the bytes that a project keeps for these objects, luminaires and triangles.
 double held_bytes(double instances, double triangles);
 
 struct ObjectSet {
@@ -40,7 +40,7 @@ struct ObjectSet {
   double instances() const;
 };
 
-// Copies stand at (i step.x, j step.y, k step.z), i < count[0] and so on.
+// A regular array: copies are at (i step.x, j step.y, k step.z), i < count[0] and so on.
 struct Repeat {
   bool is_given = false;
   std::array<int, 3> count{1, 1, 1};
@@ -53,8 +53,8 @@ struct Repeat {
 void append_placed(const ObjectSet& item, const Placement& placement, const std::string& name,
                    ObjectSet& into);
 
-// The same for all copies; if the repeat is given, "[i,j,k]" follows the name. The caller has
-// checked the total size.
+// Adds the moved set for all copies; if the repeat is given, "[i,j,k]" follows the name. The caller
+// has checked the total size.
 void append_repeated(const ObjectSet& item, const Placement& placement, const Repeat& repeat,
                      const std::string& name, ObjectSet& into);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Points with normals from a CSV file, e.g. the places of a site measurement.
+// Reads points with normals from a CSV file, e.g. the places of a site measurement.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -10,10 +10,10 @@
 
 namespace calc {
 
-// First line "x_m,y_m,z_m,nx,ny,nz", or with another unit of units.h in all three, or "x,y,z,...",
-// which are metres too; then six numbers per line (csv.h); empty lines are skipped. Normals are
-// made unit vectors. name: path used in messages and in PointList::file. Empty if and only if an
-// error was reported.
+// Reads a table with the first line "x_m,y_m,z_m,nx,ny,nz", with another unit of units.h in all
+// three, or "x,y,z,..." (metres); then six numbers per line (csv.h); empty lines are skipped.
+// Normals are made unit vectors. name: path used in messages and in PointList::file. Empty if and
+// only if an error was reported.
 std::optional<PointList> parse_point_list(std::string_view bytes, const std::string& name,
                                           Diagnostics& diagnostics);
 

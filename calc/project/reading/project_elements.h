@@ -1,6 +1,6 @@
 #pragma once
-// The project file as tables. The attributes of <require>, and those of <workplace> that are about
-// rules, are not here but in rules/binding/requirement_attributes.h.
+// The project file as tables. The attributes of <require>, and those of <workplace> about rules,
+// are in rules/binding/requirement_attributes.h.
 
 #include "calc/base/element_table.h"
 
@@ -27,22 +27,22 @@ inline constexpr NumberRange kTilt{-90.0, 90.0, false, "a number from -90 to 90 
 inline constexpr NumberRange kLean{0.0, 80.0, false, "a number from 0 to 80 (degrees)"};
 inline constexpr NumberRange kQ0{0.01, 0.5, false, "a number from 0.01 to 0.5"};
 
-// Of workplaces, but not of copies, each of which has an area.
+// An attribute of workplaces, but not of copies, each of which has an area.
 inline constexpr std::string_view kTaskPlaceName = "task-place";
 
-// Types that others need, too: words of choices, and what attributes of requirements hold.
+// Types that other folders use, too: choices, and values of requirements' attributes.
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kPositiveFractionType,
     kVectorType;
 extern const ValueType kVersionType, kUnitsType, kHousingDimensionsType, kOpeningType,
     kInterpolationType, kUpAxisType, kLineEndsType, kRingTurnType, kPlaneQuantityType,
     kGlareMethodType, kTaskPlaceType, kTrafficSideType, kRoadSideType, kRoadSurfaceType,
     kStreetPlaneType;
-// A last day, YYYY-MM-DD.
+// The type of a last day, YYYY-MM-DD.
 extern const ValueType kDayType;
-// Of a waiver, see waiver_attributes.h.
+// Attributes of a waiver, see waiver_attributes.h.
 extern const AttributeRow kBecauseAttribute, kByAttribute, kUntilAttribute;
 
-// Of a surface that sends light, besides luminous-exitance.
+// Attributes of a surface that emits light, besides luminous-exitance.
 extern const std::vector<AttributeRow> kLuminousAttributes;
 
 extern const std::string_view kProjectMeaning;
@@ -50,7 +50,7 @@ extern const ChildRow kProjectRoot;
 extern const ElementRow kProjectElement;
 extern const ElementRow kMaterialElement, kHousingElement, kLuminaireTypeElement, kSceneElement,
     kDimElement;
-// What project data are called, see scene/about_project.h.
+// Names of elements with project data, see scene/about_project.h.
 inline constexpr std::string_view kAboutName = "about";
 inline constexpr std::string_view kMaintenancePlanName = "maintenance-plan";
 extern const ElementRow kAboutElement;
@@ -58,27 +58,27 @@ extern const ElementRow kMaintenancePlanElement;
 extern const ElementRow kEnergyElement, kEnergyPartElement;
 extern const ElementRow kBuildingElement;
 
-// Of a luminaire type: the element, and the attribute that takes one of them by its article.
+// A luminaire type's package element, and the attribute that selects a package by its article.
 inline constexpr std::string_view kPackageName = "package", kArticleName = "article";
 extern const ElementRow kPackageElement;
-// Attributes of the type that the package takes the place of.
+// Attributes of the type that the package replaces.
 inline constexpr std::array<std::string_view, 2> kReplacedByPackage{"flux-lm", "power-w"};
 
-// Everything that can stand in a room, in the open space or in an assembly.
+// All objects that a room, the open space or an assembly may contain.
 extern const ElementGroup kObjects;
 extern const ElementRow kBoxElement, kQuadElement, kPolygonElement, kMeshElement, kMapElement,
     kAssemblyElement;
 extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLineElement,
     kLuminaireRingElement, kLuminaireListElement;
 
-// A room of either form; the schema has one for both.
-// Of the attribute "shell" of a room of a mesh: the room is what lies between all surfaces.
+// The value of "shell" of a room from a mesh that is the space between all surfaces. The forms of a
+// room follow; the schema has a single one for all.
 inline constexpr std::string_view kAllShells = "all";
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement, kMeshRoomElement;
 extern const ElementRow kRoadElement, kLuminaireRowElement, kRoadStripElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;
-// Without their attributes: see rules/binding/deviation_xml.h and waiver_xml.h.
+// These lack their attributes: see rules/binding/deviation_xml.h and waiver_xml.h.
 extern const ElementRow kDeviationElement, kWaiverElement;
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Files that a project names: found beside the project file or below it only, each read and
+// Reads the files that a project names: only beside the project file or below it, each read and
 // recorded once.
 
 #include "calc/base/budget.h"
@@ -38,13 +38,12 @@ struct PlacedWeb {
   EmitterPlace place;
 };
 
-// Whether its name is that of a mesh, a table, an XML file or a picture. Photometry takes no other
-// file of such a name, so that whoever lists the photometry that may be used (a policy) can tell by
-// the names.
+// Returns whether the name is that of a mesh, a table, an XML file or a picture. Photometry accepts
+// no other such file, so that a policy that lists the allowed photometry can rely on names.
 bool is_named_as_other_than_photometry(std::string_view path);
 
-// Problems are reported where the project names the file. A file that cannot be used is reported
-// once; later uses of it give an empty result without a message.
+// Reports problems where the project names the file. An unusable file is reported once; later uses
+// of it give an empty result without a message.
 class ProjectFiles {
  public:
   // All must outlive this object; `project` gets inputs and webs.
@@ -57,40 +56,40 @@ class ProjectFiles {
   bool take(double bytes, const SourceLocation& where, std::string_view what);
   double taken_bytes() const { return taken_bytes_; }
 
-  // The project file itself, Project::path.
+  // Returns the project file itself, Project::path.
   std::optional<std::string> read_project();
 
-  // One for each emitter of the luminaire. options: which of a file's lights; mistakes in them are
-  // reported at options.where. Empty on errors.
+  // Returns one web for each emitter of the luminaire. options: which light of a file; mistakes in
+  // them are reported at options.where. Empty on errors.
   std::vector<PlacedWeb> light(const std::string& path, const WebUse& use,
                                const SourceLocation& named_at,
                                const PhotometryOptions& options = {});
-  // Null on errors; stays valid as long as this object. format: if given, other files are errors.
-  // node: of a glTF file, "" = all of them.
+  // Returns a mesh that stays valid as long as this object; null on errors. format: if given, other
+  // files are errors. node: of a glTF file, "" = all of them.
   const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
                            const std::string& node, const SourceLocation& named_at);
-  // Whether a file is XML, as gbXML is and no mesh; empty on errors.
+  // Returns whether a file is XML, as gbXML is but not a mesh; empty on errors.
   std::optional<bool> is_xml(const std::string& path, const SourceLocation& named_at);
-  // A gbXML file; null on errors, stays valid as long as this object.
+  // Returns a gbXML file that stays valid as long as this object; null on errors.
   const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
-  // A CSV file of luminaires; null on errors, stays valid as long as this object.
+  // Returns a CSV file of luminaires that stays valid as long as this object; null on errors.
   const LuminaireList* luminaire_list(const std::string& path, const SourceLocation& named_at);
-  // A picture for reports. Empty on errors.
+  // Returns a picture for reports; empty on errors.
   std::optional<Logo> logo(const std::string& path, const SourceLocation& named_at);
-  // In file units, normals normalised. Empty on errors.
+  // Returns points in file units, with normalised normals; empty on errors.
   const std::optional<PointList>& point_list(const std::string& path,
                                              const SourceLocation& named_at);
 
  private:
   std::optional<std::string> resolve(const std::string& path, const SourceLocation& named_at);
   std::string full_path(const std::string& key) const;
-  // Of a file that is about to be taken apart: `factor` bytes for each of its own.
+  // Counts `factor` bytes for each byte of a file that is about to be parsed.
   bool take_file(std::string_view bytes, double factor, const SourceLocation& named_at,
                  const std::string& path);
   std::optional<std::string> read(const std::string& key, const std::string& as_named,
                                   const SourceLocation& named_at);
 
-  // One light of a file: the path and the choices.
+  // A light of a file: the path and the choices.
   using FileLight = std::tuple<std::string, int, std::string, std::string>;
   const std::optional<LuminaireLight>& photometry(const FileLight& light,
                                                   const std::string& as_named,
@@ -108,7 +107,7 @@ class ProjectFiles {
   std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
   std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
   std::map<std::string, std::optional<PointList>> point_lists_;
-  // Light of files with the same bytes, which need no others: links to one file, copies.
+  // Light of files with equal bytes (links to one file, copies) that need no other files.
   std::map<std::tuple<std::string, FileLight, bool, bool>, std::vector<PlacedWeb>> same_light_;
   std::map<FileLight, std::string> hash_;  // of its file; none: it needs others
   double taken_bytes_ = 0.0;

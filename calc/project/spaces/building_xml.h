@@ -1,12 +1,12 @@
 #pragma once
-// <building>: rooms of which something is asked together.
+// Reads <building>: rooms with common requirements.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/reading/project_context.h"
 
 namespace calc {
 
-// After the rooms, which it names. Errors are reported.
+// Requires that the rooms are read, because it names them. Errors are reported.
 void read_buildings(ProjectContext& context, const XmlElement& root);
 
 }  // namespace calc

@@ -1,13 +1,13 @@
 #pragma once
-// <energy>: hours and factors of a room, or of all rooms of a project that have none of their own.
+// Reads <energy>: hours and factors of a room, or of all rooms of a project without their own.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/reading/project_context.h"
 
 namespace calc {
 
-// After the rooms, whose luminaires' groups may be named. Project::spaces begins with the root's
-// <room> elements, in order.
+// Requires that the rooms are read, because it may name their luminaires' groups. Project::spaces
+// begins with the root's <room> elements, in order.
 void read_energy(ProjectContext& context, const XmlElement& root);
 
 }  // namespace calc

@@ -25,9 +25,9 @@ struct RoomPlan {
   glm::dvec3 origin_m{0.0};
   double height_m = 0.0;
 
-  // World coordinates, counter-clockwise.
+  // Returns the shell in world coordinates, counter-clockwise.
   RoomShell shell() const;
-  // Counter-clockwise, room coordinates.
+  // Returns the outline in room coordinates, counter-clockwise.
   std::vector<glm::dvec2> outline() const;
   Rectangle wall(std::size_t index) const;
 };
@@ -38,7 +38,7 @@ struct ShellMaterials {
   std::vector<std::uint32_t> walls;
 };
 
-// Floor, ceiling and walls, facing into the room, with ids "<id>.floor", "<id>.ceiling",
+// Returns floor, ceiling and walls, facing into the room, with ids "<id>.floor", "<id>.ceiling",
 // "<id>.wall1" ...
 std::vector<Body> make_shell_bodies(const RoomPlan& plan, const ShellMaterials& materials,
                                     const std::string& room_id, const SourceLocation& where);

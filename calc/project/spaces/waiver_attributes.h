@@ -1,5 +1,5 @@
 #pragma once
-// The attributes of a waiver (calc/scene/waiver.h): why, who and up to which day.
+// Reads the attributes of a waiver (calc/scene/waiver.h): reason, person and last day.
 
 #include "calc/base/element_table.h"
 #include "calc/base/xml_reader.h"
@@ -13,7 +13,7 @@ struct WaiverNames {
   std::string_view because = "because", by = "by", until = "until";
 };
 
-// All three must be there; what is missing or no day is reported. `until` is "" then.
+// Requires all three; reports a missing attribute or an invalid day, and `until` is "" then.
 Waiver read_waiver(ElementReader& reader, const WaiverNames& names = {});
 
 }  // namespace calc

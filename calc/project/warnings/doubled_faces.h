@@ -1,7 +1,7 @@
 #pragma once
-// Faces of one body that lie exactly on others of it, of another material: as programs export a
-// front and a back, or two drawings of one thing. Which of them light met would go by their order
-// in the file.
+// Faces of a body that lie exactly on others of it with another material, as programs export a
+// front and a back, or two drawings of one thing. Otherwise their order in the file would decide
+// which of them light meets.
 
 #include "calc/scene/project.h"
 
@@ -18,9 +18,9 @@ struct DoubledFaces {
   glm::dvec3 first_m{0.0};    // a corner of the first one
 };
 
-// Where triangles of unlike reflectance share a place, all of them get the darker one's material;
-// no surface moves. Near to linear in the body's triangles; of a body made to cost more only a part
-// is looked at. tolerance_m: how far apart they may be.
+// Gives all triangles of unlike reflectance that share a place the darker one's material; no
+// surface moves. Near to linear in the body's triangles; of a body built to cost more, only a part
+// is examined. tolerance_m: how far apart they may be.
 DoubledFaces settle_doubled_faces(Body& body, const std::vector<Material>& materials,
                                   double tolerance_m);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles of bodies as flat pieces of their planes, which others in the same plane cut.
+// Flat pieces of triangles of bodies, which others in the same plane cut.
 
 #include "calc/scene/project.h"
 
@@ -35,7 +35,7 @@ struct PlaneFrame {
   glm::dvec3 raised(const glm::dvec2& p) const { return origin_m + p.x * u + p.y * v; }
 };
 
-// Whether one of two triangles lies in the plane of the other; frame: that of `one`.
+// Returns whether one of two triangles lies in the plane of the other; frame: that of `one`.
 bool lie_in_one_plane(const PlaneFrame& frame, const Corners3& one, const Corners3& other,
                       double tolerance_m);
 
@@ -43,7 +43,7 @@ using FlatPiece = std::vector<glm::dvec2>;  // convex
 
 double twice_area_m2(const FlatPiece& piece);
 
-// `piece` less the triangle, and what they share; shared is empty if they share no area.
+// The rest of `piece` outside the triangle, and what they share; empty if they share no area.
 struct PieceCut {
   std::vector<FlatPiece> outside;
   FlatPiece shared;
@@ -53,7 +53,7 @@ PieceCut cut_by(FlatPiece piece, std::array<glm::dvec2, 3> triangle);
 // Adds the piece's triangles to a body.
 void append_fan(Body& body, const PlaneFrame& frame, const FlatPiece& piece,
                 std::uint32_t material);
-// Takes the triangle out; the body's last one gets its place.
+// Removes the triangle; the body's last one gets its place.
 void remove_triangle(Body& body, std::size_t triangle);
 
 }  // namespace calc

@@ -1,21 +1,21 @@
 #pragma once
-// What is hardly meant of luminaires: where they are, and what light they give for their power.
+// Warns of unlikely luminaires: their places, and their light for their power.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
 
 namespace calc {
 
-// Of the types that are used.
+// Warns of the luminaire types that are used.
 void warn_efficacies(const Project& project, Diagnostics& diagnostics);
 
-// Outside their room or partly so, in solids, at one place twice, tilted beyond what their file
-// knows, with a luminous body that a surface cuts.
+// Warns of luminaires wholly or partly outside their room, in solids, twice at one place, tilted
+// beyond the range of their file, or with a luminous body that a surface cuts.
 void warn_luminaires(const Project& project, const Space& space, Diagnostics& diagnostics);
 
-// Of those that are lit in the scene (null: all) the first one that is outside its room, wholly or
-// by more than a hundredth of its size, or in a solid, wholly or in part, or that shines out of the
-// room from its surface: its light, or some of it, is missing. Null: there is none.
+// Returns the first luminaire lit in the scene (null: all) whose light, or some of it, is missing:
+// it is outside its room, wholly or by more than a hundredth of its size, or in a solid, wholly or
+// in part, or shines out of the room from its surface. Null: there is none.
 const Luminaire* luminaire_of_lost_light(const Project& project, const Space& space,
                                          const LightScene* scene);
 

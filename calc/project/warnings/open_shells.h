@@ -1,5 +1,5 @@
 #pragma once
-// The parts of open meshes that may have an inside all the same.
+// Finds the parts of open meshes that may have an inside all the same.
 
 #include "calc/scene/project.h"
 
@@ -7,8 +7,8 @@
 
 namespace calc {
 
-// Fills Space::open_shells from its bodies from `first` on: what hangs together in bodies that are
-// not closed. Flat things are left out, and housings of luminaires.
+// Fills Space::open_shells from its bodies from `first` on: connected parts of bodies that are not
+// closed, without flat things and housings of luminaires.
 void find_open_shells(Space& space, std::size_t first);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// What is hardly meant of planes.
+// Warns of unlikely planes.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -9,8 +9,8 @@
 
 namespace calc {
 
-// Planes in a surface, and planes that face away from every luminaire. on_purpose: ids of planes
-// that were asked to lie in a surface; they look away from it, whatever the light does.
+// Warns of planes in a surface, and of planes that face away from every luminaire. on_purpose: ids
+// of planes requested in a surface; they face away from it, whatever the light does.
 void warn_planes(const Project& project, const Space& space,
                  const std::set<std::string>& on_purpose, Diagnostics& diagnostics);
 

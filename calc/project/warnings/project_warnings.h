@@ -1,5 +1,5 @@
 #pragma once
-// What is allowed in a project but hardly meant.
+// Warns of what is allowed in a project but unlikely.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -9,8 +9,8 @@
 
 namespace calc {
 
-// Warnings only; the project must have been read without errors. planes_on_surfaces: ids of planes
-// that were asked to lie in a surface.
+// Warns only; requires a project that was read without errors. planes_on_surfaces: ids of planes
+// requested in a surface.
 void warn_about_project(const Project& project, const std::set<std::string>& planes_on_surfaces,
                         Diagnostics& diagnostics);
 

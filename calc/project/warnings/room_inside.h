@@ -1,5 +1,5 @@
 #pragma once
-// What is within a room.
+// Tests what is within a room.
 
 #include "calc/scene/project.h"
 
@@ -9,17 +9,17 @@
 
 namespace calc {
 
-// Walls, floor and ceiling belong to it, within a micrometre.
+// Returns whether the room, with its walls, floor and ceiling, contains it within a micrometre.
 bool room_contains(const RoomShell& shell, const glm::dvec3& point_m);
 
-// Whether a convex polygon of at least 2 corners, in one plane, reaches more than a centimetre into
-// it: what stands on a wall, or in one, does not.
+// Returns whether a convex polygon of at least 2 corners, in one plane, reaches more than a
+// centimetre into it, unlike things on or in a wall.
 bool reaches_into(const RoomShell& shell, const std::vector<glm::dvec3>& corners_m);
 
-// Whether two rooms have space in common that is more than a centimetre wide, long and high.
+// Returns whether two rooms share space more than a centimetre wide, long and high.
 bool share_space(const RoomShell& a, const RoomShell& b);
 
-// How far a point is outside, in metres; 0 within the room.
+// Returns the distance of a point from the room, in metres; 0 within it.
 double distance_outside_m(const RoomShell& shell, const glm::dvec3& point_m);
 
 }  // namespace calc

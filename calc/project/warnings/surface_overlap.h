@@ -1,5 +1,5 @@
 #pragma once
-// Does a planar area lie in the surface of a body?
+// Tests whether a planar area lies in the surface of a body.
 
 #include "calc/scene/project.h"
 
@@ -10,8 +10,8 @@
 
 namespace calc {
 
-// One area against many bodies. Surfaces count that are in the area's plane within 1e-6 m and share
-// more than a strip of 1e-6 m with it (holes and margins are not looked at).
+// Tests one area against many bodies. Surfaces count that are in the area's plane within 1e-6 m and
+// share more than a strip of 1e-6 m with it (holes and margins are ignored).
 class SurfaceOverlap {
  public:
   explicit SurfaceOverlap(const PlanarArea& area);
@@ -22,7 +22,7 @@ class SurfaceOverlap {
   using Triangle = std::array<glm::dvec2, 3>;
 
   bool touches_plane(const Body& body) const;
-  // Coordinates along u, v and the normal.
+  // Returns coordinates along u, v and the normal.
   glm::dvec3 local(const glm::dvec3& point) const;
 
   PlanarArea area_;

@@ -1,5 +1,5 @@
 #pragma once
-// How warnings about many things are put into few: by element of the file, or the first few.
+// Combines warnings about many things into few: by element of the file, or the first few.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/text.h"
@@ -16,12 +16,12 @@
 
 namespace calc {
 
-// " (and 3 more of this element)"; "" of none.
+// Returns " (and 3 more of this element)"; "" for 0.
 inline std::string and_others(std::size_t others) {
   return others == 0 ? std::string() : fmt::format(" ({})", and_more(others, "of this element"));
 }
 
-// Things that come from one element of the file get one warning: the first one's id, and how many
+// Gives a single warning for all things from one element of the file: the first id, and how many
 // more.
 struct FirstOfElement {
   std::string id;
@@ -44,8 +44,8 @@ class PerElement {
   std::map<std::pair<int, int>, FirstOfElement> found_;
 };
 
-// Things of one kind, each from an element of its own: the first few are named, the last of these
-// tells how many more there are.
+// Warns of things from different elements: names the first few, and the last of these tells how
+// many more there are.
 template <class Thing>
 void warn_of_first_few(const std::vector<Thing>& things, const char* kind,
                        const std::function<void(const Thing&, const std::string& more)>& warn) {
