@@ -1,5 +1,5 @@
 #pragma once
-// The light of a whole luminaire: of one emitter, or of several that shine together.
+// The light of a whole luminaire: of a single emitter, or of several that shine together.
 
 #include "calc/photometry/web.h"
 
@@ -22,8 +22,8 @@ struct EmitterLight {
   EmitterPlace place;
 };
 
-// At least one emitter. One alone is in the middle, not turned. Of several the middle is that of
-// the box around their centres, and the axes are those of the luminaire's model.
+// At least one emitter. A single emitter is in the middle, not turned. The middle of several is
+// that of the box around their centres, and the axes are those of the luminaire's model.
 struct LuminaireLight {
   std::vector<EmitterLight> emitters;
 

@@ -12,9 +12,9 @@
 
 namespace calc {
 
-// Shape of the luminous opening, centred on the luminaire: flat across its axis, or a body. A disk
-// and the bodies other than the box may be elliptical; cylinder: upright; cylinder_c0,
-// cylinder_c90: lying along that line (a vertical disk is one of no length).
+// The shape of the luminous opening, centred on the luminaire: flat across its axis, or a body. A
+// disk and the bodies other than the box may be elliptical; cylinder: upright; cylinder_c0,
+// cylinder_c90: with its axis along that line (a vertical disk is one of no length).
 enum class OpeningShape {
   point,
   rectangle,
@@ -49,14 +49,14 @@ struct LuminousOpening {
     }
     return true;
   }
-  // Of what sends light, along the luminaire's x, y and z.
+  // Returns the size of the luminous shape along the luminaire's x, y and z.
   glm::dvec3 size_m() const {
     if (shape == OpeningShape::point) return glm::dvec3(0.0);
     return {along_c0_m, along_c90_m, is_body() ? height_m : 0.0};
   }
 };
 
-// The line that the planes of a table turn about, of which gamma counts the angle.
+// The axis about which a table's planes turn, and from which gamma counts the angle.
 enum class TableAxis {
   vertical,  // C-gamma as in the frame below
   // LM-63 type B: the line of C90. A direction (x, y, z) has the table angles that (-z, x, -y)
@@ -65,7 +65,7 @@ enum class TableAxis {
   lateral
 };
 
-// Where the numbers came from, for reports. All text is UTF-8.
+// The origin of the numbers, for reports. All text is UTF-8.
 struct PhotometrySource {
   std::string format;          // "IESNA:LM-63-2002", "EULUMDAT", ...
   std::string luminaire_name;  // as the file states it; may be empty
@@ -79,12 +79,12 @@ struct PhotometrySource {
   std::string axis_rule{};              // words: what C 0 and the opening's sides lie along
   std::optional<LampTilt> lamp_tilt{};  // the intensities hold its factor of tilt 0
   double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
-  // Of the maximum: what the table has where it ends and its format has it go on, so that nobody
-  // knows the light beyond; 0 = it has no such end, or is dark there.
+  // The share of the maximum at ends of the table beyond which the format allows more light, so
+  // that the light there is unknown; 0 = it has no such end, or is dark there.
   double open_end_share = 0.0;
-  // As the file states them, in its own words; "" = not stated.
+  // Texts as the file states them; "" = not stated.
   std::string article_number{}, lamp{}, colour_temperature{}, colour_rendering{};
-  // Of the luminaire as a thing, along C0, along C90 and its height, all > 0; empty: not stated.
+  // The body's size along C0, along C90 and its height, all > 0; empty: not stated.
   std::optional<glm::dvec3> body_m{};
   bool body_is_round = false;  // seen along its axis
 };
@@ -92,45 +92,45 @@ struct PhotometrySource {
 class LazyWebSketch;
 class WebSketch;
 
-// Intensity table over full circles, symmetric files already expanded; bilinear between entries
-// (calc/CONVENTIONS.md, "Light"). Immutable after make(). Tables about another axis are kept as
-// they are, so that they are interpolated between the angles that were measured.
+// An intensity table over full circles, symmetric files already expanded; bilinear between entries
+// (calc/CONVENTIONS.md, "Light"). Immutable after make(). Tables about another axis are kept, so
+// that they are interpolated between the measured angles.
 //
 // Frame (calc/CONVENTIONS.md): x = C0, y = C90, gamma = 0 is -z, gamma = pi is +z;
 // direction = (sin g cos C, sin g sin C, -cos g).
 //
 // At the poles of the table (nadir, zenith) C has no meaning and the planes of a good file agree.
-// Where they do not, the value there is the mean over C, so that it does not depend on how a
-// direction was rounded.
+// Where they do not, the value there is the mean over C, so that the rounding of a direction does
+// not matter.
 class PhotometricWeb {
  public:
-  // c_rad: strictly ascending from 0 to 2 pi inclusive with the last plane equal to the first, or
-  // {0} for a rotationally symmetric table. gamma_rad: strictly ascending within [0, pi], at least
-  // 2 entries; outside the tabulated range intensity is 0. intensity_cd: [plane][gamma], all >= 0
-  // and finite, not all zero. Violations are our own mistakes (readers check files first): throws
-  // std::logic_error.
+  // Makes a web. c_rad: strictly ascending from 0 to 2 pi inclusive with the last plane equal to
+  // the first, or {0} for a rotationally symmetric table. gamma_rad: strictly ascending within [0,
+  // pi], at least 2 entries; outside the tabulated range intensity is 0. intensity_cd:
+  // [plane][gamma], all >= 0 and finite, not all zero. Violations are bugs (readers check files
+  // first): throws std::logic_error.
   static PhotometricWeb make(std::vector<double> c_rad, std::vector<double> gamma_rad,
                              std::vector<double> intensity_cd, LuminousOpening opening,
                              PhotometrySource source, TableAxis axis = TableAxis::vertical);
 
-  // Luminous intensity (cd) towards a unit direction in the luminaire's frame.
+  // Returns the luminous intensity (cd) towards a unit direction in the luminaire's frame.
   double intensity_cd(const std::array<double, 3>& direction) const;
-  // The same by the angles of that frame, whatever the table's axis: c_rad any real (wrapped),
-  // gamma_rad in [0, pi]. The first and last tabulated angle belong to the table, with 1e-14 rad
-  // for the rounding of directions.
+  // Returns the same by the angles of that frame, whatever the table's axis: c_rad any real
+  // (wrapped), gamma_rad in [0, pi]. The first and last tabulated angle belong to the table, with
+  // 1e-14 rad for the rounding of directions.
   double intensity_cd(double c_rad, double gamma_rad) const;
 
-  // Exact integral of the interpolated table over the sphere (lm), > 0.
+  // Returns the exact integral of the interpolated table over the sphere (lm), > 0.
   double flux_lm() const { return flux_lm_; }
-  // The same over the zone between two gamma angles, 0 <= from <= to <= pi. Exact about a vertical
-  // axis; else by midpoints of half a degree.
+  // Returns the same over the zone between two gamma angles, 0 <= from <= to <= pi. Exact about a
+  // vertical axis; else by midpoints of half a degree.
   double zonal_flux_lm(double from_gamma_rad, double to_gamma_rad) const;
   double max_intensity_cd() const { return max_intensity_cd_; }
 
-  // By the table's own angles, as the one before.
+  // Returns the intensity by the table's own angles, else like intensity_cd().
   double at_table_angles_cd(double c_rad, double gamma_rad) const;
 
-  // The table. Its angles are those of a direction turned into the table's frame.
+  // These give the table. Its angles are those of a direction turned into the table's frame.
   TableAxis axis() const { return axis_; }
   std::array<double, 3> to_table(const std::array<double, 3>& direction) const;
   std::array<double, 3> from_table(const std::array<double, 3>& direction) const;
@@ -142,7 +142,7 @@ class PhotometricWeb {
   }
   const LuminousOpening& opening() const { return opening_; }
   const PhotometrySource& source() const { return source_; }
-  // For many directions at once; made when first asked for, by any thread.
+  // Returns a sketch for many directions at once, made on the first call, by any thread.
   const WebSketch& sketch() const;
 
  private:
@@ -169,8 +169,8 @@ struct WebAngles {
 WebAngles angles_of(const std::array<double, 3>& direction);
 std::array<double, 3> direction_of(const WebAngles& angles);
 
-// Index i of the interval [nodes[i], nodes[i + 1]] that holds x; the first or last interval when x
-// lies outside. nodes: ascending, at least 2.
+// Returns the index i of the interval [nodes[i], nodes[i + 1]] that holds x; the first or last
+// interval when x is outside. nodes: ascending, at least 2.
 std::size_t interval_of(const std::vector<double>& nodes, double x);
 
 }  // namespace calc

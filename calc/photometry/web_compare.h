@@ -1,6 +1,6 @@
 #pragma once
-// Whether two webs are the same light, up to a scale and a quarter turn or mirror image: for one
-// luminaire delivered in two files, whose C0 may not point the same way.
+// Compares two webs up to a scale and a quarter turn or mirror image: for a luminaire delivered in
+// two files, whose C0 may not point the same way.
 
 #include "calc/photometry/web.h"
 
@@ -10,8 +10,8 @@
 
 namespace calc {
 
-// B(C) = A(C - quarters x 90 degrees), or mirrored B(C) = A(quarters x 90 degrees - C). Turns count
-// counter-clockwise seen from above, as C does.
+// The turn B(C) = A(C - quarters x 90 degrees), or mirrored B(C) = A(quarters x 90 degrees - C).
+// Turns count counter-clockwise seen from above, as C does.
 struct WebTurn {
   int quarters = 0;  // 0 to 3
   bool mirrored = false;
@@ -20,16 +20,16 @@ inline bool operator==(const WebTurn& a, const WebTurn& b) {
   return a.quarters == b.quarters && a.mirrored == b.mirrored;
 }
 
-// Differences of intensity per flux, over the higher of the two maxima of that. Where: at the
-// angles of the coarser table, and at the finer one's gamma angles beyond the coarser one's range;
-// there every angle where either web has 1 % of its maximum counts the same.
+// Differences of intensity per flux, over the higher of the two maxima of that. They are taken at
+// the angles of the coarser table, and at the finer one's gamma angles beyond the coarser one's
+// range; every angle where either web has 1 % of its maximum counts the same.
 struct TurnFit {
   WebTurn turn;
   double rms = 0.0;
   double largest = 0.0;
 };
 
-// How the openings' sizes along C0 and C90 - of two bodies the heights, too - go with a turn; equal
+// How the openings' sizes along C0 and C90, and two bodies' heights, match after a turn; equal
 // means within 5 mm or 3 %.
 enum class OpeningRelation {
   not_stated,   // one of them is a point
@@ -45,15 +45,15 @@ inline constexpr double kIndistinguishable = 0.001;  // of rms
 struct WebComparison {
   double flux_ratio = 1.0;    // B over A
   std::vector<TurnFit> fits;  // all eight
-  // So many fits at the front are within kIndistinguishable of the smallest rms. Among them those
-  // that the openings do not speak against come first, then turns before mirror images, then the
-  // smallest turn; all others follow by rms.
+  // The number of fits at the front within kIndistinguishable of the smallest rms. Among them, fits
+  // that agree with the openings come first, then turns before mirror images, then the smallest
+  // turn; all others follow by rms.
   std::size_t alike = 1;
   OpeningRelation openings = OpeningRelation::not_stated;  // after fits.front().turn
 };
 WebComparison compare_webs(const PhotometricWeb& a, const PhotometricWeb& b);
 
-// "turned by 90 degrees about the vertical axis (C = C + 90)"; "not turned".
+// Returns "turned by 90 degrees about the vertical axis (C = C + 90)" or "not turned".
 std::string turn_words(WebTurn turn);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// A web about another axis as a table over C and gamma, for formats that know no other.
+// Resamples a web about another axis over C and gamma, for formats that have no other axis.
 
 #include "calc/photometry/web.h"
 
@@ -14,11 +14,11 @@ struct ResampledWeb {
   double flux_ratio;     // resampled over original
 };
 
-// Even steps: the coarsest of 5 x 2.5, 2.5 x 1 and 1 x 0.5 degrees (C x gamma; the last is all that
-// EULUMDAT holds) that differs by less than 0.5 % of the maximum from the web, else the last.
-// Compared at the angles of the web's own table and in the middle between the new ones. The table
-// ends at gamma 90 if there is no light above. Empty for a beam so narrow that it falls between the
-// finest angles.
+// Resamples at even steps: the coarsest of 5 x 2.5, 2.5 x 1 and 1 x 0.5 degrees (C x gamma;
+// EULUMDAT holds no finer) that differs by less than 0.5 % of the maximum from the web, else the
+// last. Compared at the angles of the web's own table and in the middle between the new ones. The
+// table ends at gamma 90 if there is no light above. Empty for a beam so narrow that it falls
+// between the finest angles.
 std::optional<ResampledWeb> resampled_over_c_gamma(const PhotometricWeb& web);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Light of many directions at once, nearly right.
+// Computes the approximate light in many directions at once.
 
 #include "calc/photometry/web.h"
 
@@ -13,36 +13,37 @@
 
 namespace calc {
 
-// A web as a table of even steps in C and gamma, in single precision, that is read in vectors: many
-// times as fast as PhotometricWeb::intensity_cd(), the same bits on every processor, and within
-// largest_error_share() of it (at a pole where the table has several values: one of them). For what
+// A web as a table of even steps in C and gamma, in single precision, read in vectors: many times
+// as fast as PhotometricWeb::intensity_cd(), the same bits on every processor, and within
+// largest_error_share() of it (at a pole where the table has several values: one of them). It
 // guides the calculation; no result may rest on it alone.
 class WebSketch {
  public:
   explicit WebSketch(const PhotometricWeb& web);
 
-  // Of the largest intensity. 1e-5 where even steps meet all angles of the web; else as found at
-  // those angles and between them.
+  // Returns the error as a share of the largest intensity: 1e-5 where even steps meet all angles of
+  // the web; else as found at those angles and between them.
   double largest_error_share() const { return largest_error_share_; }
 
-  // About half the width of the narrowest beam, rad; infinite where every beam is so wide (11
-  // degrees) that the places at which the calculation looks at an opening cannot miss it.
+  // Returns about half the width of the narrowest beam, rad; infinite where every beam is so wide
+  // (11 degrees) that the calculation's sample places on an opening cannot miss it.
   double finest_rad() const { return finest_rad_; }
 
-  // Of table angles gamma in [from, to]: no intensity there is more; beyond the table there is
-  // none. Whether it is dark at one of them for all C, as far as the table's own angles tell.
+  // The light at table angles gamma in [from, to]: the highest intensity (none beyond the table),
+  // and whether one of these angles is dark for all C, as far as the table's own angles tell.
   struct Band {
     double most_cd = 0.0;
     bool is_partly_dark = true;
   };
   Band band(double from_rad, double to_rad) const;
 
-  // lx[i] = factor[i] * intensity / distance^3, finite, of n directions from the luminaire in the
-  // frame of the web's table (PhotometricWeb::to_table()), of lengths from 1e-9 to 1e12 m.
+  // Computes lx[i] = factor[i] * intensity / distance^3, finite, for n directions from the
+  // luminaire in the frame of the web's table (PhotometricWeb::to_table()), of lengths from 1e-9 to
+  // 1e12 m.
   void light_of(std::size_t n, const float* x_m, const float* y_m, const float* z_m,
                 const float* factor, float* lx) const;
 
-  // What light_of() reads, for who does the same elsewhere: begin and end in steps of gamma, dark
+  // The data of light_of(), to compute the same elsewhere: begin and end in steps of gamma, dark
   // outside; cd[plane * (gammas + 1) + gamma], planes + 1 of them.
   struct Table {
     std::size_t planes, gammas;  // steps

@@ -1,5 +1,5 @@
 #pragma once
-// The lines of an EULUMDAT file: one value each, read in order, with every problem reported at its
+// Reads the lines of an EULUMDAT file in order, one value each, and reports every problem at its
 // line.
 
 #include "calc/base/diagnostics.h"
@@ -18,22 +18,22 @@ class EulumdatLines {
   EulumdatLines(std::string_view text, const std::string& name, Diagnostics& diagnostics)
       : name_(name), diagnostics_(diagnostics), lines_(text) {}
 
-  // Place of the line read last.
+  // Returns the place of the line read last.
   SourceLocation here() const { return {name_, lines_.line(), 0}; }
-  // Reports a value that is not allowed at that place; always false.
+  // Reports a value that is not allowed at that place; always returns false.
   bool refuse(std::string_view field, double value, std::string_view allowed);
 
-  // field: what the line holds, for messages. Empty (false), with an error, at the end of the file.
+  // Returns a line; empty (false), with an error, at the end of the file. field: for messages.
   std::optional<std::string_view> text_line(std::string_view field);
   bool skip(int count, std::string_view field);
-  // A decimal point or comma; words behind the number are warned of once.
+  // Reads a number with a decimal point or comma; warns once of words behind a number.
   bool read_number(std::string_view field, double& value);
-  // As read_number(); a blank line is 0 and warned of.
+  // Reads like read_number(); a blank line is 0, with a warning.
   bool read_number_or_blank(std::string_view field, double& value);
   bool read_whole(std::string_view field, int lowest, int highest, int& value);
 
   std::size_t count_remaining() const { return lines_.count_remaining(); }
-  // To look ahead without messages.
+  // Returns a cursor to look ahead without messages.
   LineCursor cursor() const { return lines_; }
 
  private:

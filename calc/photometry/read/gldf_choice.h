@@ -1,5 +1,5 @@
 #pragma once
-// Which of the lights in a GLDF file is meant.
+// Chooses among the lights in a GLDF file.
 
 #include "calc/base/diagnostics.h"
 #include "calc/photometry/read/gldf_product.h"
@@ -21,18 +21,18 @@ struct GldfLight {
   std::string id() const;  // of the emitter, with its number where it has several fittings
 };
 
-// By PhotometryOptions::variant and ::emitter. Without a choice: the variant if all variants use
-// the same light emitters, the emitter if there is one, its fitting if there is one (not counting
-// those for emergencies only) or all of them are the same light. Otherwise an error that lists what
-// can be chosen. Several emitters that shine together: kAllEmitters as the emitter takes all of the
-// variant but those for emergencies only, which is said; several ids with blanks between them take
-// those. name: the path of the GLDF file. Not empty; the lights point into `product`.
+// Chooses by PhotometryOptions::variant and ::emitter. Without a choice: the variant if all
+// variants use the same light emitters, the emitter if there is one, its fitting if there is one
+// (not counting those for emergencies only) or all of them are the same light. Otherwise an error
+// lists the choices. The emitter kAllEmitters takes all of the variant that shine together, without
+// those for emergencies only, with a message; several ids with blanks between them take those.
+// name: the path of the GLDF file. Not empty; the lights point into `product`.
 std::optional<std::vector<GldfLight>> choose_gldf_lights(const GldfProduct& product,
                                                          const PhotometryOptions& options,
                                                          const std::string& name,
                                                          Diagnostics& diagnostics);
 
-// All that can be chosen: every variant with every light of it, and with all of them together where
+// Returns all choices: every variant with each of its lights, and with all of them together where
 // it has several; each emitter where there are no variants.
 std::vector<PhotometryOptions> gldf_choices(const GldfProduct& product);
 

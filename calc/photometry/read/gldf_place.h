@@ -1,5 +1,5 @@
 #pragma once
-// Where the emitters of a GLDF product are in the luminaire.
+// Places the emitters of a GLDF product in the luminaire.
 
 #include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/read/gldf_choice.h"
@@ -9,17 +9,17 @@
 
 namespace calc {
 
-// Of each light, as the L3D model of the variant has it, the middle of the box around all of them
-// at the origin. Where the model does not say it of each, all are at the origin, not turned, which
-// is warned of. A single light is there always; that it is at several places is warned of. Empty,
-// with an error, if one of several lights is.
+// Returns the place of each light in the L3D model of the variant, with the middle of the box
+// around all of them at the origin. If the model lacks a place, all are at the origin, not turned,
+// with a warning. A single light is always there; several places of it give a warning. Empty, with
+// an error, if one of several lights has several places.
 std::optional<std::vector<EmitterPlace>> places_of(const std::vector<GldfLight>& lights,
                                                    const GldfProduct& product, ZipArchive& archive,
                                                    Diagnostics& diagnostics);
 
-// "'a', 'b'"
+// Returns "'a', 'b'".
 std::string ids_of(const std::vector<GldfLight>& lights);
-// What to write instead of one luminaire: "emitter=\"a\", emitter=\"b\""
+// Returns what to write instead of one luminaire: "emitter=\"a\", emitter=\"b\"".
 std::string as_single_luminaires(const std::vector<GldfLight>& lights);
 
 }  // namespace calc

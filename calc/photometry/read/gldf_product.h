@@ -1,5 +1,5 @@
 #pragma once
-// What product.xml of a GLDF file says about light: files, photometries, emitters, variants.
+// Reads the light in product.xml of a GLDF file: files, photometries, emitters, variants.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/xml_document.h"
@@ -28,17 +28,17 @@ struct GldfPhotometry {
   SourceLocation where;
 };
 
-// One way in which an emitter can shine; the fittings of an emitter are alternatives.
+// A way in which an emitter can shine; the fittings of an emitter are alternatives.
 struct GldfFitting {
   std::string name;  // may be empty
   std::string photometry_id;
   std::string equipment_id;  // empty: a fixed light source
   bool only_emergency = false;
   bool is_turned = false;  // a rotation of the light is stated, of the fitting or its photometry
-  // As stated, 0 = not. Of a fixed emitter (product.xml leaves open whether of its lamps or of the
-  // luminaire); of the equipment, for all its lamps together; of the lamps without the equipment.
+  // Stated fluxes, 0 = not stated: of a fixed emitter (product.xml leaves open whether of its lamps
+  // or of the luminaire); of the equipment, for all its lamps together; of the lamps alone.
   double fixed_flux_lm = 0.0, equipment_flux_lm = 0.0, lamps_flux_lm = 0.0;
-  // With and without gear; 0 = not stated. The second one of all light sources together.
+  // Power with and without gear, of all light sources together; 0 = not stated.
   double equipment_power_w = 0.0, source_power_w = 0.0;
   SourceLocation where;
 };
@@ -52,7 +52,7 @@ struct GldfEmitter {
   PhotometryChoice choice() const { return {id, fittings.empty() ? "" : fittings.front().name}; }
 };
 
-// Where a variant has an emitter.
+// The place of an emitter in a variant.
 struct GldfPlace {
   std::string emitter_id;
   std::string geometry_id;  // empty: of no model
@@ -77,9 +77,9 @@ struct GldfProduct {
   std::vector<GldfGeometry> geometries;
 };
 
-// root: <Root> of product.xml. Reads GLDF 1.0 and the earlier form with <LightEmitter>. Texts in
-// several languages: English if there is any, else the first. References are not followed here,
-// except for lamps and equipment. Empty if and only if an error was reported.
+// Reads <Root> of product.xml, `root`, in GLDF 1.0 and the earlier form with <LightEmitter>. Of
+// texts in several languages it takes English if there is any, else the first. References are not
+// followed here, except for lamps and equipment. Empty if and only if an error was reported.
 std::optional<GldfProduct> read_gldf_product(const XmlElement& root, Diagnostics& diagnostics);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// The lines of an LM-63 file up to and including TILT=.
+// Reads the lines of an LM-63 file up to and including TILT=.
 
 #include <optional>
 #include <string>
@@ -21,14 +21,14 @@ struct Lm63Header {
   int tilt_line = 0;
   std::string_view numbers;  // the text after the TILT= line
 
-  // Text of the first such keyword, "[MORE]" lines joined with blanks; "" if there is none.
+  // Returns the first such keyword's text, "[MORE]" lines joined with blanks; "" if there is none.
   std::string keyword(std::string_view name) const;
 };
 
-// Empty if there is no TILT= line.
+// Returns the header; empty if there is no TILT= line.
 std::optional<Lm63Header> read_lm63_header(std::string_view text);
 
-// Names of the keywords that this version requires and the file lacks.
+// Returns the names of keywords that this version requires and the file lacks.
 std::vector<std::string_view> missing_keywords(const Lm63Header& header);
 
 }  // namespace calc

@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of an LM-63 file, one field after the other, with a message for each that is missing
-// or not allowed.
+// Reads the numbers of an LM-63 file, one field after the other, with a message for each that is
+// missing or not allowed.
 
 #include "calc/base/diagnostics.h"
 #include "calc/photometry/read/number_stream.h"
@@ -14,15 +14,15 @@ namespace calc {
 
 class Lm63Numbers {
  public:
-  // text: what follows line `last_line` of file `name`. All must outlive this object.
+  // text: the text after line `last_line` of file `name`. All must outlive this object.
   Lm63Numbers(std::string_view text, int last_line, const std::string& name,
               Diagnostics& diagnostics);
 
   // The reading functions report and return false (or nothing) if they fail.
   bool read(std::string_view field, double& value);
-  // A whole number ("1.0" is one), within [lowest, highest].
+  // Reads a whole number (also "1.0") within [lowest, highest].
   bool read_whole(std::string_view field, int lowest, int highest, int& value);
-  // Whether this many numbers are left: to be asked before anything of that size is made.
+  // Returns whether this many numbers are left; callers check before allocating that much.
   bool check_present(std::string_view what, std::size_t count);
   // Reports that the number read last is not allowed; returns false.
   bool refuse(std::string_view field, double value, std::string_view allowed);

@@ -1,6 +1,7 @@
 #pragma once
-// The free stream of numbers after the TILT= line of an LM-63 file: separated by blanks, tabs,
-// commas and line ends in any mixture; records may be broken anywhere [LM-63, edition of 2002, 3].
+// Reads the free stream of numbers after the TILT= line of an LM-63 file: separated by blanks,
+// tabs, commas and line ends in any mixture; records may be broken anywhere [LM-63, edition of
+// 2002, 3].
 
 #include <cstddef>
 #include <optional>
@@ -15,13 +16,13 @@ class NumberStream {
     int line;
   };
 
-  // text: what follows a line with number last_line.
+  // text: the text after the line with number last_line.
   NumberStream(std::string_view text, int last_line) : rest_(text), line_(last_line + 1) {}
 
   std::optional<Token> next();
-  // Line of the end of the last token.
+  // Returns the line of the end of the last token.
   int line() const { return line_; }
-  // Tokens left; nothing is stored, so that a count from the file can be checked before allocating.
+  // Returns the tokens left without storing any, to check a count from the file before allocating.
   std::size_t count_remaining() const;
 
  private:
@@ -31,7 +32,7 @@ class NumberStream {
   int line_;
 };
 
-// A number as LM-63 and EULUMDAT files write it: decimal, finite, exponent with E or Fortran's D.
+// Returns a number of LM-63 and EULUMDAT files: decimal, finite, exponent with E or Fortran's D.
 std::optional<double> parse_photometry_number(std::string_view text);
 
 }  // namespace calc

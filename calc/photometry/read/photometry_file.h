@@ -1,5 +1,5 @@
 #pragma once
-// Photometry files to webs. The format is told by content, not by name.
+// Reads photometry files as webs. The content tells the format, not the name.
 
 #include "calc/base/diagnostics.h"
 #include "calc/photometry/luminaire_light.h"
@@ -13,24 +13,24 @@
 
 namespace calc {
 
-// bytes: a whole LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file; name: the path
+// Reads a whole LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file. name: the path
 // used in messages. options: which light of a file with several; an option that the format does not
 // have is an error. Empty if and only if at least one error was reported.
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
                                                Diagnostics& diagnostics,
                                                const PhotometryOptions& options = {});
 
-// The same of a whole luminaire, whose options may ask for several lights of a file that shine
-// together (GLDF). parse_photometry() refuses those.
+// Reads a whole luminaire in the same way, also several lights of a file that shine together
+// (GLDF). parse_photometry() refuses those.
 std::optional<LuminaireLight> parse_luminaire_light(std::string_view bytes, const std::string& name,
                                                     Diagnostics& diagnostics,
                                                     const PhotometryOptions& options = {});
 
-// Every choice that a file with several lights offers, in its order; empty: it holds one, or is not
-// readable. Only variants and emitters are set.
+// Returns every choice that a file with several lights offers, in its order; empty if it holds one,
+// or is not readable. Only variants and emitters are set.
 std::vector<PhotometryOptions> photometry_choices(std::string_view bytes);
 
-// The light of the only emitter; empty, with an error, if there are several.
+// Returns the light of the only emitter; empty, with an error, if there are several.
 std::optional<PhotometricWeb> only_light(LuminaireLight light, const std::string& name,
                                          const PhotometryOptions& options,
                                          Diagnostics& diagnostics);
@@ -43,7 +43,7 @@ struct PhotometryFormatInfo {
 };
 std::vector<PhotometryFormatInfo> photometry_formats();
 
-// The same without GLDF, for the files inside a container.
+// Reads the same formats except GLDF, for the files inside a container.
 std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, const std::string& name,
                                                     Diagnostics& diagnostics,
                                                     const PhotometryOptions& options);

@@ -1,5 +1,5 @@
 #pragma once
-// What to take from a photometry file that holds more than one light.
+// Options that choose among the lights of a photometry file.
 
 #include "calc/base/diagnostics.h"
 #include "calc/photometry/read/ies_tilt.h"
@@ -10,8 +10,8 @@
 
 namespace calc {
 
-// PhotometryOptions::emitter for all emitters of a GLDF variant that shine together, unless one has
-// it as its id.
+// The value of PhotometryOptions::emitter for all emitters of a GLDF variant that shine together,
+// unless an emitter has this id.
 inline constexpr std::string_view kAllEmitters = "all";
 
 struct PhotometryOptions {
@@ -25,24 +25,24 @@ struct PhotometryOptions {
   CompanionReader read_companion{};  // LM-63: for TILT=<file>, which is refused without it
 };
 
-// One of several things to choose from: how it is written in an option, and words about it.
+// A choice among several: its text in an option, and a description.
 struct PhotometryChoice {
   std::string id;
   std::string label;  // may be empty
 };
 
-// "a (words), b (words)": at most ten, then "...".
+// Returns "a (words), b (words)": at most ten, then "...".
 std::string list_choices(const std::vector<PhotometryChoice>& choices);
 
-// Where to report a mistake in the options for the photometry file `name`.
+// Returns where to report a mistake in the options for the photometry file `name`.
 SourceLocation place_of_choice(const PhotometryOptions& options, const std::string& name);
 
-// Which options a format knows.
+// The options that a format has.
 struct KnownOptions {
   bool lamp_set = false, variant = false, emitter = false;
 };
 
-// False, with an error for each, if options are given that the format does not have.
+// Returns false, with an error for each, if options are given that the format does not have.
 // format: in words, "an LM-63 file".
 bool check_options(const PhotometryOptions& options, const KnownOptions& known,
                    std::string_view format, const std::string& name, Diagnostics& diagnostics);

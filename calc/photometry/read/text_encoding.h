@@ -1,16 +1,16 @@
 #pragma once
-// Photometry files come in 8-bit code pages; everything inside the program is UTF-8.
+// Converts text in the 8-bit code pages of photometry files to UTF-8.
 
 #include <string>
 #include <string_view>
 
 namespace calc {
 
-// The text itself if it is valid UTF-8, else read as Windows-1252; control characters become
-// blanks.
+// Returns the text itself if it is valid UTF-8, else read as Windows-1252; control characters
+// become blanks.
 std::string utf8_from_file_text(std::string_view text);
 
-// A piece of a file for a message: as above, at most 40 bytes and then "...".
+// Returns a piece of a file for a message: as above, at most 40 bytes and then "...".
 std::string quotable(std::string_view text);
 
 }  // namespace calc

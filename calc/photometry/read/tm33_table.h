@@ -1,5 +1,5 @@
 #pragma once
-// The intensity table of one TM-33 emitter.
+// Reads the intensity table of a TM-33 emitter.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/xml_document.h"
@@ -17,9 +17,9 @@ struct Tm33Table {
   SourceLocation where;
 };
 
-// root: of the file; emitter: one of its <Emitter> elements. Reads LuminousData/LuminousIntensity
-// with IntData h v (TM-33-18 and -23), LuminousData or IntensityDistribution with IntensityData
-// horz vert (files in circulation). The points may come in any order and must fill a grid of
+// Reads LuminousData/LuminousIntensity with IntData h v (TM-33-18 and -23), LuminousData or
+// IntensityDistribution with IntensityData horz vert (files in circulation). root: of the file;
+// emitter: one of its <Emitter> elements. The points may come in any order and must fill a grid of
 // horizontal by vertical angles. Empty if and only if an error was reported: other metrics
 // (radiant, photon, spectral), photometry of type A or B, points missing or given twice, angles
 // that do not fit the symmetry.

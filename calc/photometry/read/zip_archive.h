@@ -1,6 +1,6 @@
 #pragma once
-// Files inside a ZIP archive in memory. The only owner of libzip. Archives come from anywhere:
-// nothing they say about sizes is believed, and names that lead out of the archive are refused.
+// Reads files inside a ZIP archive in memory. Only this uses libzip. Archives are untrusted: the
+// sizes they state are not used, and names that lead out of the archive are refused.
 
 #include "calc/base/diagnostics.h"
 
@@ -27,20 +27,21 @@ bool looks_like_zip(std::string_view bytes);
 
 class ZipArchive {
  public:
-  // bytes must outlive the archive; name: its path, for messages. Empty, with an error, if the
-  // bytes are no intact ZIP archive, if a name in it is absolute, has a drive letter, a backslash,
-  // a control character or a step up (..), or is there twice, or if it has too many entries.
+  // Returns the archive. Empty, with an error, if the bytes are not an intact ZIP archive, if a
+  // name in it is absolute, has a drive letter, a backslash, a control character or a step up (..),
+  // or appears twice, or if it has too many entries. bytes must outlive it; name: its path in
+  // messages.
   static std::optional<ZipArchive> open(std::string_view bytes, const std::string& name,
                                         Diagnostics& diagnostics, const ZipLimits& limits = {});
   ZipArchive(ZipArchive&&) noexcept;
   ZipArchive& operator=(ZipArchive&&) noexcept;
   ~ZipArchive();
 
-  // In the order of the archive, UTF-8; folders end with '/'.
+  // Returns the names in the order of the archive, UTF-8; folders end with '/'.
   const std::vector<std::string>& names() const;
   bool has(std::string_view name) const;
-  // A file's bytes. Empty, with an error, if it is absent, damaged, encrypted, packed in a way that
-  // libzip does not know, or larger than the limits.
+  // Returns a file's bytes. Empty, with an error, if it is absent, damaged, encrypted, compressed
+  // in a way unknown to libzip, or larger than the limits.
   std::optional<std::string> read(const std::string& name);
 
  private:
@@ -50,7 +51,7 @@ class ZipArchive {
   std::unique_ptr<Contents> contents_;
 };
 
-// Why a name may not be used inside an archive, in words ("leaves the archive"); "" if it may.
+// Returns why a name may not be used inside an archive ("leaves the archive"); "" if it may.
 std::string_view unsafe_name_reason(std::string_view name);
 
 }  // namespace calc
