@@ -1,5 +1,5 @@
 #pragma once
-// Whom a design is for and who made it, as its project says: no light and no verdict hangs on it.
+// The client and authors of a design, as its project states them; they affect no light or verdict.
 
 #include "calc/base/names.h"
 
@@ -17,7 +17,7 @@ struct EnumNames<LogoFormat> {
                                                   {LogoFormat::svg, "svg"}};
 };
 
-// A picture that may stand in a page: checked, see project/reading/logo.h.
+// A picture for a page, already checked: see project/reading/logo.h.
 struct Logo {
   std::string file;  // as the project names it
   LogoFormat format = LogoFormat::png;
@@ -25,14 +25,14 @@ struct Logo {
 };
 
 struct AboutProject {
-  // Each "" where nothing is said. date: YYYY-MM-DD.
+  // Each is "" if not stated. date: YYYY-MM-DD.
   std::string client, number, revision, date, author, company, address, note;
   Logo logo;
 
   inline bool is_empty() const;
 };
 
-// The texts by their names in files, in the order in which reports show them.
+// The texts with their names in files, in the order in which reports show them.
 struct AboutText {
   const char* name;
   std::string AboutProject::*text;

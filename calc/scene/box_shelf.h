@@ -1,5 +1,5 @@
 #pragma once
-// Boxes by where they begin along one axis, so that of many only those nearby are looked at.
+// Boxes sorted by their begin along one axis, so that searches look at nearby boxes only.
 
 #include "calc/scene/solids.h"
 
@@ -10,14 +10,14 @@ namespace calc {
 
 class BoxShelf {
  public:
-  // All boxes that may be added; they must outlive it.
+  // box: all boxes that may be added; they must outlive it.
   explicit BoxShelf(const std::vector<BoundingBox>& box);
   BoxShelf(const BoxShelf&) = delete;
   BoxShelf& operator=(const BoxShelf&) = delete;
 
   void add(std::size_t index) { all_.push_back(index); }
   void sort();  // once, after all were added
-  // Those that have a place in common with `box`, or as near as that: ascending. Empty boxes: none.
+  // Returns the boxes that meet `box` within the tolerance: ascending; never empty boxes.
   std::vector<std::size_t> near(const BoundingBox& box, double tolerance_m) const;
   const std::vector<std::size_t>& all() const { return all_; }  // ascending if added so
 
@@ -26,7 +26,7 @@ class BoxShelf {
   glm::length_t axis_ = 0;  // the longest of all boxes together
   double length_m_ = 0.0;   // along it
   std::vector<std::size_t> all_;
-  // Those that are long themselves would make every search long: they are looked at one by one.
+  // Long boxes are tested one by one, because they would make every search long.
   std::vector<std::size_t> sorted_, long_;
   double widest_m_ = 0.0;  // of the sorted ones
 };

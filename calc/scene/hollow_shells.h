@@ -1,6 +1,5 @@
 #pragma once
-// Places inside things that are not closed: exported without the side that they stand on, or with
-// gaps.
+// Finds places inside objects that are not closed: exported without their bottom, or with gaps.
 
 #include "calc/scene/project.h"
 #include "calc/scene/solids.h"
@@ -13,7 +12,7 @@
 
 namespace calc {
 
-// unclear: all but one or two of the directions that are looked at are closed.
+// unclear: all but one or two of the tested directions are closed.
 enum class HollowSide { outside, unclear, inside };
 
 struct HollowPlace {
@@ -21,19 +20,19 @@ struct HollowPlace {
   const Body* shell = nullptr;  // that it is in, one of Space::open_shells; null outside
 };
 
-// Which way triangles turn does not matter. A shell around a luminaire is no thing but a room,
-// whose places are outside of it.
+// The winding of triangles does not matter. A shell around a luminaire counts as a room, not an
+// object; places in it are outside.
 class HollowShells {
  public:
-  // Whether there is air at a place.
+  // Returns whether there is air at a place.
   using IsAir = std::function<bool(const glm::dvec3&)>;
 
-  // For points within the region. The space must outlive it.
+  // Serves points within the region. The space must outlive it.
   HollowShells(const Space& space, const BoundingBox& region);
 
   // Looks from the point along seven lines both ways: a direction is closed if it meets the shell,
-  // or leaves the shell's box and there is no air just behind it, as below a thing that stands on
-  // the floor. A large shell is sorted at the first point in its box, and costs little after it.
+  // or leaves the shell's box where there is no air just behind it, as below a thing on the floor.
+  // A large shell is sorted at the first point in its box, and costs little after it.
   HollowPlace around(const glm::dvec3& point, const IsAir& is_air) const;
 
  private:

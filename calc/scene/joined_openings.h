@@ -1,5 +1,5 @@
 #pragma once
-// Luminous openings that touch are one source to an eye, however it is cut.
+// Joins luminous openings that touch, because an eye sees them as a single source.
 
 #include "calc/photometry/web.h"
 
@@ -17,22 +17,22 @@ struct OpeningInPlace {
   LuminousOpening opening;
 };
 
-// Openings of which each touches another one along a side, or nearly so: in one plane, no farther
-// apart than a tenth of their shortest side.
+// Openings of which each touches another along a side, or nearly so: in one plane, no farther apart
+// than a tenth of their shortest side.
 struct JoinedOpening {
   std::vector<std::size_t> members;  // ascending, two at least
   double width_m = 0.0;  // the shorter side of the rectangle around all, along the first one's axes
 };
 
-// Luminaires in a line, as tables of glare are made for, are as wide as this, and no ceiling.
+// Largest width of luminaires in a line; glare tables are made for these, and not for ceilings.
 inline constexpr double kWidestLine_m = 0.35;
 
-// Those wider than a line, but for lines that meet, as in a frame along the walls. Points and what
-// has no size in one direction join nothing.
+// Returns groups wider than a line, without lines that meet, as in a frame along the walls. Points
+// and openings without size in a direction do not join.
 std::vector<JoinedOpening> joined_openings(std::span<const OpeningInPlace> openings);
 
-// How much of the smaller outline lies in the other one, seen along the axis of `a`: 0 to 1. 0 of
-// points and lines, of openings that look another way, and of planes farther apart than
+// Returns the share of the smaller outline within the other, seen along the axis of `a`: 0 to 1. 0
+// for points and lines, for openings of other directions, and for planes farther apart than
 // kOneBehind_m, where one may hang below the other. Disks count as squares of their area.
 inline constexpr double kOneBehind_m = 0.05;
 double overlap_share(const OpeningInPlace& a, const OpeningInPlace& b);

@@ -1,5 +1,5 @@
 #pragma once
-// Energy that a space's luminaires take in a year, by the factors of EN 15193.
+// The energy of a space's luminaires in a year, by the factors of EN 15193.
 //
 //   W = sum over luminaires of P Fc (tD Fo FD + tN Fo) / 1000,  LENI = W / A + parasitic energy
 //
@@ -20,14 +20,13 @@ struct LightingEnergy {
   double lighting_kwh = 0.0;  // in a year, without the parasitic part
   double leni_kwh_m2 = 0.0;   // with it
   Message problem;            // why there is no LENI; the numbers are then 0. "" = there is one
-  // What was put in, with every factor that nobody states as 1; "" with a problem.
+  // The inputs, with every factor that is not stated as 1; "" with a problem.
   Message words;
-  // Of lighting_kwh, dimming group by dimming group; "" = luminaires without one. Results do not
-  // have it.
+  // lighting_kwh by dimming group; "" = luminaires without a group. Results omit it.
   std::map<std::string, double> kwh_of_group = {};
 };
 
-// power: of the space. Luminaires count with their full output, of whatever scene.
+// Returns the energy of luminaires at full output, whatever the scene. power: of the space.
 LightingEnergy lighting_energy(const Project& project, const Space& space,
                                const InstalledPower& power);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a luminaire gives as a whole, all its emitters together.
+// Light of a whole luminaire, all its emitters together.
 
 #include "calc/scene/project.h"
 
@@ -9,21 +9,21 @@
 
 namespace calc {
 
-// All for the types that counts_as_luminaire(), after any override of the flux.
+// These require types with counts_as_luminaire() and include any override of the flux.
 double luminaire_flux_lm(const Project& project, const LuminaireType& type);
 
-// Towards a unit direction in the luminaire's frame, from far away.
+// Returns the intensity towards a unit direction in the luminaire's frame, from far away.
 double luminaire_intensity_cd(const Project& project, const LuminaireType& type,
                               const std::array<double, 3>& direction);
 
-// The highest one. Of several emitters among the directions of their tables.
+// Returns the highest intensity; with several emitters, among the directions of their tables.
 double luminaire_peak_cd(const Project& project, const LuminaireType& type);
 
-// In all spaces. type: index into Project::luminaire_types.
+// Returns the number in all spaces. type: index into Project::luminaire_types.
 int luminaires_of_type(const Project& project, std::size_t type);
 
-// One for each emitter, where it is: a luminaire of one is its own emitter. The further ones have
-// the luminaire's id and their own behind it.
+// Returns a luminaire for each emitter at its place; a luminaire with a single emitter stays as it
+// is. The further ones have the luminaire's id followed by their own.
 std::vector<Luminaire> with_all_emitters(const Project& project, std::vector<Luminaire> luminaires);
 
 }  // namespace calc

@@ -1,6 +1,6 @@
 #pragma once
-// How an installation is to be kept, as its project states: what the maintenance factors rest on.
-// No light and no verdict hangs on it.
+// The maintenance of an installation as its project states it, the basis of its maintenance
+// factors. No light or verdict depends on it.
 
 #include <array>
 #include <optional>
@@ -16,7 +16,7 @@ struct MaintenancePlan {
   inline bool is_empty() const;
 };
 
-// The numbers by their names in projects and in results, in the order in which reports show them.
+// The numbers with their names in projects and results, in the order in which reports show them.
 struct MaintenanceNumber {
   const char* name;  // of the attribute
   const char* result_key;

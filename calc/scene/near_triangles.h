@@ -1,5 +1,5 @@
 #pragma once
-// Which triangles of a space are near a place.
+// Finds the triangles of a space near a place.
 
 #include "calc/base/triangle.h"
 #include "calc/scene/project.h"
@@ -23,12 +23,12 @@ struct BodyTriangle {
 // Triangles in the cells of a grid over a region.
 class NearTriangles {
  public:
-  // Of the space's bodies, which must outlive it; for places within the region and radii up to
-  // most_m.
+  // Holds the triangles of the space's bodies, which must outlive it; for places within the region
+  // and radii up to most_m.
   NearTriangles(const Space& space, const BoundingBox& region, double most_m);
 
-  // All that are no farther from the place than radius_m, in the order of the space. Triangles
-  // without area are left out.
+  // Returns all triangles no farther from the place than radius_m, in the order of the space,
+  // without those that have no area.
   std::vector<BodyTriangle> within(const glm::dvec3& place_m, double radius_m) const;
 
  private:

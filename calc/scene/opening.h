@@ -1,6 +1,6 @@
 #pragma once
-// A luminaire's luminous opening as seen from outside: points on it, and how much of the
-// luminaire's light each of them sends somewhere.
+// A luminaire's luminous opening seen from outside: points on it, and the share of the luminaire's
+// light that each sends in a direction.
 
 #include "calc/photometry/web_sketch.h"
 #include "calc/scene/prepared_scene.h"
@@ -13,24 +13,24 @@
 
 namespace calc {
 
-// (s, t) of the unit square as a place in the unit disk, which they fill evenly.
+// Maps (s, t) of the unit square to the unit disk, evenly.
 glm::dvec2 unit_disk(double s, double t);
 
-// A flat opening's point at (s, t) of the unit square, which it fills evenly; local coordinates. Of
-// a body: the centre.
+// Returns the point of a flat opening at (s, t) of the unit square, mapped evenly; for a body the
+// centre. Local coordinates.
 glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);
 
-// Whether the point lies inside a luminous body, or on it up to `distance_m`.
+// Returns whether the point is inside a luminous body, or on it up to `distance_m`.
 bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point_m,
                        double distance_m);
 
-// What leaves places of the opening within radius_m of the given one for the point, as far as the
-// table's angles gamma tell, cd.
+// Returns the intensities (cd) towards the point from places of the opening within radius_m of the
+// given place, as far as the table's angles gamma tell.
 WebSketch::Band intensities_towards(const PlacedLuminaire& luminaire, const glm::dvec3& place_m,
                                     double radius_m, const glm::dvec3& point_m);
 
-// Area (m2) of the opening's outline seen from far away in the unit direction `towards`: 0 of a
-// point, and of a flat opening edge-on.
+// Returns the area (m2) of the opening's outline seen from far away in the unit direction
+// `towards`: 0 for a point, and for a flat opening edge-on.
 double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards);
 
 // The opening seen along one direction. The luminaire's intensity I(w) is spread evenly over what
@@ -52,12 +52,12 @@ class OpeningView {
   };
   Point point(double s, double t) const;
 
-  // What light towards the unit direction counts for, per unit of (s, t): 1 along `towards` and for
-  // flat openings, 0 behind the point's surface.
+  // Returns the weight of light towards the unit direction, per unit of (s, t): 1 along `towards`
+  // and for flat openings, 0 behind the point's surface.
   double weight(const Point& at, const glm::dvec3& direction) const;
 
-  // Where the square's first coordinate passes from one face of a body to the next: from 0 to 1,
-  // ascending. point() is continuous between.
+  // Returns where the square's first coordinate passes from one face of a body to the next: from 0
+  // to 1, ascending. point() is continuous between.
   std::span<const double> piece_ends() const { return {end_.data(), pieces_ + 1}; }
 
  private:
@@ -76,7 +76,7 @@ class OpeningView {
   static constexpr std::size_t kMostPieces = 4;
   std::size_t pieces_ = 1;
   std::array<double, kMostPieces + 1> end_{0.0, 1.0};
-  // [piece]: the axis that its face is across, or kSide; kNothing: the body shows no area.
+  // [piece]: the axis perpendicular to its face, or kSide; kNothing: the body shows no area.
   std::array<int, kMostPieces> face_{kNothing};
 
   static constexpr int kSide = 3;  // of a cylinder, or all of an ellipsoid

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a luminaire's luminous body has room where it was placed.
+// Tests whether a luminaire's luminous body fits at its place.
 
 #include "calc/photometry/web.h"
 #include "calc/scene/box_shelf.h"
@@ -11,7 +11,7 @@
 
 namespace calc {
 
-// The flat opening of the same outline as seen from below.
+// Returns the flat opening with the same outline seen from below.
 LuminousOpening flattened(const LuminousOpening& opening);
 
 class OpeningFit {
@@ -21,11 +21,11 @@ class OpeningFit {
   OpeningFit(const OpeningFit&) = delete;
   OpeningFit& operator=(const OpeningFit&) = delete;
 
-  // Whether a surface cuts through the body's bounding box, as the ceiling does through that of a
-  // luminaire placed at its height: light from the part beyond would be lost. Surfaces that touch
-  // it within 1e-6 m do not, nor does its own housing. Flat openings are never cut.
+  // Returns whether a surface cuts through the body's bounding box, as a ceiling cuts a luminaire
+  // placed at its height: light from the part beyond would be lost. Surfaces that touch it within
+  // 1e-6 m and its own housing do not count. Flat openings are never cut.
   bool is_cut(const LuminousOpening& opening, const Luminaire& luminaire);
-  // What the calculation uses for this luminaire: the opening, flattened if a surface cuts it.
+  // Returns the opening for the calculation, flattened if a surface cuts it.
   LuminousOpening fitted(const LuminousOpening& opening, const Luminaire& luminaire);
 
  private:

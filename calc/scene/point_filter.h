@@ -1,5 +1,5 @@
 #pragma once
-// Which points of a space can be measured at, and from where.
+// Decides at which points of a space light can be measured, and from where.
 
 #include "calc/base/names.h"
 #include "calc/scene/hollow_shells.h"
@@ -34,36 +34,37 @@ struct EnumNames<DropReason> {
       {DropReason::in_surface, "in-surface"}};
 };
 
-// A candidate: front is the side of a surface that it counts as, see SensorGrid::front(); axis see
-// SensorGrid::normal. Unit vectors, world coordinates.
+// A candidate: front is the side of a surface to which it belongs, see SensorGrid::front(); axis
+// see SensorGrid::normal. Unit vectors, world coordinates.
 struct CandidatePoint {
   glm::dvec3 position_m, front, axis;
 };
 
-// What becomes of one.
+// The decision about a candidate.
 struct PointStand {
   std::optional<DropReason> dropped;
-  // From where it is measured, as a shift: 0, or off the surface that it lies in.
+  // The shift to where it is measured: 0, or off the surface that contains it.
   glm::dvec3 shift_m{0.0};
   std::string body;  // that it lies in: of a drop, or of a shift along the plane; else ""
-  // That is not closed and encloses it nearly (HollowSide::unclear), so that it counts as outside.
+  // A body that is not closed and nearly encloses it (HollowSide::unclear): it counts as outside.
   std::string open_body{};
 };
 
 class PointFilter {
  public:
-  // For candidates within the region. The space must outlive it.
+  // Serves candidates within the region. The space must outlive it.
   PointFilter(const Space& space, ReceiverKernel kernel, const BoundingBox& region);
 
-  // - Outside the room, whose surfaces count as inside, or inside a closed body, or one that is not
-  //   closed and encloses it all the same (hollow_shells.h): dropped.
+  // Decides by these rules:
+  // - Outside the room, whose surfaces count as inside, or inside a body that is closed, or that
+  //   encloses it although it is not closed (hollow_shells.h): dropped.
   // - On a face of a closed body: dropped if `front` looks into the body.
   // - In surfaces that leave air on one side only (walls, corners of the room, sides of furniture):
-  //   measured on that side, a few ray offsets off: the limit of what is measured ever nearer to
-  //   them. Dropped if there is air on several sides (in a screen), or room on none.
+  //   measured on that side, a few ray offsets off: the limit of measurements ever nearer to them.
+  //   Dropped if there is air on several sides (in a screen), or room on none.
   PointStand stand(const CandidatePoint& candidate) const;
 
-  // Beside its walls, whatever the height.
+  // Returns whether the point is beside the room's walls, whatever its height.
   bool is_beside_room(const glm::dvec3& point) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of polygons: what is left of an area when others are cut out of it.
+// Divides polygons into pieces: the rest of an area when others are cut out of it.
 
 #include <glm/glm.hpp>
 
@@ -7,14 +7,14 @@
 
 namespace calc {
 
-// Convex, corners counter-clockwise.
+// A convex polygon, corners counter-clockwise.
 using ConvexPiece = std::vector<glm::dvec2>;
 
-// Triangles of a simple polygon of either direction; empty if it is not simple.
+// Returns triangles of a simple polygon of either direction; empty if it is not simple.
 std::vector<ConvexPiece> convex_pieces(const std::vector<glm::dvec2>& polygon);
 
-// What is left of the pieces without `hole`, as convex pieces that do not overlap if the given ones
-// do not. Slivers below 1e-12 of the pieces' area are dropped.
+// Returns the pieces without `hole`, as convex pieces that do not overlap if the given ones do not.
+// Slivers below 1e-12 of the pieces' area are dropped.
 std::vector<ConvexPiece> cut_out(const std::vector<ConvexPiece>& pieces, const ConvexPiece& hole);
 
 double area(const std::vector<ConvexPiece>& pieces);

@@ -1,8 +1,7 @@
 #pragma once
-// The one home of mending: outlines that somebody drew with corners twice, spikes, or holes joined
-// to them by a way there and back. What is taken out encloses nothing: the area and the direction
-// of the outline stay. Where more than one area could be meant (sides that cross) nothing is
-// mended.
+// Repairs outlines with doubled corners, spikes, or holes joined to them by a way there and back;
+// no other code does. The removed parts enclose nothing: the area and the direction of the outline
+// stay. Where more than one area is possible (crossing sides) nothing is repaired.
 
 #include <glm/glm.hpp>
 
@@ -14,10 +13,10 @@
 
 namespace calc {
 
-// A bent polygon up to this, of its size, is taken for a flat one of rounded numbers.
+// A polygon bent up to this share of its size counts as flat with rounded numbers.
 inline constexpr double kNearlyPlanar = 1.0e-3;
 
-// What was wrong with one polygon, or several. Lengths in the polygon's unit.
+// The faults of one polygon, or several. Lengths in the polygon's unit.
 struct Mending {
   std::size_t doubled = 0;  // corners at the place of the one before them
   std::size_t spikes = 0;   // corners at which the outline turns back on itself
@@ -27,7 +26,7 @@ struct Mending {
 
   bool is_any() const { return doubled + spikes + joints > 0; }
   void add(const Mending& other);
-  // "2 doubled corners, 1 spike and 1 joint of a hole or part"
+  // Returns "2 doubled corners, 1 spike and 1 joint of a hole or part".
   std::string words() const;
 };
 
@@ -41,20 +40,21 @@ struct MendedPolygon {
   double deviation = 0.0;  // largest distance of a corner from the mean plane / size; 0 in a plane
 };
 
-// Lengths that count as zero are those of polygon.h. A simple polygon comes back as it is, with the
-// triangles of triangulate_polygon(). Empty if sides cross, an area is enclosed twice, fewer than
-// three corners are left, no area, or not finite. O(n^2) for simple ones, else O(n^2 log n).
+// Returns the repaired polygon; lengths that count as zero are those of polygon.h. A simple polygon
+// is returned unchanged, with the triangles of triangulate_polygon(). Empty if sides cross, an area
+// is enclosed twice, fewer than three corners are left, no area, or not finite. O(n^2) for simple
+// ones, else O(n^2 log n).
 std::optional<MendedPolygon> mend_polygon(const std::vector<glm::dvec2>& polygon);
-// Along the mean plane of what is left without doubled corners and spikes, however bent it is:
-// callers look at `deviation`.
+// Returns the same along the mean plane of the corners left without doubled ones and spikes,
+// however bent it is: callers check `deviation`.
 std::optional<MendedPolygon> mend_polygon(const std::vector<glm::dvec3>& polygon);
 
-// Takes corners that no triangle has out of the list; those that are left keep their order.
+// Removes corners that no triangle uses from the list; the others keep their order.
 void drop_unused_corners(std::vector<glm::dvec3>& corner, std::vector<glm::uvec3>& triangle);
 
-// Of what lies inside by the even-odd rule, sides may cross; >= 0. 0 for fewer than 3 corners.
+// Returns the area inside by the even-odd rule, also with crossing sides; 0 below 3 corners.
 double enclosed_area(const std::vector<glm::dvec2>& polygon);
-// The same along the mean plane; 0 where there is none.
+// Returns the same along the mean plane; 0 where there is none.
 double enclosed_area(const std::vector<glm::dvec3>& polygon);
 
 }  // namespace calc

@@ -1,6 +1,6 @@
 #pragma once
-// Outlines that touch themselves, taken apart: a hole that a doubled side joins to its outline, two
-// parts that share a corner. Sides that go there and back cancel out; what is left are rings.
+// Divides outlines that touch themselves: a hole that a doubled side joins to its outline, two
+// parts that share a corner. Sides that go there and back cancel out; rings remain.
 
 #include <glm/glm.hpp>
 
@@ -18,12 +18,12 @@ struct RingSet {
   std::uint32_t longest_at = 0;  // a corner of it
 };
 
-// Of an outline without doubled corners and spikes. Empty if sides cross, something is enclosed
-// twice or nothing is.
+// Splits an outline without doubled corners and spikes. Empty if sides cross, or if an area is
+// enclosed twice or none is.
 std::optional<RingSet> split_into_rings(const std::vector<glm::dvec2>& outline);
 
-// Ear clipping, holes joined to their parts by a way there and back between two corners. Triangles
-// turn as the parts do and fill what the rings enclose, to 1e-9 of its area. Empty if not.
+// Returns triangles by ear clipping, holes joined to their parts by a way there and back between
+// two corners. They wind as the parts do and fill the rings' area to 1e-9; otherwise empty.
 std::optional<std::vector<glm::uvec3>> triangulate_rings(
     const std::vector<glm::dvec2>& corner, const std::vector<std::vector<std::uint32_t>>& ring);
 

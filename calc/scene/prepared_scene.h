@@ -1,5 +1,5 @@
 #pragma once
-// One space, ready for rays: triangles in one list, shifted to a local origin, luminaires resolved.
+// A space ready for rays: triangles in one list, shifted to a local origin, luminaires resolved.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
@@ -16,32 +16,32 @@
 
 namespace calc {
 
-// Distance by which ray ends are lifted off a surface along its normal, in a scene of this extent:
-// covers float rounding of local coordinates (32 ulp of the largest one) and 1e-6 of the extent.
-// [METHOD, 8.1]
+// Returns the distance by which ray ends are lifted off a surface along its normal, in a scene of
+// this extent: covers float rounding of local coordinates (32 ulp of the largest one) and 1e-6 of
+// the extent. [METHOD, 8.1]
 double ray_offset_m(double extent_m);
 
-// A point as near to a surface as this lies in it: 4 ulp of the largest coordinate, what rounding
-// corners to float may do.
+// Returns the distance up to which a point counts as in a surface: 4 ulp of the largest coordinate,
+// the error of rounding corners to float.
 inline double touching_m(double ray_offset_m) { return ray_offset_m / 8.0; }
 
-// What the ends of rays in a space hang on. Near is what is within four diagonals of its shell, or,
-// where it has none, of its luminaires and planes: what is beyond must not make rays begin farther
-// off the surfaces that matter.
+// The sizes that determine the ends of rays in a space. Near is everything within four diagonals of
+// its shell, or, without a shell, of its luminaires and planes: things beyond must not move the
+// begin of rays farther off the surfaces that matter.
 struct SceneScale {
   glm::dvec3 origin_m{0.0};     // world; the middle of what is near
   double extent_m = 1.0;        // length of the diagonal of what is near; 1 if there is nothing
   double whole_extent_m = 1.0;  // of everything
-  // How far rounding to float moves near surfaces along their normals, where it is more than their
-  // being near explains: of triangles that have other corners far away.
+  // How far rounding to float moves near surfaces along their normals, where this exceeds the
+  // rounding of near coordinates: for triangles with other corners far away.
   double rounding_m = 0.0;
 
   double ray_offset_m() const;
 };
 SceneScale scale_of(const Space& space);
 
-// What a luminaire counts for: points nearer than this along a horizontal axis and across it. Of
-// roads, where a standard ends the light; light itself does not end.
+// The points for which a luminaire counts: nearer than this along a horizontal axis and across it.
+// For roads, where a standard limits the light; light itself has no such limit.
 struct LightReach {
   glm::dvec2 along{1.0, 0.0};  // unit
   double distance_m = 0.0;
@@ -59,8 +59,8 @@ struct PlacedLuminaire {
   std::optional<LightReach> reach{};  // of points alone; empty: everywhere
 };
 
-// Local coordinates: world minus origin_m, subtracted in double before anything is rounded to
-// float.
+// A space in local coordinates: world minus origin_m, subtracted in double before anything is
+// rounded to float.
 struct PreparedScene {
   glm::dvec3 origin_m{0.0};
   std::vector<glm::vec3> vertex_m;
@@ -77,11 +77,11 @@ struct PreparedScene {
   std::size_t degenerate_triangles = 0;  // left out
 
   double whole_extent_m() const { return std::max(extent_m, far_extent_m); }
-  // Of places near; see lift_at() for others.
+  // Returns the offset for places near; see lift_at() for others.
   double ray_offset_m() const { return SceneScale{{}, extent_m, 0.0, rounding_m}.ray_offset_m(); }
 };
 
-// What the intensities of a luminaire's web are multiplied by, with the tilt of its lamp.
+// Returns the factor for the intensities of a luminaire's web, with the tilt of its lamp.
 double installed_flux_scale(const Project& project, const Luminaire& luminaire);
 
 PreparedScene prepare_scene(const Project& project, const Space& space);

@@ -33,7 +33,7 @@ struct Material {
   SourceLocation where;
 };
 
-// One object as triangles. Two-sided: both faces reflect, nothing passes through.
+// An object as triangles. Two-sided: both faces reflect, nothing passes through.
 struct Body {
   std::string id;
   std::vector<glm::dvec3> vertex_m;
@@ -53,21 +53,21 @@ struct RoomShell {
   double height_m = 0.0;
 };
 
-// ISO/CIE TS 22012: MF = LLMF x LSF x LMF x RSMF. A single number is kept in `product` alone.
+// MF = LLMF x LSF x LMF x RSMF (ISO/CIE TS 22012). A single number is only in `product`.
 struct MaintenanceFactor {
   double product = 1.0;   // (0, 1]
   bool is_stated = true;  // by the type or for the whole project; else 1 is an assumption
   std::optional<double> llmf, lsf, lmf, rsmf;
 };
 
-// A further emitter of a luminaire that has several, or its first.
+// An emitter of a luminaire that has several.
 struct TypeEmitter {
   std::size_t type = 0;  // index into Project::luminaire_types: the light of this emitter alone
   EmitterPlace place;
 };
 
-// The luminaire as a thing in the way of light, its own light apart: photometry has that already.
-// From its opening backwards; of an opening that is a body, that body.
+// The luminaire as an obstacle to light, without its own light, because photometry includes that.
+// It extends from its opening backwards; for an opening that is a body, it is that body.
 struct Housing {
   std::uint32_t material = 0;             // index into Project::materials
   double depth_m = 0.0;                   // 0: the face alone, as of a luminaire in a ceiling
@@ -75,8 +75,8 @@ struct Housing {
   bool is_round = false;                  // size_m is of an ellipse
 };
 
-// One of the lamps, drivers or currents that a luminaire is sold with: the light of its photometry
-// file, only more or less of it.
+// A lamp, driver or current with which a luminaire is sold: the light of its photometry file with
+// another flux.
 struct LampPackage {
   std::string article;                  // its name, unique in its type
   double flux_lm = 0.0, power_w = 0.0;  // of the luminaire, > 0
@@ -105,10 +105,10 @@ struct LuminaireType {
   SourceLocation where;
   std::vector<TypeEmitter> emitters = {};  // all of a luminaire that has several, else none
   bool is_further_emitter = false;         // of the type before it
-  // Of one luminaire, in the project's own currency; empty = not stated. No light hangs on it.
+  // Price of a luminaire in the project's own currency; empty = not stated. No effect on light.
   std::optional<double> price = {};
   std::optional<Housing> housing = {};
-  // What it is to be had with; `package`: the index of the one whose flux and power it has. Empty:
+  // Its lamp packages; `package`: the index of the package whose flux and power it has. Empty:
   // those of the file or the project's own.
   std::vector<LampPackage> packages = {};
   std::optional<std::size_t> package = {};
@@ -128,7 +128,7 @@ struct Luminaire {
   SourceLocation where;
 };
 
-// Dimming levels per group; groups not named are at 1.
+// Dimming levels per group; other groups are at 1.
 struct LightScene {
   std::string id;
   std::vector<std::pair<std::string, double>> level_of_group;  // level in [0, 1]
@@ -147,7 +147,7 @@ struct EnumNames<GridRounding> {
 };
 
 // The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,
-// or the shorter one if longer / shorter >= shorter_from_ratio. As it stands: EN 12464-1.
+// or the shorter one if longer / shorter >= shorter_from_ratio. Default: EN 12464-1.
 struct GridByRule {
   Message name = Message::words("EN 12464-1");  // of whoever asks for it, for reports
   double factor_m = 0.2, base = 5.0, max_spacing_m = 10.0;
@@ -159,7 +159,7 @@ struct GridByCount {
   int columns = 0, rows = 0;
   bool operator==(const GridByCount&) const = default;
 };
-// Rounded up: no cell is larger.
+// Cell counts are rounded up, so that no cell is larger.
 struct GridBySpacing {
   double along_u_m = 0.0, along_v_m = 0.0;
   Message name;  // of whoever asks for it; "" = the project
@@ -181,7 +181,7 @@ struct PlanarArea {
   bool operator==(const PlanarArea&) const = default;
 };
 
-// Points and unit normals as given, e.g. of a site measurement.
+// Points and unit normals as given, e.g. for a site measurement.
 struct PointList {
   std::string file;
   std::vector<glm::dvec3> position_m, normal;
@@ -202,8 +202,8 @@ inline constexpr int kLeastRouteRows = 5;
 
 using PlaneArea = std::variant<PlanarArea, PointList, EscapeRoute>;
 
-// What a workplace says of a plane that a standard may have a number of its own for: the task may
-// be anywhere on it; or it is on a wall that is not the one in front of whoever works there.
+// What a workplace states of a plane for which a standard may have a number of its own: the task
+// may be anywhere on it; or it is on a wall other than the one in front of the person at work.
 enum class SpecialPlace { none, unknown_task, other_wall };
 
 template <>
@@ -213,9 +213,9 @@ struct EnumNames<SpecialPlace> {
                                                     {SpecialPlace::other_wall, "other-wall"}};
 };
 
-// What asks something of a plane: a <require>, or the <workplace> that has made the plane, which
-// then has this role in it. As written, not even the names of its attributes are checked: rules/
-// knows the grammar.
+// A requirement for a plane: a <require>, or the <workplace> that has made the plane, which then
+// has this role in it. It is kept as written, and not even the names of its attributes are checked,
+// because rules/ knows the grammar.
 struct RequirementText {
   XmlElement element;
   std::string role{};                     // "" of a <require>
@@ -223,7 +223,7 @@ struct RequirementText {
   SpecialPlace special = SpecialPlace::none;
 };
 
-// Of planes that a <road> makes.
+// Roles of planes that a <road> makes.
 inline constexpr std::string_view kCarriagewayRole = "carriageway", kFootwayRole = "footway";
 
 struct CalcPlane {
@@ -235,15 +235,15 @@ struct CalcPlane {
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
   bool is_quantity_known = true;  // false after an error in it: the two above say nothing
-  // Of an area's points that look somewhere (has_look()): where, unit and horizontal; else 0.
-  // Points of a list look along their normals, and all others of an area have its normal for an
-  // axis.
+  // The direction, unit and horizontal, of an area's points that look somewhere (has_look()); else
+  // 0. Points of a list look along their normals, and all other points of an area have its normal
+  // for an axis.
   glm::dvec3 direction{0.0};
-  // Which way people go on it: unit and horizontal; 0: not said.
+  // The walking direction on it, unit and horizontal; 0: not stated.
   glm::dvec3 travel{0.0};
   std::vector<RequirementText> requirements;
-  // Of a plane that a workplace has made, for reports: from what, and what the project changed;
-  // else "".
+  // For a plane made by a workplace, for reports: its origin, and what the project changed; else
+  // "".
   Message made_by, changed;
   bool has_own_area = false;           // of such a plane: around the task, where the project says
   std::optional<double> own_margin_m;  // what the project, or the room's width, makes of the rule's
@@ -251,7 +251,7 @@ struct CalcPlane {
   SourceLocation where;
 };
 
-// What a project changes about a zone of a workplace, or that it leaves the zone out.
+// A project's change to a zone of a workplace, or its omission.
 struct ZoneText {
   std::string role;                // "cylinder", "wall" for all walls, "wall.2"
   std::optional<Waiver> left_out;  // who leaves it out; empty: it is changed
@@ -270,20 +270,20 @@ struct UnmadeZone {
   bool is_place_unknown = false;   // there is one, but nobody knows where: the project may say it
 };
 
-// The task of a workplace that is no level area: a board on a wall, the face of a rack.
+// The task of a workplace that is not level: a board on a wall, the face of a rack.
 struct UprightTask {
   PlanarArea area;  // a rectangle; u along its foot, v up, facing whoever looks at it
   double low_m = 0.0, high_m = 0.0;  // above the floor
   std::optional<std::size_t> wall;   // that it is on, from 0
 };
 
-// A plane that a workplace would have, had the project not left it out for a time: without an area.
+// A plane of a workplace that the project omits for a time: without an area.
 struct LeftOutPlane {
   CalcPlane plane;
   Waiver by;
 };
 
-// Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
+// The zones of a room by a row of a standard, as facts only; rules/binding/workplace.h makes
 // planes.
 struct Workplace {
   std::string id, was, name;      // was: as of a plane
@@ -303,12 +303,12 @@ struct Workplace {
   SourceLocation where;
 };
 
-// Factors of EN 15193 as a project states them, (0, 1]; what is not stated counts as 1.
+// Factors of EN 15193 as a project states them, (0, 1]; others count as 1.
 struct EnergyFactors {
   std::optional<double> occupancy, daylight, constant_illuminance;  // Fo, FD, Fc
 };
 
-// How a room's light is used in a year.
+// The use of a room's light in a year.
 struct EnergyUse {
   double day_h = 0.0, night_h = 0.0;  // in use with and without daylight
   double parasitic_kwh_m2 = 0.0;      // controls on standby, charging of emergency luminaires
@@ -316,22 +316,22 @@ struct EnergyUse {
   std::vector<std::pair<std::string, EnergyFactors>> of_group;  // what differs in dimming groups
 };
 
-// A unit of calculation: a room, a road, or the open space with everything else. Rooms are closed
+// A space for calculation: a room, a road, or the open space with everything else. Rooms are closed
 // and opaque, so that nothing in one space changes the light in another.
 struct Space {
   std::string id, was;  // was: as of a plane
   std::string name;
   std::vector<std::string> tags;   // of all of its planes
   std::optional<RoomShell> shell;  // empty for the open space and rooms of a building file
-  // Of a road, which stands for itself: nothing but its luminaires is there. Its rows go on; what
-  // `luminaires` has of them are those that give light to the field by EN 13201-3.
+  // A road is a space of its own, with only its luminaires. Its rows continue; `luminaires` holds
+  // those that light the field by EN 13201-3.
   std::optional<Road> road;
   std::string surfaces_file;  // of such a room, as the project names it; else ""
   bool is_from_mesh = false;  // surfaces_file is a mesh, and not gbXML
   std::vector<Body>
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
-  // What hangs together in those of them that are objects and not closed, as far as it may have an
-  // inside (hollow_shells.h): with their ids, and no materials.
+  // Connected parts of those bodies that are objects and not closed, if they may have an inside
+  // (hollow_shells.h): with their ids, and no materials.
   std::vector<Body> open_shells;
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
@@ -343,11 +343,11 @@ struct Space {
       outline_m;  // of the floor of a room of a building file, world x and y; empty: not known
   SourceLocation where;
 
-  // Around all rooms.
+  // Returns whether it is the space around all rooms.
   bool is_open_space() const { return !shell && !road && surfaces_file.empty(); }
 };
 
-// Rooms of which something is asked together: of their sum, not of each.
+// Rooms with common requirements: for their sum, not for each.
 struct Building {
   std::string id, was;  // was: as of a plane
   std::string name;
@@ -366,7 +366,7 @@ struct Project {
   std::string path;
   std::string name;
   AboutProject about;
-  // Where north lies in plan, degrees from +x counter-clockwise, [-360, 360]; for drawings alone.
+  // Direction of north in plan, degrees from +x counter-clockwise, [-360, 360]; only for drawings.
   std::optional<double> north_deg;
   MaintenancePlan maintenance_plan;
   std::vector<Material> materials;

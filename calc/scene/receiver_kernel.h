@@ -1,5 +1,5 @@
 #pragma once
-// What a calculation point measures.
+// The quantities that a calculation point measures.
 
 #include <array>
 #include <cstddef>
@@ -13,20 +13,20 @@ namespace calc {
 // axis. scalar: over a sphere (a quarter of the fluence rate; the axis does not matter).
 enum class ReceiverKernel { planar, cylindrical, semicylindrical, hemispherical, scalar };
 
-// What a point measures where that is more than the illuminance of one kernel.
+// Quantities of a point that need more than the illuminance of one kernel.
 enum class DerivedQuantity {
   none,
   // Unified glare rating of an eye that looks along the axis, see calc/radiosity/direct/glare.h.
   // The illuminance is that of reflected light on a plane across the line of sight.
   ugr,
-  // Cylindrical illuminance about the axis / illuminance of the plane across it, of one point.
+  // Cylindrical illuminance about the axis / illuminance of the plane across it, at the same point.
   modelling,
   // The mean of four planes along the axis, 90 degrees apart, which some programs take for the
   // cylindrical illuminance; the true integral is computed beside it.
   four_planes
 };
 
-// One row for each quantity, as project files and results write it.
+// A quantity as project files and results write it.
 struct PlaneQuantity {
   std::string_view name;
   ReceiverKernel kernel;  // of the point's first receiver
@@ -46,7 +46,7 @@ inline constexpr std::array<PlaneQuantity, 8> kPlaneQuantities{{
     {"cylindrical-4", ReceiverKernel::cylindrical, DerivedQuantity::four_planes, 5, "lx", false},
 }};
 
-// Null of pairs that no plane has.
+// Returns the quantity; null for pairs that no plane has.
 constexpr const PlaneQuantity* find_quantity(ReceiverKernel kernel, DerivedQuantity derived) {
   for (const PlaneQuantity& quantity : kPlaneQuantities) {
     if (quantity.kernel == kernel && quantity.derived == derived) return &quantity;
@@ -64,7 +64,7 @@ constexpr bool has_look(ReceiverKernel kernel, DerivedQuantity derived) {
   return found != nullptr && found->has_look;
 }
 
-// The first row with it: what all of them share.
+// Returns the first row with it, for properties that all such rows share.
 constexpr const PlaneQuantity& row_of(DerivedQuantity derived) {
   for (const PlaneQuantity& quantity : kPlaneQuantities) {
     if (quantity.derived == derived) return quantity;
@@ -75,7 +75,7 @@ constexpr std::size_t receivers_per_point(DerivedQuantity derived) {
   return row_of(derived).receivers;
 }
 constexpr const char* unit_of(DerivedQuantity derived) { return row_of(derived).unit; }
-// Without a unit.
+// Returns whether it has no unit.
 constexpr bool is_plain_number(DerivedQuantity derived) { return *unit_of(derived) == '\0'; }
 
 }  // namespace calc

@@ -1,6 +1,6 @@
 #pragma once
-// A straight road with even rows of luminaires, as a project describes it: plain data. What is
-// calculated of it is in calc/road.
+// A straight road with even rows of luminaires, as a project describes it: plain data. calc/road
+// calculates its values.
 
 #include <glm/glm.hpp>
 
@@ -12,9 +12,9 @@ namespace calc {
 
 struct Luminaire;
 
-// The road's own frame, metres: x along it, the way that traffic of lanes that are not oncoming
-// goes; y across it to the left; z up. y = 0 is the right edge of the carriageway. What is
-// calculated is the field from x = 0 to the spacing of the luminaires.
+// The road's own frame, metres: x along it, in the traffic direction of lanes that are not
+// oncoming; y across it to the left; z up. y = 0 is the right edge of the carriageway. The
+// calculated field extends from x = 0 to the spacing of the luminaires.
 struct Road {
   glm::dvec3 origin_m{0.0};         // of the frame, in the world
   glm::dmat3 world_from_road{1.0};  // a rotation about z
@@ -23,30 +23,30 @@ struct Road {
   std::vector<bool> is_oncoming;    // of each lane, from the right edge; all are equally wide
   std::string surface;              // of calc::r_table_names()
   std::optional<double> q0;         // average luminance coefficient; else the table's own
-  // How far the ground beside the carriageway counts for the edge illuminance ratio; empty: it does
-  // not, as beside another carriageway.
+  // Width of the ground beside the carriageway for the edge illuminance ratio; empty: it does not
+  // count, as beside another carriageway.
   std::optional<double> right_strip_m, left_strip_m;
-  // Of each row the luminaire at or behind x = 0, and of one with several emitters each of them: in
-  // the road's frame.
+  // For each row the luminaire at or behind x = 0, with several emitters each of them; in the
+  // road's frame.
   std::vector<Luminaire> rows;
 
-  // Nobody says of some row which side of its photometry looks to the street.
+  // The side of the photometry that faces the street is not stated for some row.
   bool is_street_assumed = false;
 
   double lane_m() const { return width_m / static_cast<double>(is_oncoming.size()); }
 };
 
-// How many points EN 13201-3 wants along the field: ten, or more so that none is farther than 3 m
-// from the next.
+// Returns the points along the field by EN 13201-3: ten, or more so that neighbours are at most 3 m
+// apart.
 int road_points_along(double spacing_m);
-// Rows of them, across the carriageway, for its luminance.
+// Rows of points across the carriageway, for its luminance.
 inline constexpr int kRoadRowsPerLane = 3;
-// And across a strip that people look at for its illuminance: three, or more, not farther than
-// 1.5 m.
+// Returns the rows of points across a strip for its illuminance: three, or more, not farther apart
+// than 1.5 m.
 int road_points_across(double width_m);
 
-// Within how many mounting heights, along and across, luminaires count for the illuminance of a
-// point.  [EN 13201-3]
+// Mounting heights, along and across, within which luminaires count for the illuminance of a point.
+// [EN 13201-3]
 inline constexpr double kRoadReach_heights = 5.0;
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// How bright a dimming group is in a scene.
+// Levels of dimming groups in scenes.
 
 #include "calc/scene/project.h"
 
@@ -9,10 +9,10 @@
 
 namespace calc {
 
-// level_of_group: of LightScene. A group that is not named is at 1.
+// Returns the level of a group; 1 if it is not named. level_of_group: of LightScene.
 double level_of(const std::vector<std::pair<std::string, double>>& level_of_group,
                 std::string_view group);
-// scene: null, and everything is at full output.
+// Returns the level in a scene; null: everything is at full output.
 double level_in_scene(const LightScene* scene, std::string_view group);
 
 }  // namespace calc

@@ -1,13 +1,13 @@
 #pragma once
-// Light of single luminaires kept apart, for reports that say what each of them gives.
+// Separates the light of single luminaires, for reports that state what each of them gives.
 
 #include "calc/scene/prepared_scene.h"
 
 namespace calc {
 
-// Afterwards channel i is that of luminaire i alone, with the group and maintenance factor that it
-// had. Sums over channels mean the same as before; random samples are others, since they are shared
-// out among channels.
+// Gives each luminaire i its own channel i, with the group and maintenance factor that it had. Sums
+// over channels mean the same as before; random samples differ, since they are divided among
+// channels.
 void separate_luminaires(PreparedScene& scene);
 
 }  // namespace calc

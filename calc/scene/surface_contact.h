@@ -1,5 +1,5 @@
 #pragma once
-// Points that lie in surfaces: the sides that they may be meant to stand on.
+// Finds the sides on which points in surfaces may be meant to be.
 
 #include "calc/scene/near_triangles.h"
 #include "calc/scene/receiver_kernel.h"
@@ -10,16 +10,16 @@
 
 namespace calc {
 
-// How far around a point surface_contact() looks, in ray offsets.
+// The radius around a point that surface_contact() examines, in ray offsets.
 inline constexpr double kContactReach = 24.0;
 
-// Of a point that lies in a surface, so that what it sees is not clear.
+// The contact of a point in a surface, whose view is ambiguous.
 struct SurfaceContact {
   const Body* body = nullptr;  // that it lies in; of several the last of the space; null: none
 
-  // Where surfaces divide the places around the point, one place on each side, as a shift from the
-  // point: the nearest one from which every ray meets those surfaces. `has_room` false: the side is
-  // so narrow that there is none; the shift then only says where the side is.
+  // The sides into which surfaces divide the places around the point, each as a shift from it to
+  // the nearest place from which every ray meets those surfaces. `has_room` false: the side is too
+  // narrow for such a place; the shift is then only its direction.
   struct Side {
     glm::dvec3 shift_m{0.0};
     bool has_room = true;
@@ -27,10 +27,11 @@ struct SurfaceContact {
   std::vector<Side> sides;
 };
 
-// A plane that looks away from the surface it lies in is not in contact: only what rises in front
-// of it counts. Any other receiver is, and stands on the side that `front` shows if all surfaces
-// there lie across it. Sides are told apart to about a twentieth of a turn. front: unit; of a plane
-// the way it looks. near: made for radii of kContactReach offsets at least.
+// Returns the contact of a point. A plane that looks away from the surface it is in has none: only
+// surfaces that rise in front of it count. Any other receiver has, and belongs to the side of
+// `front` if all surfaces there are across it. Sides are distinguished to about a twentieth of a
+// turn. front: unit; of a plane its direction. near: made for radii of kContactReach offsets at
+// least.
 //
 // The value on a side is the limit of values along the straight way that leads farthest from the
 // surfaces: off a wall its perpendicular, in a corner the middle.

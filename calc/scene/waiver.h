@@ -1,6 +1,6 @@
 #pragma once
-// That somebody has decided to live with something, up to a last day: with a requirement that is
-// not met, with a plane that deviates from a standard's, with a zone that is left out.
+// A decision to accept something up to a last day: an unmet requirement, a plane that deviates from
+// a standard's, an omitted zone.
 
 #include "calc/base/diagnostics.h"
 
