@@ -1,5 +1,5 @@
 #pragma once
-// Boxes sorted by their begin along one axis, so that searches look at nearby boxes only.
+// Boxes sorted by their start along one axis, so that searches look at nearby boxes only.
 
 #include "calc/scene/solids.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What luminaires give directly between the points of a plane: whether the points can stand for it.
+// Samples direct light between the points of a plane, to test whether the points represent it.
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
@@ -34,15 +34,15 @@ struct LookBetween {
   int pairs = 1;                // of places in each cell, at least
 };
 
-// Direct light at pairs of places in cells, opposite each other about the cell's point, so that
-// light that changes evenly over the cell gives what the point has. Of many cells one of every n is
-// taken, by chance, about 128 at most; fewer where luminaires are thousands. Of few cells more
-// pairs are taken. Places outside the area, in holes, in surfaces or solids, or on a luminaire are
-// none, nor are those opposite to them: others are tried. Where they are hangs on the luminaires,
-// how they shine and whither: who aims at the places moves them. Nothing is looked at of point
-// lists, which have no cells, and of quantities that are more than one illuminance. Openings are
-// sampled as by add_extended_sources(), one round, to about 5 %. Planes must be of `space`, and the
-// scene as well. One answer per plane, the same bits for any number of jobs.
+// Returns direct light at pairs of places in cells, opposite each other about the cell's point, so
+// that light that changes evenly over the cell gives the value at the point. Of many cells one of
+// every n is taken, by chance, at most about 128; fewer where luminaires are thousands. Of few
+// cells more pairs are taken. Places outside the area, in holes, in surfaces or solids, or on a
+// luminaire are replaced by others, and so are those opposite to them. The places depend on the
+// luminaires, their light and their directions, so that aiming at the places moves them. Point
+// lists, which have no cells, and quantities of more than one illuminance get no cells. Openings
+// are sampled as by add_extended_sources(), one round, to about 5 %. Planes and scene must be of
+// `space`. One answer per plane, the same bits for any number of jobs.
 std::vector<LightBetweenPoints> light_between_points(const PreparedScene& scene, const Space& space,
                                                      const std::vector<PlaneOfPoints>& planes,
                                                      const LookBetween& look);

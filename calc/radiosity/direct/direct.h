@@ -1,6 +1,6 @@
 #pragma once
-// Direct illuminance from luminaires: exact for point openings, sampled over the opening for
-// extended ones.
+// Computes direct illuminance from luminaires: exact for point openings, sampled over the opening
+// for extended ones.
 
 #include "calc/radiosity/direct/emission.h"
 #include "calc/radiosity/sampling/random.h"
@@ -19,7 +19,7 @@ namespace calc {
 
 bool has_extended_luminaires(const PreparedScene& scene);
 
-// What is proved about a plane's direct light.
+// Proofs about a plane's direct light.
 struct DirectProofs {
   // [luminaire]: 1 = gives nothing here (find_dark_luminaires()), left out; may be empty.
   std::span<const std::uint8_t> is_dark;
@@ -32,7 +32,7 @@ struct DirectProofs {
   }
 };
 
-// What tracing towards luminaires gave.
+// Results of tracing towards luminaires.
 struct DirectRays {
   std::uint64_t traced = 0;
   bool may_be_lit = false;  // some luminaire shines this way, whatever stands between
@@ -40,17 +40,17 @@ struct DirectRays {
   bool has_seen = false;    // a sample that nothing is proved of arrived
 };
 
-// Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
-// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact.
+// Adds to sums[channel * stride] the direct illuminance (lx) at a receiver from all luminaires with
+// a point opening:  E = sum I k / d^2 V (k = cos for a plane).  Exact.
 DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
                              const DirectProofs& proofs, double* sums, std::size_t stride);
 
-// The same for luminaires with an opening of some size, each as points spread evenly over the
+// Does the same for luminaires with an extended opening, each as points spread evenly over the
 // opening with the luminaire's whole intensity distribution [the usual subdivision, with random
 // instead of fixed parts: no far-field error near the luminaire, and soft shadows whose error shows
-// in the replicates]. first_round..last_round: rounds of samples; one round is what opening_cells()
-// gives. Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased.
-// largest: raised to the largest sample that was added; may be null.
+// in the replicates]. first_round..last_round: rounds of samples; opening_cells() gives one round.
+// Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased. largest:
+// raised to the largest sample that was added; may be null.
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
                                 const DirectProofs& proofs, RandomKey key,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
@@ -60,13 +60,13 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride);
 
-// The same by one luminaire alone; of an opening that is larger than its distance, near parts are
+// Does the same for a single luminaire; if its opening is larger than its distance, near parts are
 // drawn more often than far ones. receiver: a surface point, planar.
 std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
                                    const Receiver& receiver, RandomKey key, double weight,
                                    double* sums, std::size_t stride);
 
-// As add_extended_sources(), of one luminaire, into a batch. cells: opening_cells().
+// Adds samples of one luminaire like add_extended_sources() to a batch. cells: opening_cells().
 struct OpeningCell;
 void add_opening_samples(ShadowBatch& batch, const Tracer& tracer, std::size_t luminaire,
                          std::span<const OpeningCell> cells, const Receiver& receiver,
@@ -80,18 +80,19 @@ struct OpeningCell {
   std::uint32_t samples = 1;
 };
 
-// The opening, of a body its visible faces, halved along its longer side until every part's
-// diameter is at most its distance from the point, so that 1 / d^2 stays tame right up to the
-// luminaire. Samples per part: a power of two, 1 far away, chosen so that a scrambled net's error
-// stays near 0.5 % of the part's unoccluded contribution in one replicate; error_factor times that.
+// Returns the parts of an opening, for a body of its visible faces: halved along the longer side
+// until every part's diameter is at most its distance from the point, so that 1 / d^2 stays bounded
+// right up to the luminaire. Samples per part: a power of two, 1 far away, chosen so that a
+// scrambled net's error stays near 0.5 % of the part's unoccluded contribution in one replicate;
+// error_factor times that.
 //
-// Of beams that are narrow (WebSketch::finest_rad()) parts are as small as the beam is wide, seen
-// from the point, and those that send no light there, by the table, are left out: none may be left.
+// For narrow beams (WebSketch::finest_rad()) parts are as small as the beam is wide, seen from the
+// point. Parts that send no light there, by the table, are omitted, possibly all of them.
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
                                        const glm::dvec3& position_m, double error_factor = 1.0);
 
-// Whether a luminaire with an opening has so narrow a beam, or is so near, that its light at one of
-// the points wants such parts.
+// Returns whether a luminaire with an opening has so narrow a beam, or is so near, that its light
+// at one of the points requires such parts.
 bool has_fine_beams(const PreparedScene& scene, const DirectProofs& proofs,
                     std::span<const Receiver> receivers);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What looks have added to one plane so far, without the means to add more: its sums, and the field
-// made of them.
+// The contributions of sampling rounds to one plane so far, without the means to add more: its
+// sums, and the field made of them.
 
 #include "calc/base/field.h"
 #include "calc/base/message.h"
@@ -13,8 +13,8 @@
 
 namespace calc {
 
-// All that the next look and the field need of the looks before. r: replicate, c: channel, p:
-// point; empty where nothing of the kind was sampled.
+// All that the next round and the field need of earlier rounds. r: replicate, c: channel, p: point;
+// empty where no such quantity was sampled.
 struct PlaneSums {
   std::vector<double> direct_sum_lx;             // [r][c][p], sum over rounds
   std::vector<std::uint32_t> rounds;             // [p]
@@ -39,7 +39,7 @@ class PlaneState {
   PlaneState(const std::string& plane_id, const SensorGrid& grid,
              const std::vector<LightChannel>& channels, std::size_t replicates);
 
-  // Whether looks still add to this plane.
+  // Returns whether sampling rounds still add to this plane.
   bool is_active() const { return is_active_; }
   void refuse(Message problem);    // ends the work; field().problem says why
   void finish(StopReason reason);  // ends the work with what was published last
@@ -51,11 +51,11 @@ class PlaneState {
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
 
-  // [point], 1: looks add to it.
+  // Returns [point], 1: sampling rounds add to it.
   const std::vector<std::uint8_t>& active() const { return active_; }
-  // empty: to all.
+  // Limits further rounds to these points; empty: to all.
   void narrow(const std::vector<std::uint8_t>& active);
-  // Whether the error of openings' samples matters beside the indirect part.
+  // Returns whether the error of openings' samples matters beside the indirect part.
   bool opening_error_matters() const;
   // Turns the sums so far into field(). looks_planned: see PlaneField.
   void publish(int looks_planned);
@@ -71,7 +71,7 @@ class PlaneState {
   bool are_all_active() const;
   void publish_even();
 
-  // Sums over the looks in which all points took part, once one was left out of a look.
+  // Sums over the rounds in which all points took part, once a point was left out of a round.
   struct EvenSums {
     bool is_needed = false;
     std::vector<double> indirect_lx, before_lx;      // [r][c][p]; before: of all looks but this one

@@ -1,6 +1,5 @@
 #pragma once
-// One plane while it is being computed: its points, its random keys, and the sums that become its
-// field.
+// The calculation of one plane: its points, its random keys, and the sums that become its field.
 
 #include "calc/base/field.h"
 #include "calc/proofs/solve_plan.h"
@@ -26,13 +25,13 @@
 
 namespace calc {
 
-// Seconds by phase. Phases of replicates that run at the same time share the elapsed time in
-// proportion to their work.
+// Seconds by phase. Phases of simultaneous replicates share the elapsed time in proportion to their
+// work.
 struct SolveTimes {
   double build_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0;
 };
 
-// Light vertices of one replicate and look, shared by all planes.
+// Light vertices of one replicate and sampling round, shared by all planes.
 struct VertexBatch {
   const VertexTree& tree;
   const VertexBounds& bounds;
@@ -46,30 +45,30 @@ struct VertexBatch {
   std::atomic<bool>* has_endless_chain = nullptr;  // see NearField
 };
 
-// What one light vertex could be, if paths went where none went.
+// The limits of a light vertex on paths that were not sampled.
 struct PossibleVertex {
   double flux_lm = 0.0;           // the largest of any path, times the paths of the look
   double mean_reflectance = 0.0;  // of the surfaces, [0, 1]
   double most_per_m2 = 0.0;       // bound of its geometry term; 0: no such vertex
 };
 
-// Connections that each point draws from a pool of so many paths: fewer where many points of the
-// plane take part in the look, which share the pool. A power of two.  [METHOD, 5.5]
+// Returns the connections that each point draws from a pool of so many paths: fewer where many
+// points of the plane, which share the pool, take part in the round. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
-// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws
-// where a surface touches the point, two where it is nearly out of reach and the near field but a
-// trace; and `factor` times that. clear_m in [0, reach_m].
+// Returns the short rays of a point for one replicate and round, a power of two: a quarter of the
+// draws where a surface touches the point, two where it is nearly out of reach and the near field
+// is tiny; and `factor` times that. clear_m in [0, reach_m].
 std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m,
                                    double factor = 1.0);
 
-// The factor for the next look, from what was measured in this one: variances of the short rays'
-// part and of the connections' over the replicates. Time and variance are best shared where each
-// ray, and each draw, takes as much off the variance for its time.  [METHOD, 4.4]
+// Returns the factor for the next round from the measurements of this one: variances of the short
+// rays' part and of the connections' over the replicates. Time and variance are shared best where
+// each ray, and each draw, reduces the variance equally for its time.  [METHOD, 4.4]
 double next_short_ray_factor(double factor, double near_variance, double drawn_variance,
                              std::uint32_t draws, std::uint32_t rays);
 
-// Adds looks to a plane's state.
+// Adds sampling rounds to a plane's state.
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
@@ -79,25 +78,25 @@ class PlaneWork {
 
   const PlaneDecision& decision() const { return decision_; }
 
-  // Of a plane that no look was taken of: refuses it where a point cannot be computed.
+  // Starts a plane without rounds yet: refuses it where a point cannot be computed.
   void begin(const SensorGrid& grid);
-  // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
-  // VertexBatch, for all that follows; so is direct: null = the CPU.
+  // Adds direct light from point openings, or the glare of all openings, once. deadline_s: as in
+  // VertexBatch, also for all functions below; direct: null = the CPU, likewise.
   void add_exact(DirectTracer* direct, double deadline_s, SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
   void sample_openings(DirectTracer* direct, double deadline_s, SolveTimes& times);
-  // Before the first replicate of a look. near_reach_m: of short rays, 0 = none.
+  // Starts a round before its first replicate. near_reach_m: of short rays, 0 = none.
   void start_look(double near_reach_m, const PossibleVertex& possible);
-  // One replicate's indirect light: connections and near field. Replicates may run at the same
+  // Adds one replicate's indirect light: connections and near field. Replicates may run at the same
   // time.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
-  // The same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
-  // points of this look, and what was gathered at them, [channel * stride + point] in their order.
+  // Do the same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
+  // points of this round, and the sums gathered at them, [channel * stride + point] in their order.
   std::span<const ReceiverGroup> tiles() const { return tiles_.groups(); }
   bool has_shadows() const { return !decision_.is_unobstructed; }
   void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
-  // All replicates of a look are in, with batch_paths new paths each.
+  // Ends a round once all its replicates are in, with batch_paths new paths each.
   void finish_look(std::uint64_t batch_paths);
 
  private:
@@ -117,9 +116,9 @@ class PlaneWork {
                               Gatherer& gatherer, std::span<TileSums> sums) const;
   std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
                             TileSums& sums) const;
-  // Of all points in a batch.
+  // Returns the key of all points in a batch.
   RandomKey near_key(const VertexBatch& batch) const;
-  // 0 if no surface is within reach.
+  // Returns 0 if no surface is within reach.
   std::uint32_t short_rays_of(std::uint32_t point, const VertexBatch& batch) const;
   struct ShortRays;
   std::size_t tiles_per_cast(const VertexBatch& batch, std::size_t tiles_each) const;
@@ -142,7 +141,7 @@ class PlaneWork {
   RandomKey opening_key_, near_key_, draw_key_;
   std::vector<Receiver> receiver_;            // local
   std::vector<std::uint32_t> spatial_order_;  // of points, neighbours together
-  // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
+  // Free openings for every kPointsPerProof points of that order: [group][luminaire].
   std::vector<std::vector<std::uint8_t>> free_openings_;
   std::optional<bool> has_fine_beams_;            // once it is asked for
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]

@@ -1,5 +1,5 @@
 #pragma once
-// Instant radiosity with what is made once per light vertex and serves all planes: shadow maps.
+// Instant radiosity with data made once per light vertex for all planes: shadow maps.
 
 #include "calc/radiosity/gather/gatherer.h"
 #include "calc/radiosity/gather/plane_work.h"
@@ -8,9 +8,9 @@
 
 namespace calc {
 
-// One replicate's indirect light of all these planes, by Gatherer::gather_all(): once for planes
-// whose points may be shadowed, once for those proved to see every vertex. A plane's sums do not
-// depend on the others. May throw BackendFailure.
+// Adds one replicate's indirect light of all these planes, by Gatherer::gather_all(): once for
+// planes whose points may be shadowed, once for those proved to see every vertex. A plane's sums do
+// not depend on the others. May throw BackendFailure.
 void gather_all_planes(const Tracer& tracer, std::span<PlaneWork* const> planes,
                        const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which surfaces a picture of a room from outside shows, and which are in its way.
+// Chooses the surfaces that a picture of a room from outside shows, and those to remove.
 
 #include "calc/radiosity/sampling/rays.h"
 
@@ -23,13 +23,13 @@ struct Cutaway {
   std::vector<std::uint32_t> removed;  // triangles
 };
 
-// opens_room: leaves out surfaces that turn the outside of a room to the eye, so that it can be
-// looked into: those from whose far side rays meet surfaces more often, by 40 % of them or more,
-// than from the near side.
+// Returns the sides that face the eye. opens_room: removes surfaces whose side outside the room
+// faces the eye, to show its inside: those from whose far side rays meet surfaces more often, by 40
+// % of them or more, than from the near side.
 Cutaway cut_away(const Tracer& tracer, const glm::dvec3& eye_m, bool opens_room);
 
-// What is left of both sides of all triangles when all are looked at, from wherever they face: of
-// models that are turned about. A side that cut_away() would remove is not among them.
+// Returns the sides of all triangles that remain in models that can be turned, seen from wherever
+// they face; without sides that cut_away() would remove.
 std::vector<SurfaceSide> sides_from_everywhere(const Tracer& tracer, bool opens_room);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// What a look of a plane depends on, as text: the key under which it is stored.
+// Makes the key under which a plane's sampling round is stored: all that it depends on, as text.
 
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/gather/settings.h"
@@ -11,22 +11,22 @@
 
 namespace calc {
 
-// SHA-256 of everything in the scene that light depends on: surfaces, reflectances, luminaires with
-// their photometry and channels, local origin. Not what channels are called, nor their maintenance
-// factors, nor what bodies are called: they only name results or weigh them later.
+// Returns SHA-256 of everything in the scene that light depends on: surfaces, reflectances,
+// luminaires with their photometry and channels, local origin; not the names of channels and bodies
+// or the maintenance factors, because they only name results or weigh them later.
 std::string scene_digest(const PreparedScene& scene);
 
-// What all looks of a space have in common. backend: who computes, with versions.
+// Returns the part common to a space's keys. backend: the code that computes, with versions.
 std::string space_key(const PreparedScene& scene, const RadiositySettings& settings,
                       const std::string& backend);
 
-// Of one plane, look after look.
+// The keys of one plane, round after round.
 class LookKey {
  public:
   // space: space_key().
   LookKey(const std::string& space, const PlaneTask& task);
 
-  // Of the next look, the first when called first; active: [point], 1: the look adds to it.
+  // Returns the next round's key. active: [point], 1: the round adds to it.
   std::string next(const std::vector<std::uint8_t>& active);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Tells scenes apart by everything that light paths depend on.
+// Distinguishes scenes by everything that light paths depend on.
 
 #include "calc/radiosity/sampling/random.h"
 #include "calc/scene/prepared_scene.h"
@@ -10,7 +10,7 @@
 
 namespace calc {
 
-// A running 64-bit hash. It guards against mistakes, not against malice.
+// A running 64-bit hash. It detects mistakes, not manipulation.
 class Fingerprint {
  public:
   void add(std::uint64_t word) { bits_ = mix_bits(bits_ ^ mix_bits(word)); }
@@ -22,8 +22,8 @@ class Fingerprint {
   std::uint64_t bits_ = 0;
 };
 
-// Surfaces, reflectances, luminaires with their photometry, dimming groups, local origin; not the
-// planes, which may change. is_unlit: as given to the Emitter.
+// Returns the fingerprint of surfaces, reflectances, luminaires with their photometry, dimming
+// groups and local origin; not of the planes, which may change. is_unlit: as given to the Emitter.
 std::uint64_t scene_fingerprint(const PreparedScene& scene, std::span<const std::uint8_t> is_unlit);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Who computes which part of the calculation.
+// The implementations of the stages of the calculation.
 
 #include "calc/radiosity/direct/direct_tracer.h"
 #include "calc/radiosity/gather/gatherer.h"
@@ -10,7 +10,7 @@ namespace calc {
 
 // All of them must outlive the calculation.
 struct Stages {
-  // A gatherer alone is the usual case.
+  // Usually only a gatherer is given.
   Stages(Gatherer& connections, PathTracer* paths = nullptr, ShortRayCaster* near = nullptr,
          DirectTracer* direct = nullptr)
       : gatherer(connections), path_tracer(paths), short_rays(near), direct_tracer(direct) {}

@@ -1,6 +1,6 @@
 #pragma once
-// A plane after a look, as bytes: what is stored under LookKey, and what a run takes from there in
-// place of the look.
+// A plane after a sampling round, as bytes: stored under LookKey, and read by a later run instead
+// of computing the round.
 
 #include "calc/radiosity/gather/plane_state.h"
 
@@ -13,7 +13,7 @@
 
 namespace calc {
 
-// What a look tells of its space: the same for every plane, kept with each.
+// Data of the space from a round: the same for every plane, stored with each.
 struct LookLight {
   double emitted_lm = 0.0, untraced_lm = 0.0;   // as FluxBalance
   bool has_paths = false;                       // light paths were traced for this plane
@@ -21,7 +21,7 @@ struct LookLight {
   std::uint64_t pool_rays = 0;                  // of this look's paths
 };
 
-// A plane as it stands after a look, or after its exact light where nothing is sampled.
+// A plane after a round, or after its exact light where nothing is sampled.
 struct StoredLook {
   bool is_exact = false;
   LookLight light;
@@ -31,16 +31,16 @@ struct StoredLook {
   PlaneSums sums;
 };
 
-// Bytes that a look of this plane takes at most.
+// Returns the largest number of bytes of a round of this plane.
 std::size_t most_look_bytes(const PlaneState& plane);
 
 std::string render_look(const PlaneState& plane, bool is_exact, const LookLight& light);
 
-// Sizes are those of `plane`, whatever the bytes say. Empty: these are not the bytes of a look of
-// such a plane.
+// Returns the round with the sizes of `plane`, whatever the bytes state; empty if they are not a
+// round of such a plane.
 std::optional<StoredLook> parse_look(std::string_view bytes, const PlaneState& plane);
 
-// The plane is then as after the look, but for publish().
+// Restores the plane's state after the round, except for publish().
 void restore(StoredLook look, PlaneState& plane);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Illuminance on the surfaces of a room, for pictures: estimated at the corners of a mesh, linear
+// Computes illuminance on the surfaces of a room, for pictures: at the corners of a mesh, linear
 // between them.
 
 #include "calc/base/message.h"
@@ -28,23 +28,23 @@ struct SurfaceLightSettings {
   std::function<bool()> go_on;  // may be empty; false stops with a problem
 };
 
-// Maintained, every luminaire at full output.
+// Maintained illuminance, every luminaire at full output.
 struct LitSurfaces {
   Message problem;                    // why there is nothing; "" = there is
   std::vector<glm::vec3> position_m;  // local
   std::vector<float> lx;              // [position]
   std::vector<glm::uvec3> triangle;   // counter-clockwise as seen from the lit side
   std::vector<std::uint32_t> side;    // of each triangle, index into the sides given
-  // Relative standard error of the sampling before it was evened out, root mean square over the
-  // positions whose indirect light was sampled.
+  // Relative standard error of the sampling before smoothing, root mean square over the positions
+  // whose indirect light was sampled.
   double error_share = 0.0;
 };
 
-// The same estimators as for planes (solve_illuminance()), at points on the given sides. Edges are
-// split until they are short beside the room, then twice again where illuminance changes most along
-// them; edges of shadows are as sharp as the shortest edges. Indirect light, the noisier and
-// smoother part, is sampled at the corners before these last splits and evened out with that of the
-// corners next to each. A function of its arguments alone.
+// Uses the same estimators as for planes (solve_illuminance()), at points on the given sides. Edges
+// are split until they are short beside the room, then twice again where illuminance changes most
+// along them; edges of shadows are as sharp as the shortest edges. Indirect light, the noisier and
+// smoother part, is sampled at the corners before these last splits and averaged with adjacent
+// corners. The result depends on the arguments only.
 LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSide> sides,
                            const SurfaceLightSettings& settings, Gatherer& gatherer);
 

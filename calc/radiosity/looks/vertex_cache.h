@@ -1,5 +1,5 @@
 #pragma once
-// Light vertices of a space, kept: traced once, looked at, used again in place of tracing.
+// Stores light vertices of a space: traced once, inspected, and used again instead of tracing.
 
 #include "calc/radiosity/gather/settings.h"
 #include "calc/radiosity/paths/light_paths.h"
@@ -13,7 +13,7 @@
 
 namespace calc {
 
-// What one look takes from one replicate: paths first..last.
+// The vertices of one round and replicate: paths first..last.
 struct VertexCacheBatch {
   std::uint64_t replicate = 0;
   std::uint32_t first = 0, last = 0;
@@ -34,8 +34,8 @@ struct VertexCache {
   std::size_t channels = 1;
   std::vector<VertexCacheBatch> batches;  // by replicate, then by look
 
-  // What trace_light_paths() would give, with rays = 0. Throws std::logic_error if the batch is not
-  // here: settings must be those of the cache.
+  // Returns the result of trace_light_paths(), with rays = 0. Throws std::logic_error if the batch
+  // is not here: settings must be those of the cache.
   TracedPaths take(const PathBatch& batch) const;
   std::uint64_t vertices() const;
 };
@@ -44,18 +44,18 @@ struct TracedCache {
   std::optional<VertexCache> cache;
   std::string problem;  // why there is none
 };
-// Traces what looks of settings.first_paths to max_paths take in each of settings.replicates (here
-// 1 is allowed, too). made_by and space_id are the caller's.
+// Traces the paths of all rounds of settings.first_paths to max_paths in each of
+// settings.replicates (here also 1 is allowed). The caller sets made_by and space_id.
 TracedCache trace_vertex_cache(const PreparedScene& scene, const RadiositySettings& settings);
 
-// Binary little-endian PLY, one vertex each with x, y, z (scene, m), nx, ny, nz, flux (lm; the sum
-// over a replicate is all reflected flux), red, green, blue (by reflection), bounce (1 = first
-// reflection), path, luminaire, light_group, replicate, and local_x, local_y, local_z, from which
-// the same bits come back however far the scene is from its origin. Comments hold the rest.
+// Returns binary little-endian PLY, one vertex each with x, y, z (scene, m), nx, ny, nz, flux (lm;
+// the sum over a replicate is all reflected flux), red, green, blue (by reflection), bounce (1 =
+// first reflection), path, luminaire, light_group, replicate, and local_x, local_y, local_z, which
+// restore the same bits however far the scene is from its origin. Comments hold the rest.
 std::string render_vertex_ply(const VertexCache& cache);
 std::uint64_t vertex_ply_bytes(const VertexCache& cache);  // without the header
 
-// Whatever is not exactly what render_vertex_ply() writes is refused: `problem` says why.
+// Reads exactly the files of render_vertex_ply() and refuses others: `problem` states why.
 TracedCache parse_vertex_ply(std::string_view bytes);
 
 }  // namespace calc

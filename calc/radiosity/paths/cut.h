@@ -1,5 +1,5 @@
 #pragma once
-// Which groups of light vertices a tile of receivers chooses from, and how likely each is chosen.
+// Selects groups of light vertices for a tile of receivers, and their probabilities.
 
 #include "calc/radiosity/paths/vertex_tree.h"
 #include "calc/radiosity/sampling/receiver.h"
@@ -13,7 +13,7 @@
 
 namespace calc {
 
-// Sphere around receivers; axis: their common axis if all are planar and face alike, else 0.
+// A sphere around receivers; axis: their common axis if all are planar and face alike, else 0.
 struct ReceiverTile {
   glm::vec3 centre_m{0.0f};
   float radius_m = 0.0f;
@@ -23,35 +23,35 @@ struct ReceiverTile {
   float lowest_m = 0.0f;     // of dot(axis, position) over the receivers
 };
 
-// extent_m: of the whole scene.
+// Returns the tile of these receivers. extent_m: of the whole scene.
 ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m);
 
 struct CutRequest {
   std::size_t nodes = 0;               // about
   float smallest_bound_per_m2 = 0.0f;  // GeometryBound::smallest(); only shapes probabilities
-  // Nodes that are wholly behind the receivers' common plane or face away, exactly 0.
+  // Omits nodes that are wholly behind the receivers' common plane or face away, exactly 0.
   bool leave_out_hidden = true;
 };
 
 // Nodes that together hold every vertex that can light the tile, as arrays in pool order.
 class Cut {
  public:
-  // Nodes of one channel: begin..end of the cut.
+  // The nodes of one channel: begin..end of the cut.
   struct ChannelRange {
     std::uint32_t begin, end;
   };
 
-  // Opens the nodes with the largest expected error until there are request.nodes, or as many as
-  // can be, or one for each channel.  [METHOD, 5.2; light cuts: Walter05]
+  // Opens the nodes with the largest expected error until there are request.nodes, or no more can
+  // be opened; at least one for each channel.  [METHOD, 5.2; light cuts: Walter05]
   void build(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request);
 
-  // The same nodes as indices in the tree, for whoever weighs them himself: appends them, and the
-  // ranges of this cut, which count from its first node. What build() made stays.
+  // Appends the same nodes as indices in the tree, for callers with their own weights, and the
+  // ranges of this cut, which count from its first node. The result of build() stays.
   void select(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
               std::vector<std::uint32_t>& nodes, std::vector<ChannelRange>& channels);
 
-  // probability[c] of node c up to a common factor, > 0: its expected bounded contribution to the
-  // receiver.
+  // Sets probability[c] of node c up to a common factor, > 0: its expected bounded contribution to
+  // the receiver.
   void weigh(const Receiver& receiver, std::vector<float>& probability) const;
 
   std::size_t size() const { return first_.size(); }

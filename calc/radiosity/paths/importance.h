@@ -1,12 +1,12 @@
 #pragma once
-// What luminaires give to wanted points, by paths from the points: one pool of surface points
-// serves every luminaire and every place where one might hang, without a run for each.
+// Traces paths from points to find what luminaires contribute to them: one pool of surface points
+// serves every luminaire and every possible place of one, without a run for each.
 //
 //   E(x) = E_dir(x) + mean over paths of sum_k rho_1 ... rho_k E_dir(y_k),
 //
-// y_k: the hits of a path from x with density cos / pi. What a surface point counts for does not
-// hang on luminaires [reciprocity; the adjoint of light paths]. What a reflectance counts for
-// follows from the same paths: how often its surface stands in the product.
+// y_k: the hits of a path from x with density cos / pi. The weight of a surface point does not
+// depend on luminaires [reciprocity; the adjoint of light paths]. The influence of a reflectance
+// follows from the same paths: how often its surface is in the product.
 
 #include "calc/base/message.h"
 #include "calc/radiosity/sampling/rays.h"
@@ -23,7 +23,7 @@
 
 namespace calc {
 
-// A mean of points, or one point. Planar receivers only.
+// A mean of points, or a single point. Planar receivers only.
 struct ImportanceTarget {
   std::vector<Receiver> receiver;  // local coordinates, at least one
   std::vector<double> weight;      // as many, > 0, their sum is any; empty: all count alike
@@ -55,25 +55,24 @@ struct ImportancePool {
   std::size_t targets = 0, classes = 0, batches = 0;
   std::vector<ImportanceVertex> vertices;  // those of a batch and target stand together
   std::vector<std::size_t> first;          // [batch * targets + target], and the end
-  // [vertex * classes + class]: by how much its weight grows per unit of reflectance, and by the
-  // step.
+  // [vertex * classes + class]: growth of its weight per unit of reflectance, and by the step.
   std::vector<double> slope, step;
   std::uint64_t rays = 0;
   Message problem;  // why there is none; "" = there is
 };
 
-// After the first reflection paths go on with the reflectance for their probability, but a quarter
-// at least, so that dark surfaces that might be lighter are known as well. Unbiased. Parallel
-// inside; the same bits for any number of threads.
+// Returns the pool. After the first reflection paths continue with the reflectance as probability,
+// but at least a quarter, so that dark surfaces that might be lighter are sampled as well.
+// Unbiased. Parallel inside; the same bits for any number of threads.
 ImportancePool trace_importance(const Tracer& tracer, std::span<const ImportanceTarget> targets,
                                 const SurfaceClasses& classes, const ImportanceSettings& settings);
 
-// Of each luminaire alone, new and at full output. Batches are independent, each an unbiased
-// estimate, but exact parts are the same in all of them.
+// Light of each luminaire on its own, new and at full output. Batches are independent, each an
+// unbiased estimate, but exact parts are the same in all of them.
 struct LightByLuminaire {
   std::size_t batches = 0, targets = 0, luminaires = 0, classes = 0;
   std::vector<double> direct_lx, reflected_lx;  // [(batch * targets + target) * luminaires + l]
-  // What surfaces of a class would add: per unit of reflectance, and by the step.
+  // Light that surfaces of a class would add: per unit of reflectance, and by the step.
   // [((batch * targets + target) * classes + class) * luminaires + l]
   std::vector<double> slope_lx, step_lx;
   std::uint64_t rays = 0;
@@ -89,10 +88,10 @@ struct LightByLuminaire {
   }
 };
 
-// tracer: of the same surfaces, in the same local coordinates, as the pool's; each luminaire has a
-// channel of its own, see separate_luminaires(). One place of each opening is drawn for each
-// surface point, beside an opening its near parts more often; direct light at the targets is as the
-// core has it. The same bits for any number of threads.
+// Returns the light of each luminaire. tracer: of the same surfaces, in the same local coordinates,
+// as the pool's; each luminaire has its own channel, see separate_luminaires(). One place of each
+// opening is drawn for each surface point, near parts more often beside an opening; direct light at
+// the targets is as for planes. The same bits for any number of threads.
 LightByLuminaire light_of_luminaires(const Tracer& tracer,
                                      std::span<const ImportanceTarget> targets,
                                      const ImportancePool& pool,

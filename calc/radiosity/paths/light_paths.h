@@ -1,5 +1,5 @@
 #pragma once
-// Light paths from luminaires through the room: the pool of light vertices and the flux balance.
+// Traces light paths through the room: the pool of light vertices and the flux balance.
 
 #include "calc/radiosity/direct/emission.h"
 #include "calc/radiosity/paths/light_vertex.h"
@@ -12,13 +12,13 @@
 
 namespace calc {
 
-// Light vertices of one batch: about 1.2 GB with all that is built on them.
+// Most light vertices of one batch: about 1.2 GB with all data built on them.
 inline constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 23;
 
 inline constexpr int kMostReflections = 300000;
 
 // Paths that advance together: sums and the order of vertices are by such chunks, for any number of
-// threads. Within a chunk vertices stand by reflections, then by paths.
+// threads. Vertices of a chunk are ordered by reflections, then by paths.
 inline constexpr std::uint32_t kPathsPerChunk = 256;
 
 // Reflections before roulette begins.
@@ -33,7 +33,7 @@ enum PathDimension : int {
   kBounceDimension = 6    // and 7, two more for every reflection
 };
 
-// Paths first..last (indices of one replicate's low-discrepancy sequence).
+// The paths first..last (indices of one replicate's low-discrepancy sequence).
 struct PathBatch {
   std::uint64_t seed = 0;
   std::uint64_t replicate = 0;
@@ -44,7 +44,7 @@ struct PathBatch {
   bool keeps_origins = false;               // fills TracedPaths::origins
 };
 
-// Where a light vertex comes from.
+// The origin of a light vertex.
 struct VertexOrigin {
   std::uint32_t path;        // index in the replicate's sequence
   std::uint32_t reflection;  // 0 = the path's first
@@ -62,15 +62,15 @@ struct TracedPaths {
   bool has_too_many_vertices = false;  // more than most_vertices; they are then useless
 };
 
-// The sequence that a batch's paths take their numbers from: path i is its point i.
+// Returns the sequence of a batch's random numbers: path i uses its point i.
 ScrambledSobol path_samples(const PathBatch& batch);
 
-// Paths end by one random number each: after the first reflection a path lives until the product of
-// reflectances falls to that number. Exact in the mean, and path lengths come out stratified.
-// [METHOD, 3.3] Parallel inside; the result does not depend on the number of threads.
+// Traces the paths. Each ends by one random number: after the first reflection a path lives until
+// the product of reflectances falls to that number. Exact in the mean, and path lengths are
+// stratified. [METHOD, 3.3] Parallel inside; the result does not depend on the number of threads.
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const PathBatch& batch);
 
-// The luminaire that a path of a replicate starts from.
+// Returns the luminaire that a path of a replicate starts from.
 std::size_t luminaire_of_path(const Emitter& emitter, std::uint64_t seed, std::uint64_t replicate,
                               std::uint32_t path);
 

@@ -10,7 +10,7 @@
 
 namespace calc {
 
-// 32 bytes, half a cache line: a connection reads one of them at a random place.
+// 32 bytes, half a cache line, because a connection reads a vertex at a random place.
 struct LightVertex {
   glm::vec3 position_m;  // local, lifted off the surface on the side that reflects
   float flux_lm;         // reflected flux that the vertex stands for, > 0

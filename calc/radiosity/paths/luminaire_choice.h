@@ -1,5 +1,5 @@
 #pragma once
-// Which luminaire a surface point asks for its light, when it asks one for all.
+// Chooses one luminaire for direct light at a surface point.
 
 #include "calc/radiosity/terms/choice_terms.h"
 #include "calc/scene/prepared_scene.h"
@@ -13,11 +13,11 @@
 
 namespace calc {
 
-// Chosen in proportion to about the most light that each could send: by its distance, the cosine at
-// the surface and the largest intensity near that direction. Half of the probability goes to all
-// luminaires alike, half evenly to the channels that reach the point, so that a weak channel is
-// known as well as a strong one. What a luminaire without size sends is at most its weight, so that
-// one sample is never more than twice the sum of what all could send.  [METHOD, 2.4]
+// The probability is in proportion to about the most light that each could send: by its distance,
+// the cosine at the surface and the largest intensity near that direction. Half of the probability
+// is even among luminaires, half even among the channels that reach the point, so that a weak
+// channel is sampled as well as a strong one. The light of a luminaire without size is at most its
+// weight, so that one sample is never more than twice the possible light of all.  [METHOD, 2.4]
 class LuminaireChoice {
  public:
   using Lobe = choice_terms::ChoiceLobe;
@@ -30,11 +30,11 @@ class LuminaireChoice {
     std::size_t luminaire;
     double probability;
   };
-  // u in [0, 1). None if no luminaire can light the point. normal: unit.
+  // Returns a choice for u in [0, 1); empty if no luminaire can light the point. normal: unit.
   std::optional<Choice> choose(const glm::dvec3& position_m, const glm::dvec3& normal,
                                double u) const;
 
-  // What it goes by, for devices: [luminaire], and the lobes that they name.
+  // Return the tables of choose(), for devices: [luminaire], and the lobes that they name.
   std::span<const Source> sources() const { return sources_; }
   std::span<const Lobe> lobes() const { return lobes_; }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The geometry term near surfaces: bounded for light vertices, the rest by short rays. Together
-// they are the whole: nothing is clamped away.  [KK04, with a bound that follows the density of
-// light vertices: METHOD, 4.3]
+// Splits the geometry term near surfaces: bounded for light vertices, the rest by short rays.
+// Together they are the whole term, without clamping.  [KK04, with a bound that follows the density
+// of light vertices: METHOD, 4.3]
 
 #include "calc/radiosity/direct/emission.h"
 #include "calc/radiosity/paths/light_vertex.h"
@@ -27,35 +27,35 @@ class Cut;
 class VertexTree;
 class VertexBounds;
 
-// b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices
-// per m^2, hence 1 / b is the area that 1 / kappa of them share. Closer than its own spacing the
-// pool cannot resolve 1/d^2, so there, and only there, short rays take over. Any function of y
-// alone keeps the sum unbiased as long as both sides use the same.
+// Bounds the geometry term: b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi). N E / Phi is the
+// number of light vertices per m^2, hence 1 / b is the area that 1 / kappa of them share. Closer
+// than its own spacing the pool cannot resolve 1/d^2, so there, and only there, short rays replace
+// it. Any function of y only keeps the sum unbiased as long as both sides use the same.
 class GeometryBound {
  public:
   // paths: light paths of the batch whose vertices are bounded.
   GeometryBound(const Tracer& tracer, const Emitter& emitter, std::uint64_t paths);
 
-  // 1/m^2 at a surface point with unit normal (the side in question).
+  // Returns the bound, 1/m^2, at a surface point with unit normal (the side in question).
   double at(const glm::dvec3& position_m, const glm::dvec3& normal) const {
     return at_lifted(tracer_.lift(position_m, normal), normal);
   }
-  // The same for a position already lifted off its surface.
+  // Returns the same for a position already lifted off its surface.
   double at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const;
-  // No bound is smaller.
+  // Returns the smallest possible bound.
   double smallest() const { return smallest_; }
-  // What at_lifted() goes by besides the scene, for devices.
+  // Terms of at_lifted() besides the scene, for devices.
   struct Terms {
     double smallest_per_m2 = 1.0;
     double vertices_per_lumen = 0.0;  // kappa N / Phi
     double ambient_per_m2 = 0.0;      // kappa N E_amb / Phi
-    // What all luminaires together have to send to lift the bound above the smallest one.
+    // Light of all luminaires together that lifts the bound above the smallest one.
     double needed_lx = 0.0;
-    // What is left out of one: it could not lift the bound by its share of the smallest one.
+    // Light of a luminaire below which it is omitted: it could not lift the bound by its share.
     double least_lx = 0.0;
   };
   Terms terms() const;
-  // Beyond this distance no geometry term exceeds any bound.
+  // Returns the distance beyond which no geometry term exceeds any bound.
   double reach_m() const { return reach_m_; }
 
  private:
@@ -66,13 +66,13 @@ class GeometryBound {
   double ambient_per_m2_ = 0.0;      // kappa N E_amb / Phi
 };
 
-// cos_x cos_y / d^2 between x with normal nx and y with normal ny; 0 if either faces away or d = 0.
+// Returns cos_x cos_y / d^2 of x with normal nx, y with ny; 0 if either faces away or d = 0.
 inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm::dvec3& y,
                             const glm::dvec3& ny) {
   return connection_geometry(ReceiverKernel::planar, nx, ny, y - x);
 }
 
-// What short rays of one replicate and look have in common.
+// The common data of short rays of one replicate and round.
 struct NearField {
   const Tracer& tracer;
   const GeometryBound& bound;
@@ -83,20 +83,20 @@ struct NearField {
   std::size_t channels;
   double deadline_s = 0.0;  // see is_past(): what is left undone then is to be thrown away
   // Set where a chain of rays does not end within kMostReflections; may be null. The sums are then
-  // worth nothing.
+  // useless.
   std::atomic<bool>* has_endless_chain = nullptr;
 };
 
-// Short rays of the first look reach so far: a third of the mean free path.
+// Returns the reach of short rays of the first round: a third of the mean free path.
 double near_reach_m(const SurfaceSummary& surfaces);
 
 // Adds to sums[channel * stride] the mean over the rays of
 //   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a ray within
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
-// where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the
-// pool and E_near(y) one more ray, ended by roulette on its weight. largest: raised to the largest
-// single ray's contribution. Returns the rays traced. found: what a ShortRayCaster found for the
-// request, and what it left; none: the rays are traced here.
+// where E_dir(y) uses one luminaire (LuminaireChoice), E_far(y) a few vertices drawn from the pool
+// and E_near(y) one more ray, ended by roulette on its weight. largest: raised to the largest
+// single ray's contribution. Returns the rays traced. found: the light and the rest that a
+// ShortRayCaster found for the request; empty: the rays are traced here.
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
                              const std::optional<PointLight>& found, double* sums,
                              std::size_t stride, float& largest);

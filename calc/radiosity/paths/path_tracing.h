@@ -1,6 +1,6 @@
 #pragma once
-// Illuminance by paths from the points: a second way to the same numbers, plain and slow, that
-// shares neither light vertices nor bounds with the first. For comparison and tests.
+// Computes illuminance by paths from the points: an independent, simple and slow method that shares
+// neither light vertices nor bounds with the first. For comparison and tests.
 
 #include "calc/base/field.h"
 #include "calc/radiosity/sampling/rays.h"
@@ -20,11 +20,11 @@ struct PathTracingSettings {
                                   // rest is left undone, and the field has a `problem`
 };
 
-// Rays with density cos / pi (evenly on the sphere for receivers without a back); direct light of
-// all luminaires at every hit; from the second hit on roulette with the reflectance. Unbiased;
-// replicates are independent. Direct light at the points as the core has it: exact for point
-// openings. counters.near_rays counts rays of paths. A path of more than kMostReflections makes it
-// a field with a `problem`. Parallel inside; the same bits for any number of threads.
+// Traces rays with density cos / pi (evenly on the sphere for receivers without a back); direct
+// light of all luminaires at every hit; from the second hit on roulette with the reflectance.
+// Unbiased; replicates are independent. Direct light at the points is as for planes: exact for
+// point openings. counters.near_rays counts rays of paths. A path of more than kMostReflections
+// gives a field with a `problem`. Parallel inside; the same bits for any number of threads.
 PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
                              const SensorGrid& grid, const PathTracingSettings& settings);
 

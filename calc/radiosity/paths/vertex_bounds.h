@@ -1,5 +1,5 @@
 #pragma once
-// Upper bounds of the geometry term at light vertices, found only where they matter.
+// Upper bounds of the geometry term at light vertices, computed only where they matter.
 
 #include "calc/radiosity/paths/light_vertex.h"
 #include "calc/radiosity/paths/near_field.h"
@@ -15,13 +15,13 @@ namespace calc {
 
 class VertexBounds {
  public:
-  // min(G, b(y)) with the density-aware bound: the near field adds the rest.
+  // Bounds by min(G, b(y)) with the density-aware bound: the near field adds the rest.
   VertexBounds(const GeometryBound& bound, std::span<const LightVertex> vertices);
-  // min(G, most) everywhere: what is cut off is lost, as in clamped instant radiosity. Infinity
-  // cuts nothing.
+  // Bounds by min(G, most) everywhere: the light above is lost, as in clamped instant radiosity.
+  // Infinity cuts nothing.
   explicit VertexBounds(double most_per_m2) : lowest_(static_cast<float>(most_per_m2)) {}
 
-  // limited() leaves geometry terms up to here alone.
+  // Returns the geometry term up to which limited() changes nothing.
   float lowest_per_m2() const { return lowest_; }
 
   float limited(std::size_t vertex, float geometry_per_m2) const {
@@ -35,7 +35,7 @@ class VertexBounds {
   const GeometryBound* bound_ = nullptr;
   std::span<const LightVertex> vertices_;
   float lowest_;
-  // 0 = not yet known. Threads may find the same value twice; it is a function of the vertex alone.
+  // 0 = not yet known. Threads may compute the same value twice; it depends on the vertex only.
   std::unique_ptr<std::atomic<float>[]> known_;
 };
 

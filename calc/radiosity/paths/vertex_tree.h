@@ -14,10 +14,10 @@
 
 namespace calc {
 
-// Vertices first..last of the sorted pool. Children, if any, are `child` and `child` + 1; leaves
-// are single vertices. [leaves of up to four made half widths in offices 1.3 to 1.45 times as wide,
-// in 0 to 20 % less time: measured; a cut of all leaves, exact weights, makes them 2 to 4 %
-// narrower]
+// A node: vertices first..last of the sorted pool. Children, if any, are `child` and `child` + 1;
+// leaves are single vertices. [leaves of up to four made half widths in offices 1.3 to 1.45 times
+// as wide, in 0 to 20 % less time: measured; a cut of all leaves, exact weights, makes them 2 to 4
+// % narrower]
 struct VertexNode {
   std::uint32_t first = 0, last = 0;
   std::uint32_t child = 0;  // 0 = leaf
@@ -30,8 +30,8 @@ struct VertexNode {
   glm::vec3 axis{0.0f};  // unit mean normal; 0 if normals cancel, then cos_spread is -1
 
   std::uint32_t size() const { return last - first; }
-  // The vertex whose place and normal stand for the node's. [one serves as well as the mean over
-  // four, at the same size of the cut: measured]
+  // Returns the vertex whose place and normal represent the node. [one serves as well as the mean
+  // over four, at the same size of the cut: measured]
   std::uint32_t representative() const { return first + size() / 2; }
 };
 
@@ -39,21 +39,21 @@ class VertexTree {
  public:
   // Sorts by channel, then by the side that normals face, then along a space-filling curve
   // (Morton), and cuts where the sort key's highest bit changes, so that a node holds neighbours on
-  // one surface. Order of equal keys is kept: the result is a function of the vertices alone.
+  // one surface. Order of equal keys is kept: the result depends on the vertices only.
   VertexTree(LightVertices vertices, std::size_t channels);
 
-  // Of these vertices, see new_identity().
+  // Returns the identity of these vertices, see new_identity().
   std::uint64_t identity() const { return identity_; }
   const LightVertices& vertices() const { return vertices_; }
-  // Flux of the vertices before index i, lm.
+  // Returns the flux of the vertices before index i, lm.
   double flux_before_lm(std::size_t i) const { return flux_before_lm_[i]; }
-  // [vertex], and one more: all flux.
+  // Returns [vertex], and one more: all flux.
   std::span<const double> flux_before_lm() const { return flux_before_lm_; }
-  // The vertex in first..last at which the summed flux reaches flux_before_lm(first) + share of the
-  // range's flux; share in [0, 1).
+  // Returns the vertex in first..last at which the summed flux reaches flux_before_lm(first) +
+  // share of the range's flux; share in [0, 1).
   std::uint32_t vertex_at(std::uint32_t first, std::uint32_t last, double share) const;
   std::span<const VertexNode> nodes() const { return nodes_; }
-  // Roots, one per channel that has vertices, in order of channels.
+  // Returns the roots, one per channel that has vertices, in order of channels.
   std::span<const std::uint32_t> roots() const { return roots_; }
 
  private:

@@ -1,11 +1,11 @@
 #pragma once
-// Numbers that tell objects apart beyond their lives, where addresses are used again.
+// Numbers that identify objects beyond their lives, because addresses are used again.
 
 #include <cstdint>
 
 namespace calc {
 
-// Never the same twice in a process, never 0. Not a result's business: it orders nothing.
+// Returns a number that is unique in the process and never 0. Results do not depend on it.
 std::uint64_t new_identity();
 
 }  // namespace calc

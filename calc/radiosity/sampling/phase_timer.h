@@ -10,10 +10,10 @@ inline double now_s() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-// Whether a deadline, of now_s(), has passed; 0 = there is none.
+// Returns whether a deadline, of now_s(), has passed; 0 = there is none.
 inline bool is_past(double deadline_s) { return deadline_s > 0.0 && now_s() > deadline_s; }
 
-// Adds the time it lives to a phase.
+// Adds its lifetime to a phase.
 class PhaseTimer {
  public:
   explicit PhaseTimer(double& total_s) : total_s_(total_s), begin_s_(now_s()) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Sorting of 64-bit keys with their indices.
+// Sorts 64-bit keys with their indices.
 
 #include <cstdint>
 #include <vector>
@@ -11,8 +11,9 @@ struct KeyedIndex {
   std::uint32_t index;
 };
 
-// Ascending by the lowest `bits` bits (1 to 64), which must hold the whole key; equal keys keep
-// their order. Least significant digit first; digits that are the same in all keys cost nothing.
+// Sorts ascending by the lowest `bits` bits (1 to 64), which must hold the whole key; equal keys
+// keep their order. Least significant digit first; digits that are the same in all keys cost
+// nothing.
 void radix_sort(std::vector<KeyedIndex>& items, int bits);
 
 }  // namespace calc

@@ -1,7 +1,6 @@
 #pragma once
-// Counter-based random numbers: a value is a function of what it is for (seed, stage, replicate,
-// index), never of what was drawn before. So results do not depend on threads or on the order of
-// work.
+// Counter-based random numbers: a value is a function of its purpose (seed, stage, replicate,
+// index), never of earlier draws. So results do not depend on threads or on the order of work.
 
 #include <cstdint>
 #include <string_view>
@@ -33,7 +32,7 @@ class RandomKey {
   }
 
   constexpr std::uint64_t bits() const { return bits_; }
-  // In [0, 1), 53 bits.
+  // Returns a number in [0, 1), 53 bits.
   constexpr double uniform() const { return static_cast<double>(bits_ >> 11) * 0x1.0p-53; }
 
  private:

@@ -25,7 +25,7 @@ struct SurfaceHit {
 
 struct FirstHit;
 
-// A point, and where its rays begin; local coordinates.
+// A point, and the start of its rays; local coordinates.
 struct ClosenessQuery {
   glm::dvec3 position_m, origin_m;
   glm::dvec3 normal;  // unit: only what reaches in front of the plane through the point; 0 = all
@@ -37,10 +37,10 @@ struct CloseSurface {
   double distance_m;  // from the point
 };
 
-// What a segment leaves out at its ends, in ray offsets. A point that was lifted off the surface it
-// was found on stands in front of it: nothing needs to be left out there, and light would slip past
-// a partition that the point touches. A receiver may lie in a surface that it does not look out of,
-// and a luminaire in the ceiling.
+// The parts that a segment omits at its ends, in ray offsets. A point lifted off the surface it was
+// found on is in front of it: nothing must be omitted there, or light would pass a partition that
+// the point touches. A receiver may be in a surface that it does not look out of, and a luminaire
+// in the ceiling.
 struct SegmentMargins {
   float from = 1.0f, to = 1.0f;
 };
@@ -85,59 +85,58 @@ static_assert(SegmentPacket::kSize == TriangleTree::kRays &&
 // Ray queries on one prepared scene. Queries are const and may run on many threads at once. Answers
 // are the same bits on every processor, see triangle_tree.h.
 //
-// Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points
-// along their normals; the query leaves out the last stretch of that length as well at ends that
-// may lie in another surface, so that a point in the plane of a wall does not hit the wall it lies
-// in.  [METHOD, 8.1]
+// Both ends of a segment are off surfaces by PreparedScene::ray_offset_m(): callers lift points
+// along their normals; the query also omits the last stretch of that length at ends that may be in
+// another surface, so that a point in the plane of a wall does not hit that wall.  [METHOD, 8.1]
 class Tracer {
  public:
   explicit Tracer(const PreparedScene& scene);
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // Nothing stands between any two points inside the surfaces, by proof (convex space):
-  // is_blocked() and shadow batches answer without a ray.
+  // Makes is_blocked() and shadow batches answer without a ray, because a proof (convex space)
+  // shows that nothing is between any two points inside the surfaces.
   void leave_out_shadows() { has_shadows_ = false; }
   bool has_shadows() const { return has_shadows_; }
 
-  // Of this tracer and its scene, see new_identity().
+  // Returns the identity of this tracer and its scene, see new_identity().
   std::uint64_t identity() const { return identity_; }
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
-  // A point as near to a surface as this lies in it, see calc::touching_m().
+  // Returns the distance up to which a point is in a surface, see calc::touching_m().
   double touching_m() const { return calc::touching_m(offset_m_); }
-  // Unit, by the order of corners.
+  // Returns the unit normal by the order of corners.
   const glm::dvec3& triangle_normal(std::size_t triangle) const {
     return triangle_normal_[triangle];
   }
 
-  // A point moved off its surface along the unit normal.
+  // Returns a point moved off its surface along the unit normal.
   glm::dvec3 lift(const glm::dvec3& position_m, const glm::dvec3& normal) const {
     return position_m + lift_at(position_m, offset_m_) * normal;
   }
 
-  // Where rays of a receiver begin: a plane stands off the surface it may lie in.
+  // Returns the start of a receiver's rays: a plane's is off the surface that may contain it.
   glm::dvec3 lift(const Receiver& receiver) const {
     return has_back(receiver.kernel) ? lift(receiver.position_m, receiver.axis)
                                      : receiver.position_m;
   }
 
-  // First surface from a lifted origin along a unit direction within max_distance_m; false if there
-  // is none.
+  // Finds the first surface from a lifted origin along a unit direction within max_distance_m;
+  // returns false if there is none.
   bool closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction, double max_distance_m,
                    SurfaceHit& hit) const;
 
-  // First surfaces of a packet from least_m to most_m: bit k of the result is set and hit[k]
-  // valid if ray k meets one.
+  // Finds the first surfaces of a packet from least_m to most_m: bit k of the result is set and
+  // hit[k] valid if ray k meets one.
   std::uint32_t closest_hits(const RayPacket& packet, float least_m, float most_m,
                              std::array<SurfaceHit, RayPacket::kSize>& hit) const;
 
-  // What a ShortRayCaster found: a + u (b - a) + v (c - a) for the triangle's corners a, b, c.
+  // Returns the hit that a ShortRayCaster found: a + u (b - a) + v (c - a) for the corners a, b, c.
   SurfaceHit surface_hit(const FirstHit& first) const;
   SurfaceHit surface_hit(std::uint32_t triangle_and_side, double u, double v) const;
 
   // Calls visit(index, triangle) for every triangle that may be within radius_m of a place, in no
-  // order to rely on.
+  // defined order.
   template <class Visit>
   void visit_near(const glm::dvec3& place_m, double radius_m, const Visit& visit) const {
     tree_.visit_near(place_m, radius_m, [&](std::uint32_t index) {
@@ -146,34 +145,36 @@ class Tracer {
     });
   }
 
-  // Distance from a point to the nearest surface that reaches in front of the plane through it with
-  // this unit normal (0 = all around); most_m if there is none within. Never too large.
+  // Returns the distance from a point to the nearest surface that reaches in front of the plane
+  // through it with this unit normal (0 = all around); most_m if there is none within. Never too
+  // large.
   double clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
                         double most_m) const;
 
-  // Of the surfaces that a point does not lie in, and that its rays begin too close to, the one
-  // nearest to the point.
+  // Returns the nearest of the surfaces that do not contain the point but are too close to the
+  // start of its rays.
   std::optional<CloseSurface> close_surface(const ClosenessQuery& query) const;
 
-  // Whether any surface stands between two lifted points.
+  // Returns whether any surface is between two lifted points.
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
                   SegmentMargins left_out = {}) const;
 
-  // What sight() goes by: SightQuery::margin_m and clear_m. Segments leave out one offset at their
-  // ends.
+  // Return the parameters of sight(): SightQuery::margin_m and clear_m. Segments omit one offset at
+  // their ends.
   double sight_margin_m() const { return touching_m(); }
   double sight_clear_m() const { return 2.0 * offset_m_; }
 
-  // What a receiver sees of a parallelogram, by proof, whatever has_shadows() says: a receiver may
-  // be outside the convex space. from_m, corner_m: lifted, as the ends of segments would be.
+  // Returns what a receiver sees of a parallelogram, by proof, whatever has_shadows() is: a
+  // receiver may be outside the convex space. from_m, corner_m: lifted, as the ends of segments
+  // would be.
   Sight sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const;
 
-  // true: by proof, every place of the one box sees all of the other. Both hold lifted places.
+  // Returns true if, by proof, all of one box sees all of the other. Both hold lifted places.
   bool is_free_between(const SightBox& one, const SightBox& other) const {
     return calc::is_free_between(tree_, one, other, touching_m());
   }
 
-  // Bit k is set if segment k is blocked.
+  // Returns a mask: bit k is set if segment k is blocked.
   std::uint32_t blocked(const SegmentPacket& packet) const;
 
  private:
@@ -188,8 +189,8 @@ class Tracer {
   TriangleTree tree_;
 };
 
-// Denormal numbers are flushed to zero while it lives, on the current thread: they cost a hundred
-// times the time of others and are far below every rounding that matters.
+// Flushes denormal numbers to zero on the current thread while it lives: they take a hundred times
+// as long as others and are far below every rounding that matters.
 class FlushDenormals {
  public:
   FlushDenormals();

@@ -11,17 +11,17 @@
 
 namespace calc {
 
-// add() and flush() add visible contributions to their sums in the order in which they were added,
-// so that every sum is the same in bits whatever else runs at the same time.
+// Sums visible contributions in the order in which they were added, so that every sum has the same
+// bits whatever else runs at the same time.
 class ShadowBatch {
  public:
-  // has_shadows: false if all ends are proved to see each other. left_out: at the ends of all its
-  // segments.
+  // has_shadows: false if all ends are proved to see each other. left_out: margins at the ends of
+  // all its segments.
   ShadowBatch(const Tracer& tracer, bool has_shadows, SegmentMargins left_out)
       : tracer_(tracer), has_shadows_(has_shadows), left_out_(left_out) {}
 
-  // from_m, to_m: lifted ends, local. *sum must live until flush(). largest: raised to the largest
-  // visible contribution; may be null.
+  // Adds a contribution. from_m, to_m: lifted ends, local. *sum must live until flush(). largest:
+  // raised to the largest visible contribution; may be null.
   void add(const glm::vec3& from_m, const glm::vec3& to_m, double contribution, double* sum,
            float* largest = nullptr) {
     const std::size_t k = packet_.add(from_m, to_m, left_out_);
@@ -51,9 +51,9 @@ class ShadowBatch {
   }
 
   std::uint64_t rays() const { return rays_; }  // traced
-  // Whether any contribution was not 0 before visibility.
+  // Returns whether any contribution was not 0 before visibility.
   bool has_contributions() const { return has_contributions_; }
-  // Whether any was behind something.
+  // Returns whether any contribution was hidden.
   bool has_hidden() const { return has_hidden_; }
   bool has_seen() const { return has_seen_; }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The seam between the near field and whatever finds what the first short rays meet, and the light
-// there: CPU in near_field.cpp, point by point, or OpenGL in gpu/, many points at once.
+// Interface between the near field and the code that finds the first hits of short rays, and the
+// light there: CPU in near_field.cpp, point by point, or OpenGL in gpu/, many points at once.
 
 #include "calc/radiosity/sampling/random.h"
 #include "calc/radiosity/sampling/rays.h"
@@ -16,27 +16,27 @@ namespace calc {
 
 struct NearField;
 
-// One point's near-field part for one batch of light vertices.
+// A point's near-field part for one batch of light vertices.
 struct NearFieldRequest {
   Receiver receiver;
   RandomKey key;  // of point, replicate and batch
   std::uint32_t rays;
 };
 
-// Short rays of a point: which of all that the tiles have, in their order.
+// The short rays of a point, identified by its place among all receivers of the tiles.
 struct PointRays {
   std::uint32_t receiver, rays;
 };
 
-// Of some points of a plane, for one replicate and batch of light vertices.
+// Short rays of some points of a plane, for one replicate and batch of light vertices.
 struct NearFieldBatch {
   const ReceiverTiles& tiles;
   RandomKey key;                      // of all; a point's is key.with(its index in the plane)
   std::span<const PointRays> points;  // in order of receivers, each with rays
 };
 
-// What a first ray meets: a triangle, from which side, and where on it as in
-// Tracer::surface_hit(). Three words, as devices write them.
+// The first hit of a ray: a triangle, its side, and the place on it as in Tracer::surface_hit().
+// Three words, as devices write them.
 struct FirstHit {
   static constexpr std::uint32_t kNothing = 0xffff'ffff;
   static constexpr std::uint32_t kNotDone = 0xffff'fffe;
@@ -50,25 +50,26 @@ static_assert(sizeof(FirstHit) == 12);
 // Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
 inline constexpr std::uint32_t kFarDraws = 4;
 
-// What a first ray's hit gave: the first step of its chain (see add_near_field()), but for what
-// only the CPU can finish. Words of 4 bytes, as devices write them, each kNotDone before.
+// The light at a first ray's hit: the first step of its chain (see add_near_field()), except for
+// the part that only the CPU can finish. Words of 4 bytes, as devices write them, each kNotDone
+// before.
 //
-// A ray is left to the CPU so if a luminaire is too near, or if its chain goes on for longer than
-// devices follow it.
+// This part is left to the CPU if a luminaire is too near, or if the chain is longer than devices
+// follow.
 struct HitLight {
-  // In place of a number: nothing, without a ray; a ray, but something stood between.
+  // Values instead of a number: kNothing: no ray; kHidden: a ray that was blocked.
   static constexpr std::uint32_t kNothing = FirstHit::kNothing, kNotDone = FirstHit::kNotDone;
   static constexpr std::uint32_t kHidden = 0xffff'fffd;
-  // The CPU has to ask the luminaire: too near for a device.
+  // The CPU has to evaluate the luminaire, which is too near for a device.
   static constexpr std::uint32_t kLeft = 0xffff'fffc;
 
-  // One of the vertices that the hit's light from afar is drawn from.
+  // One of the vertices drawn for the hit's light from afar.
   struct Draw {
     std::uint32_t channel;  // the vertex's; kNothing, kHidden
     float lm_per_m2;        // of the vertex, with its weight
   };
 
-  // On a triangle, as in FirstHit, but not rounded: what hangs on it is compared with the CPU's.
+  // A place as in FirstHit, but not rounded, because its results are compared with the CPU's.
   struct Place {
     double u, v;
   };
@@ -79,7 +80,7 @@ struct HitLight {
   Place place;
   double weight;     // of all light from there; 0: none, and nothing below is said
   double direct_lx;  // from that luminaire, with the weight
-  // What the further ray meets; kNothing: the chain ends.
+  // The hit of the further ray; kNothing: the chain ends.
   Place next_place;
   std::uint32_t next_triangle_and_side;
   std::array<Draw, kFarDraws + 1> draws;  // one more: rounding may let it in
@@ -87,7 +88,7 @@ struct HitLight {
 };
 static_assert(sizeof(HitLight) == 112);
 
-// Light that the short rays of one point brought, as a device found it.
+// Light of the short rays of one point, as a device found it.
 struct PointLight {
   std::span<const double> lx;  // [channel]; of rays that are left to the CPU nothing
   float largest_lx;            // of one ray, all channels; of those that are not left
@@ -95,7 +96,7 @@ struct PointLight {
   std::span<const HitLight> left;
 };
 
-// The same of points one after the other.
+// The same for points one after the other.
 struct ShortRayLight {
   std::size_t channels = 0;
   std::vector<double> lx;  // [point][channel]
@@ -107,25 +108,25 @@ struct ShortRayLight {
   PointLight of(std::size_t point) const;
 };
 
-// Rays of one call to ShortRayCaster: enough for a large device. Where all of them meet what may
-// give light and all is left to the CPU, in a white corner, 28 MiB of HitLight for each thread.
-// Beside them 8 bytes for each point, which has two rays and more, and channel.
+// Rays of one call to ShortRayCaster: enough for a large device. If all of them meet surfaces that
+// may give light and all are left to the CPU, in a white corner, each thread needs 28 MiB of
+// HitLight, and 8 bytes for each channel and point, which has two rays and more.
 inline constexpr std::uint64_t kShortRaysPerCast = std::uint64_t{1} << 18;
 
 class ShortRayCaster {
  public:
   virtual ~ShortRayCaster() = default;
 
-  // First surfaces from least_m to most_m of all rays of all points, one after the other, as
-  // add_near_field() traces them: up to rounding, and to rays that graze an edge. hits: one per
-  // ray, at most kShortRaysPerCast or one point's. Always the same bits. May be called from
-  // several threads at once. May throw BackendFailure.
+  // Finds the first surfaces from least_m to most_m of all rays of all points, one after the other,
+  // as add_near_field() traces them: up to rounding, and to rays that graze an edge. hits: one per
+  // ray, at most kShortRaysPerCast or one point's. Always the same bits. May be called from several
+  // threads at once. May throw BackendFailure.
   virtual void cast(const Tracer& tracer, float least_m, float most_m, const NearFieldBatch& batch,
                     std::span<FirstHit> hits) = 0;
 
-  // The same rays within the reach of the field's bound, and the light at their hits: appends the
-  // points of the batch, of the field's channels. What a point gets is a function of its rays
-  // alone. Past the field's deadline what is there is worth nothing.
+  // Finds the same rays' light within the reach of the field's bound: appends the points of the
+  // batch, of the field's channels. A point's result depends only on its rays. Past the field's
+  // deadline the results are useless.
   virtual void find_light(const NearField& field, const NearFieldBatch& batch,
                           ShortRayLight& found) = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// choice_terms.glsl as C++. A processor's division and square root are rounded as it needs them.
+// Includes choice_terms.glsl as C++. A processor rounds division and square root as it requires.
 
 #include <glm/glm.hpp>
 

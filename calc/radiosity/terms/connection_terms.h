@@ -1,5 +1,5 @@
 #pragma once
-// connection_terms.glsl as C++, in float and in double.
+// Includes connection_terms.glsl as C++, in float and in double.
 
 #include "calc/scene/receiver_kernel.h"
 
@@ -20,7 +20,7 @@ namespace calc {
 
 static_assert(0.31830988618379067154 == 1.0 / std::numbers::pi);
 
-// Functions of vectors are found in glm, by their arguments.
+// Argument-dependent lookup finds functions of vectors in glm.
 namespace connection_terms {
 using std::sqrt;
 

@@ -1,6 +1,6 @@
 #pragma once
-// node_terms.glsl and cut_terms.glsl as C++. A processor's division and square root are rounded as
-// they need them.
+// Includes node_terms.glsl and cut_terms.glsl as C++. A processor rounds division and square root
+// as they require.
 
 #include <bit>
 #include <cstdint>

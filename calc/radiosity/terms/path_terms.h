@@ -1,5 +1,5 @@
 #pragma once
-// path_terms.glsl as C++.
+// Includes path_terms.glsl as C++.
 
 #include "calc/base/turns.h"
 
