@@ -44,6 +44,8 @@ luxgate_test(cli_tests
     unit/report/shell/output/sheet_files_test.cpp
     unit/report/shell/output/warning_tally_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
+    unit/report/tools/rules/explain_test.cpp
+    unit/report/tools/rules/find_rows_test.cpp
     unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 target_compile_definitions(cli_tests PRIVATE LUXGATE_SWEEP_SCHEMA="${PROJECT_SOURCE_DIR}/report/tools/sweep/sweep.schema.json"

@@ -3,6 +3,7 @@
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/edit_distance.h"
 #include "calc/base/text.h"
+#include "report/formats/console_lines.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -458,8 +460,8 @@ std::optional<std::string> explain_rule(const RulePack& pack, const std::string&
 
 namespace {
 
-// Of messages whose text says nothing by itself, since all of it is what was found, and of those
-// with another effect than most.
+// The meaning of messages whose text is nothing but what was found, and of messages that change the
+// exit code otherwise than most. "" = the template and the usual effect say enough.
 constexpr std::string_view meaning_of(calc::DiagnosticId id) {
   switch (id) {
     case calc::DiagnosticId::file_of_other_kind:
@@ -467,49 +469,66 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
              "name: photometry where a mesh is needed, for example. The message says what the "
              "file is and what to do with it. The file is not read, and the exit code is 2.";
     case calc::DiagnosticId::csv_quotes:
-      return "A table (CSV) has a quoted cell that does not end, or text behind the end of "
-             "one. The message says where it begins. The exit code is 2.";
+      return "A table (CSV) has a quoted cell without an end, or text after the end of a quoted "
+             "cell. The message names the place where the cell begins. The exit code is 2.";
     case calc::DiagnosticId::csv_separator:
       return "The cells of a table (CSV) are separated by semicolons or tabs, as spreadsheets of "
              "some languages write them. Commas between cells and decimal points in numbers are "
              "needed. The table is not read, and the exit code is 2.";
     case calc::DiagnosticId::luminaire_list_line:
-      return "A line of a table of luminaires cannot be used: a cell is no number or out of its "
-             "range, or it names a luminaire type that the project does not have. The exit "
+      return "A line of a table of luminaires cannot be used. A cell is not a number or out of "
+             "range, or the project has no luminaire type of that name. Correct the line. The exit "
              "code is 2.";
+    case calc::DiagnosticId::policy_not_met:
+      return "The project does not meet a condition of the policy (--policy). The message names "
+             "the condition. Change the project, or ask the owner of the policy. This warning "
+             "always counts, with or without --strict: the exit code is 2.";
+    case calc::DiagnosticId::messages_left_out:
+      return "A file has very many messages with the same id, and only the first ones are shown. "
+             "Errors that are not shown count, too. Correct those that are shown, and run luxgate "
+             "again.";
     case calc::DiagnosticId::rule_import:
-      return "'luxgate rules' cannot do what is asked, or a line of a table to import cannot be "
-             "used. The exit code is 2.";
+      return "'luxgate rules' cannot do what was asked, or it cannot use a line of a table to "
+             "import. The exit code is 2.";
     case calc::DiagnosticId::rule_import_doubtful:
-      return "A cell of a table to import was read, but hardly means what it says. Compare it with "
-             "the standard. The exit code does not change.";
+      return "A cell of a table to import was read, but its value is unlikely. Compare it with the "
+             "standard. The exit code does not change.";
     case calc::DiagnosticId::output_not_possible:
-      return "A file or folder of results cannot be written, or must not be: no right to write "
-             "there, no room, a folder of that name, or it is an input of the same run. Checked "
-             "before anything is calculated where that can be known. The exit code is 2.";
+      return "A file or folder of results cannot be written. Reasons are a missing permission, a "
+             "full disk, a folder with that name, or an input of the same run. Where luxgate can "
+             "know it in advance, it says so before it calculates. The exit code is 2.";
     case calc::DiagnosticId::rule_needs_scene:
-      return "Emergency lighting is judged with emergency luminaires alone, at the light that "
-             "their "
-             "batteries give. Every luminaire of the room gets a group, and a scene says the level "
+      return "Emergency lighting is judged with emergency luminaires only, at the light that their "
+             "batteries give. Give each luminaire of the room a group. Add a scene with the level "
              "of each group:\n\n"
              "  <scene id=\"emergency\"><dim group=\"battery\" level=\"0.6\"/><dim group=\"mains\" "
              "level=\"0\"/></scene>\n"
              "  <luminaire id=\"E1\" group=\"battery\" .../> <luminaire id=\"L1\" group=\"mains\" "
              ".../>\n"
              "  <require pack=\"en1838\" scene=\"emergency\"/>\n\n"
-             "Level 1 is the full flux of the photometry: right where a file is of the emergency "
+             "Level 1 is the full flux of the photometry. Use it where a file describes emergency "
              "operation. 'examples/13-escape-route' is a whole project. The exit code is 2.";
+    case calc::DiagnosticId::will_not_be_judged:
+      return "'luxgate validate' warns of requirements that 'luxgate check' will not judge. The "
+             "message names the plane, the requirements and the reason. If they count, the exit "
+             "code of 'check' will be 2. That of 'validate' changes only with --strict.";
+    case calc::DiagnosticId::building_not_judged:
+      return "'luxgate validate' warns of a requirement of a building that 'luxgate check' will "
+             "not judge. The message gives the reason. If it counts, the exit code of 'check' will "
+             "be 2. That of 'validate' changes only with --strict.";
     case calc::DiagnosticId::part_selected:
       return "--space, --plane, --tag or --require chose a part of what a project requires. The "
-             "rest was "
-             "neither calculated nor judged, and does not count as met. The exit code is that of "
-             "the part; --strict makes the warning count.";
+             "rest was neither calculated nor judged, and does not count as met. The exit code is "
+             "that of the part. The warning itself changes it only with --strict.";
     case calc::DiagnosticId::nothing_selected:
       return "--space, --plane, --tag or --require chose nothing of this project. None of it was "
-             "calculated or judged. If that is so of all projects, the exit code is 2.";
+             "calculated or judged. If that is so for all projects, the exit code is 2.";
+    case calc::DiagnosticId::internal_error:
+      return "luxgate found a mistake of its own. The message is for its developers: report it, "
+             "with the project if you can. The exit code is 2.";
     case calc::DiagnosticId::converge_not_possible:
-      return "'luxgate converge' cannot measure this: it compares illuminances of one plane, "
-             "calculated in several ways. The exit code is 2.";
+      return "'luxgate converge' cannot measure this. It compares illuminances of one plane that "
+             "are calculated in several ways. The exit code is 2.";
     default:
       return {};
   }
@@ -521,6 +540,27 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
                 "a message without words needs its meaning in words");
 #include "calc/base/diagnostics.def"
 #undef LUXGATE_DIAGNOSTIC
+
+constexpr std::string_view kEffectOfErrors =
+    "luxgate judges nothing that depends on it, and the exit code is 2.";
+constexpr std::string_view kEffectOfWarnings =
+    "The results count all the same. The exit code changes only with --strict, or if a policy "
+    "names "
+    "the warning.";
+
+constexpr int kWidth = 80;  // columns
+
+// Its paragraphs in lines of that width. Indented lines are examples and stay as they are.
+std::string in_lines(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string line(text.substr(0, end));
+    lines += line.rfind("  ", 0) == 0 ? line + "\n" : report::wrapped_lines("", line, 0, kWidth);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
 
 const char* severity_name(calc::DiagnosticId id) {
   return calc::diagnostic_severity(id) == calc::Severity::error ? "error" : "warning";
@@ -548,18 +588,47 @@ std::string near_names(const rules::RulePack& pack, std::string_view name) {
   return calc::list_names(told.empty() ? names : told, kMostNear);
 }
 
+std::vector<std::string> messages_with_word(std::string_view word) {
+  std::vector<std::string> ids;
+  if (word.empty()) return ids;
+  const std::string start = "-" + calc::ascii_lowered(word);
+  for (const calc::DiagnosticId id : kMessages) {
+    std::string name = calc::diagnostic_name(id);
+    if (("-" + name).find(start) != std::string::npos) ids.push_back(std::move(name));
+  }
+  return ids;
+}
+
+std::vector<std::string> near_messages(std::string_view name) {
+  constexpr std::size_t kMostNear = 3;
+  const std::string form = calc::ascii_lowered(name);
+  std::vector<std::pair<std::size_t, std::string>> near;
+  for (const calc::DiagnosticId id : kMessages) {
+    std::string known = calc::diagnostic_name(id);
+    const std::optional<std::size_t> distance = calc::distance_if_near(form, known);
+    if (distance) near.emplace_back(*distance, std::move(known));
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> ids;
+  for (auto& [distance, known] : near) {
+    if (ids.size() < kMostNear) ids.push_back(std::move(known));
+  }
+  return ids;
+}
+
 std::optional<std::string> explain_message(const std::string& name) {
   for (const calc::DiagnosticId id : kMessages) {
     if (calc::diagnostic_name(id) != name) continue;
+    const std::string head = fmt::format("{}: {}\n\n", name, severity_name(id));
     if (const std::string_view meaning = meaning_of(id); !meaning.empty()) {
-      return fmt::format("{}: {}\n\n{}\n", name, severity_name(id), meaning);
+      return head + in_lines(meaning);
     }
     const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
-    return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
-                       severity_name(id), calc::diagnostic_template(id),
-                       is_error ? "The file is not judged, and the exit code is 2."
-                                : "Everything is judged all the same; the exit code changes only "
-                                  "if --strict asks for it.");
+    const std::string message(calc::diagnostic_template(id));
+    return head + report::wrapped_lines("    ", message, 4, kWidth) + "\n" +
+           in_lines(fmt::format("{{}} stands for what was found. {}",
+                                is_error ? kEffectOfErrors : kEffectOfWarnings));
   }
   return std::nullopt;
 }

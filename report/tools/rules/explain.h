@@ -25,7 +25,14 @@ std::optional<std::string> explain_rule(const rules::RulePack& pack, const std::
 // the first of all.
 std::string near_names(const rules::RulePack& pack, std::string_view name);
 
-// The id of a message. Empty if there is none.
+// What the message with this id means. Empty if there is none.
 std::optional<std::string> explain_message(const std::string& name);
+
+// Ids of messages that have this word or begin with it part by part: "maintenance" is a word of
+// "maintenance-not-stated".
+std::vector<std::string> messages_with_word(std::string_view word);
+
+// Ids of messages that may be meant by a misspelt one, the nearest first; at most 3.
+std::vector<std::string> near_messages(std::string_view name);
 
 }  // namespace cli

@@ -4,10 +4,14 @@
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
 #include "report/check/load_rules.h"
+#include "report/formats/console_lines.h"
 #include "report/formats/write.h"
 #include "report/shell/command/option_values.h"
 #include "report/shell/process/print.h"
+#include "report/text/plain_text.h"
+#include "report/text/shell_words.h"
 #include "report/tools/rules/explain.h"
+#include "report/tools/rules/find_rows.h"
 #include "report/tools/rules/pack_words.h"
 #include "report/tools/rules/rules_diff.h"
 #include "rules/pack/builtin_packs.h"
@@ -129,43 +133,98 @@ std::string import_table(const ImportOptions& options, const calc::FileReader& f
   return {};
 }
 
-// "PACK/ROW", "PACK/ROLE", "PACK/CHECK" or the id of a message.
-std::string explain(const std::string& what, const std::vector<rules::RulePack>& packs,
-                    calc::Diagnostics& diagnostics) {
-  const std::size_t slash = what.find('/');
-  std::optional<std::string> text;
-  if (slash == std::string::npos) {
-    text = explain_message(what);
-    if (!text) {
-      const rules::NamedPack found = find_pack(what, packs, diagnostics);
-      if (found.is_ambiguous()) return {};
-      if (found.pack != nullptr) {
-        diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
-                           fmt::format("'luxgate rules show {}' shows this pack; of it there are ",
-                                       found.pack->full_id()),
-                           near_names(*found.pack, ""));
-        return {};
-      }
+// The command that lists all rows with these words, from the packs of this command.
+std::string find_command(const std::string& words, const std::vector<std::string>& rule_files) {
+  std::string line = "luxgate rules find " + report::shell_quoted(words);
+  for (const std::string& file : rule_files) line += " --rules " + report::shell_quoted(file);
+  return line;
+}
+
+// Rows and messages that have the word, for somebody who does not know the id. "" = none.
+std::string found_by_word(const std::string& word, const std::vector<rules::RulePack>& packs,
+                          const std::vector<std::string>& rule_files) {
+  constexpr int kWidth = 80;  // columns
+  constexpr std::size_t kMostShown = 8;
+  const std::vector<FoundRow> rows = find_rows(word, packs);
+  const std::vector<std::string> messages = messages_with_word(word);
+  if (rows.empty() && messages.empty()) return {};
+  std::string text = fmt::format("'{}' is not an id.\n", word);
+  if (!rows.empty()) {
+    text += "\nRows with this word:\n\n" + row_list(rows, kMostShown);
+    if (rows.size() > kMostShown) {
+      text +=
+          calc::and_more(rows.size() - kMostShown) + ": " + find_command(word, rule_files) + "\n";
     }
-  } else {
-    const rules::NamedPack found = find_pack(what.substr(0, slash), packs, diagnostics);
-    if (found.is_ambiguous()) return {};
-    if (found.pack != nullptr) {
-      const std::string name = what.substr(slash + 1);
-      text = explain_rule(*found.pack, name);
-      if (!text) {
-        diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
-                           fmt::format("of {} there are ", found.pack->full_id()),
-                           near_names(*found.pack, name));
-        return {};
-      }
-    }
+    text += fmt::format("\nExplain a row: luxgate explain {}\n",
+                        report::shell_quoted(rows.front().id()));
   }
-  if (!text) {
+  if (!messages.empty()) {
+    text += "\n" + report::wrapped_lines(
+                       "", "Messages with this word: " + calc::list_names(messages, kMostShown), 2,
+                       kWidth);
+  }
+  return text;
+}
+
+// Rows of the pack that have the word, else ids that are near it.
+std::string names_like(const std::string& word, const rules::RulePack& pack,
+                       const std::vector<rules::RulePack>& packs) {
+  constexpr std::size_t kMostShown = 8;
+  std::vector<std::string> names;
+  for (const FoundRow& found : find_rows(word, packs)) {
+    if (found.pack == &pack) names.push_back(found.row->ref + " (" + found.row->name + ")");
+  }
+  return names.empty() ? near_names(pack, word) : calc::list_names(names, kMostShown);
+}
+
+// "PACK/ROW", "PACK/ROLE" or "PACK/CHECK".
+std::string explain_part(const std::string& what, const std::vector<rules::RulePack>& packs,
+                         calc::Diagnostics& diagnostics) {
+  const std::size_t slash = what.find('/');
+  const rules::NamedPack found = find_pack(what.substr(0, slash), packs, diagnostics);
+  if (found.is_ambiguous()) return {};
+  if (found.pack == nullptr) {
     diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
                        "packs: ", joined_ids(packs));
+    return {};
   }
-  return text.value_or("");
+  const std::string name = what.substr(slash + 1);
+  if (std::optional<std::string> text = explain_rule(*found.pack, name)) return *std::move(text);
+  diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
+                     fmt::format("{} has ", found.pack->full_id()),
+                     names_like(name, *found.pack, packs));
+  return {};
+}
+
+// The id of a message, or a word to search for.
+std::string explain_word(const std::string& what, const std::vector<rules::RulePack>& packs,
+                         const std::vector<std::string>& rule_files,
+                         calc::Diagnostics& diagnostics) {
+  if (std::optional<std::string> text = explain_message(what)) return *std::move(text);
+  const rules::NamedPack found = find_pack(what, packs, diagnostics);
+  if (found.is_ambiguous()) return {};
+  if (found.pack != nullptr) {
+    diagnostics.report(
+        calc::DiagnosticId::nothing_to_explain, {}, what,
+        fmt::format("'luxgate rules show {}' shows this pack, which has ", found.pack->full_id()),
+        near_names(*found.pack, ""));
+    return {};
+  }
+  std::string text = found_by_word(what, packs, rule_files);
+  if (!text.empty()) return text;
+  std::vector<std::string> near = near_messages(what);
+  for (std::string& id : near) id = "'" + id + "'";
+  const std::vector<std::string_view> choices(near.begin(), near.end());
+  diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
+                     near.empty() ? "packs: " : "did you mean ",
+                     near.empty() ? joined_ids(packs) : calc::join_choices(choices) + "?");
+  return {};
+}
+
+std::string explain(const std::string& what, const std::vector<rules::RulePack>& packs,
+                    const std::vector<std::string>& rule_files, calc::Diagnostics& diagnostics) {
+  return what.find('/') == std::string::npos ? explain_word(what, packs, rule_files, diagnostics)
+                                             : explain_part(what, packs, diagnostics);
 }
 
 std::vector<ExitMeaning> rules_exit_codes() { return {{0, "no error"}, {2, "at least one error"}}; }
@@ -221,6 +280,45 @@ Command show_action() {
       });
 }
 
+struct FindOptions {
+  std::vector<std::string> words, rule_files;
+};
+
+// As grep: no hit is no error, but a script can tell it from one.
+ExitCode run_find(const FindOptions& options) {
+  calc::Diagnostics diagnostics;
+  const auto packs =
+      check::load_rule_packs(options.rule_files, calc::DiskFileReader(), diagnostics);
+  std::string words;
+  for (const std::string& word : options.words) words += (words.empty() ? "" : " ") + word;
+  const std::vector<FoundRow> rows = find_rows(words, packs);
+  if (diagnostics.has_errors() || !rows.empty()) {
+    return finished(row_list(rows, rows.size()), diagnostics);
+  }
+  tell("luxgate: no row has '{}' in its id or names\n", report::printable(words));
+  return print_outcome({kNotMet, "", diagnostics.all()});
+}
+
+Command find_action() {
+  const auto options = std::make_shared<FindOptions>();
+  Command command{"find", "Find rows of all packs by their names, in English or German"};
+  command.places = {{"words", "WORD",
+                     "Words that the id or a name of the row has, in any order. Case makes\n"
+                     "no difference; ae, oe and ue stand for umlauts",
+                     &options->words}};
+  command.options = {rules_option(options->rule_files)};
+  command.notes =
+      "A row of the list is PACK/ROW and its names. 'luxgate explain PACK/ROW' says what the\n"
+      "row requires. Common words with the same meaning also count: 'meeting' finds\n"
+      "'conference room'.";
+  command.examples = {{"luxgate rules find classroom", "Rows about classrooms"},
+                      {"luxgate rules find Treppe", "The same search in German"}};
+  command.exit_codes = {
+      {kAllMet, "at least one row was found"}, {kNotMet, "none was"}, {kNotJudged, "an error"}};
+  command.run = [options](const RunContext&) { return run_find(*options); };
+  return command;
+}
+
 Command lint_action() {
   const auto options = std::make_shared<PackOptions>();
   Command command{"lint", "Find errors and doubtful entries in rule packs"};
@@ -270,8 +368,8 @@ Command schema_action() {
 }  // namespace
 
 Command rules_command() {
-  Command command{"rules", "List, show, compare, check and import rule packs (standards as data)"};
-  command.actions = {list_action(), show_action(),   diff_action(),
+  Command command{"rules", "Find, show, compare, check and import rule packs (standards as data)"};
+  command.actions = {list_action(), find_action(),   show_action(),  diff_action(),
                      lint_action(), import_action(), schema_action()};
   return command;
 }
@@ -282,17 +380,22 @@ Command explain_command() {
   command.places = {
       {"what", "WHAT",
        "PACK/ROW, PACK/ROLE or PACK/CHECK, PACK being the id of a rule pack or id:edition; "
-       "or the id of a message",
+       "the id of a message; or a word, which lists rows and messages that have it",
        &options->name}};
   command.options = {rules_option(options->rule_files)};
   command.examples = {{"luxgate explain en12464-1/34.2", "A row of a standard"},
-                      {"luxgate explain light-leaves-room", "A message"}};
-  return action<PackOptions>(
+                      {"luxgate explain light-leaves-room", "A message"},
+                      {"luxgate explain classroom", "Rows with this word in a name"}};
+  command = action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
         const auto packs = check::load_rule_packs(given.rule_files, files, diagnostics);
-        return printable_lines(explain(given.name, packs, diagnostics));
+        return printable_lines(explain(given.name, packs, given.rule_files, diagnostics));
       });
+  command.exit_codes = {
+      {kAllMet, "explained, or a list of what has the word"},
+      {kNotJudged, "nothing has this id or word (ids like it are suggested), or another error"}};
+  return command;
 }
 
 }  // namespace cli
