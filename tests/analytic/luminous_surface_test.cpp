@@ -169,9 +169,9 @@ TEST(LuminousSurface, SaysWhatItCannotBe) {
         .messages;
   };
   EXPECT_THAT(messages("u='1 0 0' v='1 1 0' luminous-exitance='5'"),
-              testing::HasSubstr("error[luminous-not-rectangle]: 'u' and 'v' of a quad with "
-                                 "'luminous-exitance' must be at right angles, but stand at 45 "
-                                 "degrees"));
+              testing::HasSubstr(
+                  "error[luminous-not-rectangle]: 'u' and 'v' of a quad with 'luminous-exitance' "
+                  "must be at right angles, but the angle between them is 45 degrees"));
   EXPECT_THAT(messages("u='1 0 0' v='0 1 0' power-w='5'"),
               testing::HasSubstr("error[missing-partner]: <quad> has 'power-w' without "
                                  "'luminous-exitance'; the two belong together"));

@@ -111,7 +111,7 @@ if again.stdout != result.read_text():
 
 # What a project says of itself must be possible.
 wrong = write("was-what-is-there", plane="far2", was_plane=' was="far"')
-expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the plane 'far' is there, in line")
+expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the plane 'far' still exists, in line")
 
 # Two results side by side: what is asked and judged comes first, in another folder, too.
 other = WORK / "lowered.json"

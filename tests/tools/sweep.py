@@ -86,8 +86,8 @@ def in_store_only(words, whole, is_whole):
     rows, all_rows = (list(csv.DictReader(data.decode().splitlines())) for data in ((WORK / "only.csv").read_bytes(), whole[0]))
     missing = [row["variant"] for row in rows if row["verdict"] == "not-judged"]
     expect(0 < len(missing) < len(rows), f"{len(missing)} variants are missing")
-    expect(f"store: error[store-lacks-variants]: {len(missing)} of the 8 variants have light that is not in the store: "
-           f"{', '.join(missing)}; 'luxgate sweep --shard' calculates it" in done.stderr, f"missing {missing}: {done.stderr}")
+    expect(f"store: error[store-lacks-variants]: {len(missing)} of the 8 variants have light that is not in the result cache: "
+           f"{', '.join(missing)}; calculate it with 'luxgate sweep --shard'" in done.stderr, f"missing {missing}: {done.stderr}")
     for row, other in zip(rows, all_rows):
         expect({**row, "front": ""} == {**other, "front": ""} if row["variant"] not in missing
                else row["reason"] == "plane 'desk' cannot be judged: its light is not in the result cache" and row["margin"] == "", f"{row} beside {other}")

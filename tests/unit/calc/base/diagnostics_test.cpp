@@ -47,7 +47,7 @@ TEST(Diagnostics, OfAnIdHaveAnEnd) {
   ASSERT_THAT(diagnostics.all(), SizeIs(kMostMessagesOfAnId + 1));
   EXPECT_EQ(format_diagnostic(diagnostics.all().back()),
             "a.xml: warning[messages-left-out]: 2000 more messages xml-too-many-attributes are "
-            "left out, after the first 1000");
+            "omitted, after the first 1000");
 }
 
 // A warning that --strict makes count must not be hidden behind others.

@@ -155,12 +155,11 @@ TEST(Gbxml, BrokenOutlinesAreMendedAndSaid) {
   EXPECT_DOUBLE_EQ(low.room->height_m, 2.5);
   EXPECT_EQ(low.room->polygons_mended, 3u);
   EXPECT_EQ(low.room->polygons_left_out, 0u);
-  EXPECT_NE(
-      low.messages.find("warning[gbxml-mended]: 3 polygons around space 'low' were mended, their "
-                        "areas stay: 1 doubled corner, 2 spikes, 1 joined hole or part; the "
-                        "longest stretch that was taken out, 9.85 m, at (4.000, 7.000, 9.000) "
-                        "m, of 'slab'"),
-      std::string::npos)
+  EXPECT_NE(low.messages.find(
+                "warning[gbxml-mended]: 3 polygons around space 'low' were mended and keep their "
+                "areas: 1 doubled corner, 2 spikes, 1 joined hole or part; the longest part that "
+                "was removed is 9.85 m, at (4.000, 7.000, 9.000) m, of 'slab'"),
+            std::string::npos)
       << low.messages;
 }
 
@@ -209,7 +208,7 @@ TEST(Gbxml, UnknownSpacesAndEmptyOnesAreErrors) {
             "you mean 'low'?");
   EXPECT_EQ(room_of(two_rooms(), "empty").messages,
             "p.xml:3: error[gbxml-no-surfaces]: 'b.xml': no surface is next to space 'empty', so "
-            "that it is no room");
+            "it is not a room");
 }
 
 TEST(Gbxml, BrokenFilesAreErrorsAtTheirLine) {

@@ -32,11 +32,11 @@ TEST(MeshFile, BytesThatAreNoMeshAreRefused) {
             "tile.zip: error[file-of-other-kind]: by its name it is a ZIP archive; a mesh "
             "(OBJ, STL, PLY or glTF) is needed here. Unpack it and name the file inside");
   EXPECT_EQ(parse(std::string("PK\0\1", 4), "tile").messages,
-            "tile: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
-            "glTF, PLY, STL nor OBJ");
+            "tile: error[mesh-unknown-format]: unknown mesh format; luxgate reads glTF, PLY, STL "
+            "and OBJ");
   EXPECT_EQ(parse("just words\n", "tile").messages,
-            "tile: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
-            "glTF, PLY, STL nor OBJ");
+            "tile: error[mesh-unknown-format]: unknown mesh format; luxgate reads glTF, PLY, STL "
+            "and OBJ");
 }
 
 TEST(MeshFile, FilesOfOtherKindsAreNamed) {

@@ -167,10 +167,9 @@ TEST(GltfMesh, RequiredExtensionsAreRefusedByName) {
   const Parsed optional = parse_square(
       with_extension("extensionsUsed", R"("EXT_mesh_gpu_instancing","KHR_materials_unlit")"));
   EXPECT_TRUE(optional.mesh);
-  EXPECT_EQ(
-      optional.messages,
-      "tile.gltf: warning[mesh-extension-ignored]: the file uses glTF extensions that luxgate "
-      "does not read: EXT_mesh_gpu_instancing; they were passed over");
+  EXPECT_EQ(optional.messages,
+            "tile.gltf: warning[mesh-extension-ignored]: the file uses glTF extensions that "
+            "luxgate does not read: EXT_mesh_gpu_instancing; they are ignored");
 }
 
 TEST(GltfMesh, RangesOutsideTheirDataAreErrors) {
@@ -281,8 +280,8 @@ TEST(GltfMesh, SkinsAndMorphTargetsAreWarnedOf) {
       with(kSquareGltf, R"("indices":1)", R"("targets":[{"POSITION":0}],"indices":1)"));
   EXPECT_TRUE(parsed.mesh);
   EXPECT_EQ(parsed.messages,
-            "tile.gltf: warning[mesh-deformed]: 1 objects have a skin or morph targets; their "
-            "shape without them is used");
+            "tile.gltf: warning[mesh-deformed]: 1 objects have a skin or morph targets, which are "
+            "ignored");
 }
 
 TEST(GltfMesh, AnyCutOfAFileEndsWell) {

@@ -157,9 +157,9 @@ TEST(ObjMesh, FacesWithoutAreaAreLeftOutWithOneWarning) {
   ASSERT_EQ(parsed.messages.size(), 2u);
   EXPECT_EQ(
       parsed.messages[0],
-      "desk.obj:11: warning[mesh-mended-faces]: 1 of 6 faces were mended, their areas stay: 1 "
-      "doubled corner; the longest stretch that was taken out, 0 long, at (0, 0, 0) in the "
-      "file's unit, of face 6");
+      "desk.obj:11: warning[mesh-mended-faces]: 1 of 6 faces were mended and keep their areas: 1 "
+      "doubled corner; the longest part that was removed is 0 long, at (0, 0, 0) in the file's "
+      "unit, of face 6");
   EXPECT_EQ(
       parsed.messages[1],
       "desk.obj:7: warning[mesh-faces-left-out]: 4 of 6 faces were left out, the first one is "
@@ -185,9 +185,9 @@ TEST(ObjMesh, FacesAreMendedAndSaid) {
   ASSERT_EQ(parsed.messages.size(), 1u);
   EXPECT_EQ(
       parsed.messages[0],
-      "desk.obj:10: warning[mesh-mended-faces]: 2 of 2 faces were mended, their areas stay: 1 "
-      "spike, 1 joined hole or part; the longest stretch that was taken out, 3 long, at (7, 4, "
-      "0) in the file's unit, of face 1");
+      "desk.obj:10: warning[mesh-mended-faces]: 2 of 2 faces were mended and keep their areas: 1 "
+      "spike, 1 joined hole or part; the longest part that was removed is 3 long, at (7, 4, 0) in "
+      "the file's unit, of face 1");
 }
 
 TEST(ObjMesh, IndicesBeforeTheStartAreErrors) {

@@ -57,10 +57,9 @@ TEST(AboutXml, NothingOfItIsNeeded) {
 }
 
 TEST(AboutXml, MistakesAreNamed) {
-  expect_messages(
-      "<about date='31.03.2026'/>",
-      "dir/p.xml:4:8: error[not-a-day]: attribute 'date' of <about>: '31.03.2026' is not "
-      "a day; expected YYYY-MM-DD, as 2026-03-31");
+  expect_messages("<about date='31.03.2026'/>",
+                  "dir/p.xml:4:8: error[not-a-day]: attribute 'date' of <about>: '31.03.2026' is "
+                  "not a day; expected YYYY-MM-DD, such as 2026-03-31");
   expect_messages("<about/>\n<about/>",
                   "dir/p.xml:5:1: error[duplicate-id]: the element 'about' is given twice, also in "
                   "line 4");
@@ -69,10 +68,10 @@ TEST(AboutXml, MistakesAreNamed) {
       "dir/p.xml:4:8: error[unknown-attribute]: unknown attribute 'customer' of <about>; "
       "allowed: client, number, revision, date, author, company, address, note or logo");
   expect_messages("<about logo='logo.gif'/>",
-                  "dir/p.xml:4:8: error[logo-not-usable]: the logo 'logo.gif' cannot stand in a "
+                  "dir/p.xml:4:8: error[logo-not-usable]: the logo 'logo.gif' cannot be used in a "
                   "report: its name must end with .png or .svg");
   expect_messages("<about logo='logo.png'/>",
-                  "dir/p.xml:4:8: error[logo-not-usable]: the logo 'logo.png' cannot stand in a "
+                  "dir/p.xml:4:8: error[logo-not-usable]: the logo 'logo.png' cannot be used in a "
                   "report: its name ends with .png, but it is not a PNG file");
   expect_messages("<about logo='../logo.png'/>",
                   "dir/p.xml:4:8: error[file-outside-project]: '../logo.png' leaves the project's "

@@ -30,18 +30,17 @@ end)",
      "dir/p.xml:1:1: error[wrong-root-element]: the root element is <project>; expected <luxgate>"},
     {"Doctype", R"(<!DOCTYPE luxgate [<!ENTITY e "x">]>
 <luxgate version="1"/>)",
-     "dir/p.xml:1:11: error[xml-doctype]: a DOCTYPE is not accepted; remove it, entities and DTDs "
-     "are not used"},
+     "dir/p.xml:1:11: error[xml-doctype]: a DOCTYPE is not allowed; remove it, luxgate uses no "
+     "entities and no DTDs"},
     {"OtherEncoding", R"(<?xml version="1.0" encoding="Shift_JIS"?>
 <luxgate version="1"/>)",
      "dir/p.xml:1:31: error[xml-encoding]: the encoding cannot be read: the declaration says "
-     "'Shift_JIS'; "
-     "readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 and "
-     "Windows-1252"},
+     "'Shift_JIS'; luxgate reads UTF-8 and UTF-16, and ISO-8859-1 and Windows-1252 where the "
+     "declaration names them"},
     {"InvalidUtf8", "<luxgate version=\"1\"\n name=\"Gr\xFC\xDF\"/>",
      "dir/p.xml:2:10: error[xml-encoding]: the encoding cannot be read: byte 31 (0xFC) is not "
-     "valid UTF-8; readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 "
-     "and Windows-1252"},
+     "valid UTF-8; luxgate reads UTF-8 and UTF-16, and ISO-8859-1 and Windows-1252 where the "
+     "declaration names them"},
     {"AnotherKind", "%PDF-1.4\n",
      "dir/p.xml: error[file-of-other-kind]: it is a PDF document; a luxgate project (XML) is "
      "needed here. luxgate reads no pictures and no documents"},

@@ -29,13 +29,13 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:15: error[wrong-number-count]: attribute 'tags' of <plane>: expected 1 to 32 "
      "ids separated by blanks, found 33"},
     {"PlaneThatWasOneThatIsThere", in_room(R"(<plane id="p" was="task" height="0.8"/>)"),
-     "dir/p.xml:5:15: error[former-id-in-use]: was=\"task\": the plane 'task' is there, in line 7, "
-     "so that no other can have been it; remove 'was' once the renaming is in every revision that "
-     "is compared"},
+     "dir/p.xml:5:15: error[former-id-in-use]: was=\"task\": the plane 'task' still exists, in "
+     "line 7, so nothing else can have had its id; remove 'was' when every compared revision has "
+     "the new id"},
     {"TwoPlanesThatWereOne",
      in_room(R"(<plane id="p" was="old" height="0.8"/><plane id="q" was="old" height="1"/>)"),
-     "dir/p.xml:5:53: error[former-id-twice]: was=\"old\": the plane 'p' was that, too, in line 5; "
-     "only one of them can have been it"},
+     "dir/p.xml:5:53: error[former-id-twice]: was=\"old\": the plane 'p' says the same, in line 5; "
+     "only one of them can have had this id"},
     {"FormerIdThatIsNone", in_room(R"(<plane id="p" was="" height="0.8"/>)"),
      "dir/p.xml:5:15: error[empty-attribute]: attribute 'was' of <plane> must not be empty"},
     {"PlaneWithoutForm", in_room(R"(<plane id="p"/>)"),
@@ -98,7 +98,7 @@ const std::vector<MessageCase> kCases{
      in_room(
          R"(<plane id="p" points="0 0 1  2 0 1  2 2 1"><hole points="1 0.5 1  3 0.5 1  1.5 1 1"/></plane>)"),
      "dir/p.xml:5:50: error[hole-outside-plane]: attribute 'points' of <hole>: the corner 3 0.5 1 "
-     "does not lie in the plane's area"},
+     "is not in the plane's area"},
     {"MarginOfPointList", in_room(R"(<plane id="p" file="points.csv" margin="0.5"/>)"),
      "dir/p.xml:5:33: error[attribute-without-meaning]: <plane>: 'margin' has no meaning together "
      "with 'file'"},
@@ -107,11 +107,11 @@ const std::vector<MessageCase> kCases{
      "(x,y,z,nx,ny,nz), found 5\n"
      "dir/bad.csv:4: error[point-list-number]: 'x' is not a number from -1e9 to 1e9"},
     {"ZeroNormal", in_room(R"(<plane id="p" file="zero.csv"/>)"),
-     "dir/zero.csv:2: error[point-list-zero-normal]: the normal (nx,ny,nz) is zero; it must give "
-     "the direction the point faces"},
+     "dir/zero.csv:2: error[point-list-zero-normal]: the normal (nx,ny,nz) is zero; it must be the "
+     "direction that the point faces"},
     {"BadPointListHeader", in_room(R"(<plane id="p" file="head.csv"/>)"),
-     "dir/head.csv:1: error[point-list-header]: the first line must be "
-     "'x_m,y_m,z_m,nx,ny,nz', with one unit of m, cm, mm, in and ft, found 'x;y;z'"},
+     "dir/head.csv:1: error[point-list-header]: the first line must be 'x_m,y_m,z_m,nx,ny,nz', all "
+     "three in m, cm, mm, in or ft; found 'x;y;z'"},
     {"EmptyPointList", in_room(R"(<plane id="p" file="empty.csv"/>)"),
      "dir/empty.csv:1: error[point-list-empty]: no points after the header line"},
     {"UnknownQuantity", in_room(R"(<plane id="p" height="1.2" quantity="cylindric"/>)"),
@@ -162,8 +162,8 @@ const std::vector<MessageCase> kCases{
     {"SemicylindricalPointListFacesUp",
      in_room(R"(<plane id="p" file="looks.csv" quantity="semicylindrical"/>)"),
      "dir/p.xml:5:15: error[point-list-not-horizontal]: 2 of the 3 normals in 'looks.csv' are not "
-     "horizontal, as the directions that semicylindrical and UGR points look in must be; the first "
-     "is (0,0,1) in line 4"},
+     "horizontal; semicylindrical and UGR points need horizontal ones; the first is (0,0,1) in "
+     "line 4"},
     {"LuminaireOutsideRoom", in_room(R"(<luminaire id="k" type="spot" position="1 1 2.6"/>)"),
      "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r', 0.1 m "
      "above its ceiling: its light does not reach the room"},
@@ -173,15 +173,15 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'g[2,0]' (and 1 more of this "
      "element) is outside room 'r': its light does not reach the room"},
     {"PlaneInSurfaceOfBox", in_room(R"(<box id="desk" size="1 1 0.75" material="white"/>)"),
-     "dir/p.xml:7:1: warning[plane-in-surface]: plane 'task' lies in a surface of 'desk'; if that "
-     "surface is meant use 'on' or 'on-top-of', else move the plane"},
+     "dir/p.xml:7:1: warning[plane-in-surface]: plane 'task' is in a surface of 'desk'; use 'on' "
+     "or 'on-top-of' if that surface is meant, else move the plane"},
     {"PlaneInFloor", in_room(R"(<plane id="p" height="0"/>)"),
-     "dir/p.xml:5:1: warning[plane-in-surface]: plane 'p' lies in a surface of 'r.floor'; if that "
-     "surface is meant use 'on' or 'on-top-of', else move the plane"},
+     "dir/p.xml:5:1: warning[plane-in-surface]: plane 'p' is in a surface of 'r.floor'; use 'on' "
+     "or 'on-top-of' if that surface is meant, else move the plane"},
     {"OpenObjectInsideRoom", in_room(R"(</room><box id="b" size="1 1 1" material="white"/>
 <room id="q" origin="9 0 0" size="4 3 2.5" ceiling="white" walls="white" floor="white">)"),
-     "dir/p.xml:5:8: warning[object-inside-room]: object 'b' stands in the open space, but within "
-     "room 'r': it takes no part in that room; write it inside the <room>"},
+     "dir/p.xml:5:8: warning[object-inside-room]: object 'b' is in the open space but within room "
+     "'r', and the room ignores it; write it inside the <room>"},
     {"NoLuminaire", in_project(R"(<plane id="p" origin="0 0 0" u="1 0 0" v="0 1 0"/>)"),
      "dir/p.xml:1:1: warning[space-without-luminaires]: the open space has planes but no "
      "luminaire: every illuminance in it is 0"},

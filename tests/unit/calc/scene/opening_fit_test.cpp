@@ -38,9 +38,10 @@ TEST(OpeningFit, ABodyCutByTheCeilingIsUsedAsFlatWithAWarning) {
   const tests::Loaded loaded =
       room_with("<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.5\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
-  EXPECT_THAT(loaded.messages,
-              HasSubstr("warning[luminous-body-cut]: luminaire 'l': its photometry has luminous "
-                        "sides, and a surface cuts through them"));
+  EXPECT_THAT(
+      loaded.messages,
+      HasSubstr(
+          "warning[luminous-body-cut]: luminaire 'l': a surface cuts through its luminous sides"));
   const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
   EXPECT_EQ(scene.luminaires[0].opening.shape, OpeningShape::rectangle);
   EXPECT_EQ(scene.luminaires[0].opening.along_c0_m, 1.2);

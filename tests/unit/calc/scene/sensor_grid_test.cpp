@@ -231,8 +231,8 @@ const std::vector<glm::dvec2> kArm{{0, 0}, {6, 0}, {6, 4}, {1.2, 4}, {1.2, 8}, {
 
 TEST(SensorGrid, GivenCellsThatMissAnArmAreWarnedOf) {
   const std::string expected =
-      "project.xml:7:3: warning[grid-misses-part]: plane 'desk': its grid, of a given count or "
-      "spacing, leaves 2.7 m2 of the area, at (";
+      "project.xml:7:3: warning[grid-misses-part]: plane 'desk': its grid leaves 2.7 m2 of the "
+      "area, at (";
   for (const GridRule& rule : {GridRule(GridByCount{2, 2}), GridRule(GridBySpacing{3, 4, {}})}) {
     const Made made = make(plane_of(kArm, rule));
     ASSERT_EQ(made.messages.size(), 1u);
@@ -402,9 +402,9 @@ TEST(SensorGrid, APointInTheSideOfABodyIsMeasuredBesideIt) {
   plane.area = list;
   EXPECT_EQ(make(plane, space).messages,
             std::vector<std::string>{
-                "project.xml:7:3: warning[points-beside-surface]: plane 'desk': 1 of 2 points lie "
-                "in a surface that stands on the plane and are measured just off it, on the side "
-                "where there is air: the first is at (1.5, 0.5, 0.75) m, in 'cupboard'"});
+                "project.xml:7:3: warning[points-beside-surface]: plane 'desk': 1 of 2 points are "
+                "in a surface that crosses the plane and are measured just beside it, on the side "
+                "with air; the first is at (1.5, 0.5, 0.75) m, in 'cupboard'"});
 }
 
 TEST(SensorGrid, PointsInAScreenAreLeftOutAndSaid) {
@@ -421,9 +421,9 @@ TEST(SensorGrid, PointsInAScreenAreLeftOutAndSaid) {
   ASSERT_EQ(made.messages.size(), 1u);
   EXPECT_EQ(made.messages[0],
             "project.xml:7:3: warning[points-in-surface]: plane 'desk': 4 of 16 points are left "
-            "out, as they lie in a surface with air on both sides, or where surfaces leave no "
-            "room; the light differs from side to side: the first is at (1.5, 0.5, 0.75) m, in "
-            "'screen'; shift the points, or give what they lie in a thickness");
+            "out; they are in a surface with air on both sides, or where surfaces leave no space; "
+            "the light differs from side to side; the first is at (1.5, 0.5, 0.75) m, in 'screen'; "
+            "move the points, or give the surface a thickness");
 }
 
 TEST(SensorGrid, APlaneThatKeepsNoPointIsAnErrorWithTheCounts) {
@@ -452,11 +452,10 @@ TEST(SensorGrid, MoreThanFourMillionPointsAreAnError) {
 TEST(SensorGrid, CellsThatAreTooLongAreWarnedOf) {
   CalcPlane plane = plane_of(rectangle(4.0, 1.0001), GridByRule{});
   area_of(plane).margin_m = 0.5;  // a strip of 0.1 mm is left: p = 0.32 mm
-  EXPECT_EQ(
-      make(plane).messages,
-      std::vector<std::string>{
-          "project.xml:7:3: warning[grid-cell-shape]: plane 'desk': cells of 0.00032 m x 0.0001 "
-          "m; EN 12464-1 asks for sides in a ratio of 0.5 to 2"});
+  EXPECT_EQ(make(plane).messages,
+            std::vector<std::string>{
+                "project.xml:7:3: warning[grid-cell-shape]: plane 'desk': cells are 0.00032 m x "
+                "0.0001 m; EN 12464-1 asks for sides in a ratio of 0.5 to 2"});
   area_of(plane).grid = GridByCount{100, 1};
   EXPECT_TRUE(make(plane).messages.empty()) << "asked for by number";
 }

@@ -538,7 +538,7 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   };
   EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
               ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
-                          "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
+                          "does not apply to points of quantity 'ugr'; allowed: maximum, value, "
                           "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
                           "road-Ul, TI, REI, ULR, intensity, glare-intensity, "
                           "peak-intensity, luminaire-distance or Ra"));
@@ -836,8 +836,8 @@ TEST(BindRequirementsMessage, LevelWithoutRow) {
 TEST(BindRequirementsMessage, EmergencyWithoutScene) {
   EXPECT_THAT(messages_of({{"pack", "en1838"}}),
               ElementsAre("project.xml:7:5: error[rule-needs-scene]: role 'route' of rule pack "
-                          "'en1838:2024' is judged with emergency luminaires alone: name the scene "
-                          "in which only they are lit, scene=\"...\""));
+                          "'en1838:2024' is judged with emergency luminaires only: name the scene "
+                          "that lights only these, scene=\"...\""));
 }
 
 TEST(BindRequirementsMessage, PlaneThatMeasuresSomethingElse) {
@@ -854,7 +854,7 @@ TEST(BindRequirementsMessage, FactsThatAreNone) {
   };
   const std::string head = "project.xml:7:40: error[rule-fact]: attribute 'facts' of <require>: ";
   const std::string tail =
-      ": 'task-illuminance' is an illuminance (lx, fc), once; expected "
+      ": 'task-illuminance' is an illuminance (lx, fc), given once; expected "
       "'task-illuminance=NUMBER lx'";
   EXPECT_THAT(message("task-illuminance=500"), ElementsAre(head + "'task-illuminance=500'" + tail));
   EXPECT_THAT(message("task-illuminance"), ElementsAre(head + "'task-illuminance'" + tail));

@@ -172,7 +172,7 @@ TEST(Buildings, RefuseWhatMeansNothingOfThem) {
   EXPECT_THAT(judge("<building id='B'><require pack='ashrae90-1' row='parking'><deviation "
                     "in='height' because='b' by='c' until='2999-12-31'/></require></building>")
                   .messages,
-              Contains(HasSubstr("<deviation> has no meaning in a <building>")));
+              Contains(HasSubstr("a <building> has no points and cannot have a <deviation>")));
 }
 
 TEST(Buildings, NumberRequirementsThatHaveNoId) {

@@ -196,9 +196,8 @@ TEST(LoadJudgedProject, LightOfEmergenciesInNormalUseIsToldOf) {
   const std::string battery = "<dim group='g' level='0'/><dim group='e' level='0.3'/>";
   EXPECT_THAT(
       messages("", battery),
-      ElementsAre(HasSubstr("'r': what is asked without a scene is of all luminaires at full "
-                            "output, also of group 'e', which an emergency has in scene "
-                            "'battery'")));
+      ElementsAre(HasSubstr("'r': requirements without a scene count all luminaires at full "
+                            "output, also group 'e' of the emergency scene 'battery'")));
   EXPECT_THAT(messages(" scene='normal'", battery), IsEmpty());
   EXPECT_THAT(messages("", "<dim group='g' level='1'/><dim group='e' level='0.3'/>"), IsEmpty());
 }

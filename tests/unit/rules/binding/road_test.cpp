@@ -193,7 +193,7 @@ TEST(RoadRequirements, AreOfCarriagewaysOnly) {
                  "quantity='TI' at-most='15'/></strip>"});
   EXPECT_THAT(own.messages,
               ElementsAre(HasSubstr("error[quantity-of-road]: <require>: 'TI' is about the "
-                                    "carriageway of a <road>, and this plane is none")));
+                                    "carriageway of a <road>, and this plane is not one")));
   const Bound row =
       bind_road({"<strip id='w' side='right' width='2'><require pack='en13201-2' "
                  "row='M3' role='carriageway'/></strip>"});

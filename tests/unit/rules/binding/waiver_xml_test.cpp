@@ -108,10 +108,11 @@ TEST(Waivers, OfOneCheckTwiceAreErrors) {
 }
 
 TEST(Waivers, OfWhatIsNotAskedAreErrors) {
-  EXPECT_THAT(in_require(waiver("wall.Em")).errors,
-              ElementsAre(HasSubstr("error[waiver-not-asked]: attribute 'checks' of <waiver>: the "
-                                    "check 'wall.Em', of the role 'wall', is not asked here; "
-                                    "asked: task.Em, task.Uo or colour")));
+  EXPECT_THAT(
+      in_require(waiver("wall.Em")).errors,
+      ElementsAre(HasSubstr(
+          "error[waiver-not-asked]: attribute 'checks' of <waiver>: the check 'wall.Em', of the "
+          "role 'wall', is not required here; required: task.Em, task.Uo or colour")));
   EXPECT_THAT(in_require(waiver("task.Em"), "row='34.2' role='wall'").errors,
               ElementsAre(HasSubstr("asked: wall.Em or wall.Uo")));
 }
@@ -119,12 +120,13 @@ TEST(Waivers, OfWhatIsNotAskedAreErrors) {
 // A task of the whole room has no surround; a ceiling that is left out is not asked either. Colour
 // is asked along with the task.
 TEST(Waivers, OfWhatAWorkplaceDoesNotMakeAreErrors) {
-  EXPECT_THAT(in_workplace(waiver("surround.Em")).errors,
-              ElementsAre(HasSubstr("'surround.Em', of the role 'surround', is not asked here")));
+  EXPECT_THAT(
+      in_workplace(waiver("surround.Em")).errors,
+      ElementsAre(HasSubstr("'surround.Em', of the role 'surround', is not required here")));
   EXPECT_THAT(in_workplace("<without role='ceiling' because='open' by='A' until='2099-12-31'/>" +
                            waiver("ceiling.Em"))
                   .errors,
-              ElementsAre(HasSubstr("'ceiling.Em', of the role 'ceiling', is not asked here")));
+              ElementsAre(HasSubstr("'ceiling.Em', of the role 'ceiling', is not required here")));
   EXPECT_THAT(in_workplace(waiver("colour")).errors, testing::IsEmpty());
   EXPECT_THAT(in_workplace("<without role='wall.1' because='glass' by='A' until='2099-12-31'/>" +
                            waiver("wall.Em"))
@@ -157,10 +159,11 @@ TEST(Waivers, OfARowNameTheirChecks) {
       in_require("", "row='34.2' waived-because='r' waived-by='o' waived-until='2027-06-30'")
           .errors,
       ElementsAre(HasSubstr(
-          "error[waiver-of-whole-row]: attribute 'waived-because' of <require>: on a row of a rule "
-          "pack it would waive every check; write <waiver checks=\"task.Em task.Uo colour\" ")));
-  EXPECT_THAT(in_require("", "row='34.2' waived-by='o'").errors,
-              ElementsAre(HasSubstr("attribute 'waived-by' of <require>: on a row")));
+          "error[waiver-of-whole-row]: attribute 'waived-because' of <require>: it would waive "
+          "every check of the row; write <waiver checks=\"task.Em task.Uo colour\" ")));
+  EXPECT_THAT(
+      in_require("", "row='34.2' waived-by='o'").errors,
+      ElementsAre(HasSubstr("attribute 'waived-by' of <require>: it would waive every check")));
 }
 
 TEST(Waivers, OfALimitOfItsOwnAreAttributes) {
@@ -169,7 +172,8 @@ TEST(Waivers, OfALimitOfItsOwnAreAttributes) {
                      ">" + inside + "</require></plane>");
   };
   EXPECT_THAT(own(waiver("average"), "").errors,
-              ElementsAre(HasSubstr("error[waiver-of-own-limit]: <waiver> has no meaning")));
+              ElementsAre(HasSubstr(
+                  "error[waiver-of-own-limit]: <waiver> is only for requirements of a rule pack")));
   const Waived good = own("", " waived-because='r' waived-by='o' waived-until='2027-06-30'");
   EXPECT_THAT(good.errors, IsEmpty());
   EXPECT_THAT(good.checks, ElementsAre("t "));

@@ -365,13 +365,13 @@ TEST(WorkplaceGrid, CopiesOfAFaceLieInTheRoom) {
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_EQ(made.area("w[0,2].task").origin_m, glm::dvec3(12, 26, 1));
   EXPECT_THAT(grid("0 3.6").messages,
-              ElementsAre(HasSubstr("copy 'w[0,2]': its face does not lie within room 'r'")));
+              ElementsAre(HasSubstr("copy 'w[0,2]': its face is not within room 'r'")));
   // The last copy lies on the far wall, and looks at the room; the other way it looks out of it.
   EXPECT_THAT(grid("0 3.5").messages, IsEmpty());
   EXPECT_THAT(make("<workplace-grid id='w' pack='en12464-1:2021' row='13.6' face='10 1 2 1' "
                    "heights='0 2' repeat='1 3' step='0 3.5'/>")
                   .messages,
-              ElementsAre(HasSubstr("copy 'w[0,2]': its face does not lie within room 'r'")));
+              ElementsAre(HasSubstr("copy 'w[0,2]': its face is not within room 'r'")));
 }
 
 TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
@@ -379,7 +379,7 @@ TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
     return make(upright(attributes, children)).messages;
   };
   EXPECT_THAT(message(""),
-              ElementsAre(HasSubstr("the task of row '44.4.1' is upright; say where")));
+              ElementsAre(HasSubstr("the task of row '44.4.1' is upright; state its place")));
   EXPECT_THAT(message(kDesk), ElementsAre(HasSubstr("the task of row '44.4.1' is upright")));
   EXPECT_THAT(message("wall='5'"),
               ElementsAre(HasSubstr("the number of a wall of the room, 1 to 4")));
@@ -740,11 +740,9 @@ TEST(WorkplaceMessage, AWorkplaceWithoutItsTask) {
   EXPECT_THAT(
       make(workplace("", "<without role='task' because='x' by='A. Meier' until='2099-12-31'/>"))
           .messages,
-      ElementsAre(HasSubstr(
-          "error[workplace-without-task]: workplace 'w': 'task' is its task, and without it "
-          "nothing "
-          "else of the row means anything; change it by <zone role=\"task\" .../>, waive its "
-          "checks by <waiver checks=\"task.Em task.Uo colour\" ")));
+      ElementsAre(HasSubstr("error[workplace-without-task]: workplace 'w': it needs its task "
+                            "'task'; change the task with <zone role=\"task\" .../>, waive its "
+                            "checks with <waiver checks=\"task.Em task.Uo colour\" ")));
 }
 
 TEST(Workplace, WhatIsLeftOutHasOwnerAndLastDay) {
@@ -1027,9 +1025,9 @@ TEST(WorkplaceMessage, AnIdThatIsTaken) {
 
 TEST(WorkplaceMessage, APackThatMakesNoWorkplaces) {
   EXPECT_THAT(make("<workplace id='w' pack='en12464-2' row='5.1-walkways'/>").messages,
-              ElementsAre(HasSubstr("rule pack 'en12464-2:2014' does not say where the planes of a "
-                                    "workplace are, for row '5.1-walkways' or any other; give "
-                                    "every <plane> with its <require>")));
+              ElementsAre(HasSubstr(
+                  "rule pack 'en12464-2:2014' does not say where the planes of a workplace are, "
+                  "for row '5.1-walkways' or any other; write every <plane> with its <require>")));
 }
 
 // A luminaire whose type has an error has none: nothing may be asked of it, and the error is said.

@@ -125,8 +125,8 @@ TEST(ImportRowsMessage, SaysWhatIsWrongAndWhere) {
   const Imported twice =
       imported(kHeader + "1,d,G,a,50,,0.6,80,19,,,,,A,,\n1,d,G,b,50,,0.6,80,19,,,,,A,,\n");
   EXPECT_FALSE(twice.pack.has_value());
-  EXPECT_THAT(twice.messages, ElementsAre("rows.csv:3: error[rule-import]: the pack has two of "
-                                          "<row> '1'; names are given once"));
+  EXPECT_THAT(twice.messages, ElementsAre("rows.csv:3: error[rule-import]: the pack has two <row> "
+                                          "with the name '1'; names must be unique"));
   EXPECT_THAT(
       imported(kHeader + "1,d,G,a,50,,0.6,80,19,,,,,A,,\n2,d,G,b,-5,,0.6,80,19,,,,,A,,\n").messages,
       ElementsAre(testing::StartsWith("rows.csv:3: error[rule-import]: ")));

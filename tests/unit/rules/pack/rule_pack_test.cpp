@@ -214,7 +214,7 @@ TEST(RulePackMessage, SpecialPlaces) {
               ElementsAre(HasSubstr("attribute 'rows' of <special>: there is no row '3'")));
   EXPECT_THAT(said("place='other-wall' limit='3 lx' trust='confirmed'/>"
                    "<special place='other-wall' limit='2 lx' trust='confirmed'"),
-              ElementsAre(HasSubstr("the pack has two of <special> 'other-wall'")));
+              ElementsAre(HasSubstr("the pack has two <special> with the name 'other-wall'")));
 }
 
 TEST(RulePackMessage, OtherRootElement) {
@@ -233,8 +233,8 @@ TEST(RulePackMessage, NoChecks) {
 
 TEST(RulePackMessage, RepeatedNames) {
   EXPECT_THAT(messages_of(pack_with(kParameter + kCheck + kCheck)),
-              ElementsAre("own.xml:4:8: error[rule-name-twice]: the pack has two of <check> "
-                          "'desk.E'; names are given once"));
+              ElementsAre("own.xml:4:8: error[rule-name-twice]: the pack has two <check> with the "
+                          "name 'desk.E'; names must be unique"));
   EXPECT_THAT(messages_of(pack_with(kParameter +
                                     "<row ref='1' name='a' trust='confirmed'>\n"
                                     "<value of='E' required='4'/><value of='E' required='5'/>"
@@ -329,8 +329,8 @@ TEST(RulePackMessage, Circles) {
   const auto circle = [](const std::string& checks) { return messages_of(pack_with(checks)); };
   EXPECT_THAT(circle(check_named("a", "limit(b)") + check_named("b", "2 * result(c)") +
                      check_named("c", "limit(a) + 1 lx")),
-              ElementsAre(HasSubstr("own.xml:2:65: error[rule-circle]: check 'a' hangs on its own "
-                                    "limit or result: a -> b -> c -> a; ")));
+              ElementsAre(HasSubstr("own.xml:2:65: error[rule-circle]: check 'a' depends on its "
+                                    "own limit or result: a -> b -> c -> a; ")));
   EXPECT_THAT(circle(check_named("a", "limit(a)")), ElementsAre(HasSubstr("a -> a")));
 }
 

@@ -204,9 +204,9 @@ TEST(Gldf, FilesOnTheWebAreNotFetched) {
   GldfSample sample;
   sample.files = "<File id='f1' contentType='ldc/eulumdat' type='url'>https://e.org/a.ldt</File>";
   EXPECT_EQ(parse(gldf_bytes(sample)).messages,
-            "a.gldf/product.xml:2:1: error[gldf-url]: the photometry 'f1' lies on the web, at "
-            "'https://e.org/a.ldt'; luxgate fetches nothing: download the file and name it in the "
-            "project instead of the GLDF file\n");
+            "a.gldf/product.xml:2:1: error[gldf-url]: the photometry 'f1' is on the web, at "
+            "'https://e.org/a.ldt', and luxgate downloads nothing; download the file and name it "
+            "in the project instead of the GLDF file\n");
 }
 
 TEST(Gldf, BrokenReferencesAreNamed) {
@@ -248,8 +248,8 @@ TEST(Gldf, DamagedContainersAreNamed) {
   EXPECT_EQ(parse(zip_bytes({})).messages,
             "a.gldf: error[archive-missing]: the archive has no 'product.xml'; it has: none\n");
   EXPECT_EQ(parse(zip_bytes({{"product.xml", "<Luminaire/>"}})).messages,
-            "a.gldf/product.xml:1:1: error[photometry-xml-root]: <Luminaire> is no photometry that "
-            "luxgate reads; readable: Root, in product.xml of a GLDF file\n");
+            "a.gldf/product.xml:1:1: error[photometry-xml-root]: <Luminaire> is not photometry "
+            "that luxgate reads; readable: Root, in product.xml of a GLDF file\n");
   EXPECT_EQ(parse(zip_bytes({{"product.xml", "<Root/>"}})).messages,
             "a.gldf/product.xml:1:1: error[photometry-missing]: <Root> has no "
             "<GeneralDefinitions>\n");

@@ -177,9 +177,10 @@ TEST(GldfTogether, PlacesThatAreNotKnownAreSaid) {
   sample.variants =
       "<Variant id='v1'><EmitterReference emitterId='e1'/><EmitterReference emitterId='e2'/>"
       "</Variant>";
-  EXPECT_THAT(reason(sample, l3d()),
-              HasSubstr("warning[gldf-places]: where the emitters 'e1', 'e2' are is not known: "
-                        "product.xml names no model"));
+  EXPECT_THAT(
+      reason(sample, l3d()),
+      HasSubstr("warning[gldf-places]: the places of the emitters 'e1', 'e2' are not known: the "
+                "product names no model"));
 }
 
 TEST(GldfTogether, WhatNobodySaysIsRefused) {

@@ -88,7 +88,7 @@ TEST(Lm63, VersionTagsOfPracticeAreKnown) {
   EXPECT_THAT(
       parse(ies_text(sample)).messages,
       HasSubstr(
-          "a.ies:1: warning[photometry-version]: 'IESNA:LM-63-2042' is no known LM-63 version"));
+          "a.ies:1: warning[photometry-version]: 'IESNA:LM-63-2042' is not a known LM-63 version"));
 }
 
 TEST(Lm63, MissingKeywordsAreNamed) {

@@ -73,8 +73,8 @@ TEST(Lm63Tilt, DataMayComeFromAFileBeside) {
   ASSERT_TRUE(parsed.web) << parsed.messages;
   EXPECT_NEAR(tilt_factor(*parsed.web->source().lamp_tilt, 45.0 * kDegree), 0.9, 1e-12);
   EXPECT_THAT(parse("TILT=other.tlt\n", read).messages,
-              HasSubstr("lamps/a.ies:7: error[photometry-tilt-file]: TILT=other.tlt: there is no "
-                        "such file beside this one"));
+              HasSubstr("lamps/a.ies:7: error[photometry-tilt-file]: TILT=other.tlt: this file is "
+                        "not in the same folder"));
   EXPECT_THAT(parse("TILT=lamp.tlt\n").messages, HasSubstr("error[photometry-tilt-file]"));
   for (const char* name : {"../lamp.tlt", "/etc/passwd", "C:\\lamp.tlt", "sub/lamp.tlt", ".."}) {
     EXPECT_THAT(parse(std::string("TILT=") + name + "\n", read).messages,

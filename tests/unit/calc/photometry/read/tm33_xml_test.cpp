@@ -393,7 +393,7 @@ TEST(Tm33, WhatIsNotAppliedIsWarnedOf) {
 
 TEST(Tm33, OtherRootsAreRefused) {
   EXPECT_EQ(parse("<lamp/>").messages,
-            "a.xml:1:1: error[photometry-xml-root]: <lamp> is no photometry that luxgate reads; "
+            "a.xml:1:1: error[photometry-xml-root]: <lamp> is not photometry that luxgate reads; "
             "readable: IESTM33, IESTM33-18, IESTM33-22 or LuminaireOpticalData\n");
   EXPECT_EQ(parse("<IESTM33-22/>").messages,
             "a.xml:1:1: error[photometry-missing]: <IESTM33-22> has no <Emitter>\n");

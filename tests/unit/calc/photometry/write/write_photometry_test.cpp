@@ -267,10 +267,10 @@ TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
           diagnostics);
   EXPECT_EQ(diagnostics_text(diagnostics),
             "new: warning[photometry-write-range]: the table ends in the light and is written as "
-            "it is, from gamma 0 to 65; LM-63 wants it from 0 or 90 to 90 or 180, and other "
+            "it is, from gamma 0 to 65; LM-63 requires it from 0 or 90 to 90 or 180, and other "
             "readers may refuse it\n"
             "new: warning[photometry-write-range]: the table ends in the light and is written as "
-            "it is, from gamma 90 to 180; EULUMDAT wants it from 0 to 90 or 180, and other "
+            "it is, from gamma 90 to 180; EULUMDAT requires it from 0 to 90 or 180, and other "
             "readers may refuse it\n");
 }
 

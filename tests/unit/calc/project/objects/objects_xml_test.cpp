@@ -83,7 +83,7 @@ TEST(ObjectsXml, PolygonsAreMendedAndSaid) {
   ASSERT_TRUE(frame.project) << frame.messages;
   EXPECT_NEAR(area(frame), 10.0, 1e-12);
   EXPECT_EQ(frame.project->spaces[0].bodies[0].vertex_m.size(), 8u);
-  EXPECT_NE(frame.messages.find("attribute 'points' of <polygon> was mended, the area stays: 1 "
+  EXPECT_NE(frame.messages.find("attribute 'points' of <polygon> was mended and keeps its area: 1 "
                                 "spike, 1 joined hole or part; the longest"),
             std::string::npos)
       << frame.messages;

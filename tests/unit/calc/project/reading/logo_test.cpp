@@ -110,7 +110,7 @@ TEST(Logo, WhatActsOrFetchesIsRefused) {
       {"<html xmlns=\"http://www.w3.org/1999/xhtml\"/>", "its first element must be"},
       {"<?xml version=\"1.0\"?><?xml-stylesheet href=\"x.css\"?>" + svg(""), "'<?' is allowed"},
       {"<?xml-stylesheet href=\"x.css\"?>" + svg(""), "'<?' is allowed"},
-      {"<!DOCTYPE svg [<!ENTITY a \"b\">]>" + svg("&a;"), "a DOCTYPE is not accepted"},
+      {"<!DOCTYPE svg [<!ENTITY a \"b\">]>" + svg("&a;"), "a DOCTYPE is not allowed"},
       {svg("&x;"), "line 1"},
       {svg("<g>"), "not well-formed"},
       {"", "line"},

@@ -86,8 +86,8 @@ TEST(LuminaireList, MistakesWithQuotesEndTheReading) {
 TEST(LuminaireList, HeadersAreChecked) {
   const std::string start =
       "l.csv:1: error[luminaire-list-header]: the first line must name columns: name, type, x_m, "
-      "y_m, z_m, and if needed axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, rotation_deg, "
-      "group; _mm, _cm, _in or _ft instead of _m for other units; ";
+      "y_m, z_m; optional are axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, rotation_deg, "
+      "group; other units are _mm, _cm, _in and _ft; ";
   EXPECT_EQ(parse("").messages, start + "unknown column ''");
   EXPECT_EQ(parse("name;type;x;y;z\n").messages,
             "l.csv:1:5: error[csv-separator]: cells are separated by semicolons; commas are needed "

@@ -89,9 +89,9 @@ TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
   const std::string thick =
       ObjText().box("house", kLow, kHigh, false).box("hall", {1, 1, 0.1}, {2, 2, 2}, true).text();
   EXPECT_EQ(load_room(thick).messages,
-            "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': what is the room in 'hall.obj' "
-            "is not clear: shell 2 is inside shell 1 and has faces that look the other way; it may "
-            "be a solid in the room, or the room within thick walls; name one with "
+            "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': luxgate cannot tell which part "
+            "of 'hall.obj' is the room: shell 2 is inside shell 1 and has faces that look the other "
+            "way; it may be a solid in the room, or the room within thick walls; name one with "
             "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
             "room is the space between all surfaces, such as thick walls)");
   const Loaded chosen = load_room(thick, R"( shell="2")");
@@ -173,14 +173,13 @@ TEST(MeshRoom, ShellsSideBySideAreAnError) {
 TEST(MeshRoom, LeaksAreMeasuredAndAllowed) {
   const Loaded loaded = load_room(ObjText().box("hall", kLow, kHigh, true, 1).text());
   ASSERT_TRUE(loaded.project) << loaded.messages;
-  EXPECT_EQ(
-      loaded.messages,
-      "dir/p.xml:4:14: warning[mesh-room-open]: room 'r': the surfaces of 'hall.obj' are not "
-      "closed: 4 edges, 14 m together, have no neighbour; the longest, 4 m, begins at (0.000, "
-      "0.000, 2.500) m; light may get out there, and points outside the room are not told "
-      "from those in it\n"
-      "dir/p.xml: warning[project-without-planes]: the project has no <plane>: there is "
-      "nothing to calculate");
+  EXPECT_EQ(loaded.messages,
+            "dir/p.xml:4:14: warning[mesh-room-open]: room 'r': the surfaces of 'hall.obj' are not "
+            "closed: 4 edges, 14 m together, have no neighbour; the longest, 4 m, begins at "
+            "(0.000, 0.000, 2.500) m; light may escape there, and luxgate cannot tell which points "
+            "are outside the room\n"
+            "dir/p.xml: warning[project-without-planes]: the project has no <plane>: there is "
+            "nothing to calculate");
   EXPECT_FALSE(room_of(loaded).bodies.at(0).encloses_room);
   EXPECT_FALSE(room_of(loaded).bodies.at(0).is_closed);
   EXPECT_EQ(room_of(loaded).outline_m.size(), 4u);

@@ -188,10 +188,9 @@ TEST(PlanesXml, PointListsKeepTheirUnitAndAreMovedIntoTheRoom) {
   const Loaded bare = load_list("x,y,z", "cm");
   ASSERT_TRUE(bare.project) << bare.messages;
   expect_near(first_point(bare), {11, 2, 0.8});
-  EXPECT_THAT(
-      bare.messages,
-      testing::HasSubstr("warning[point-list-unit]: 'list.csv': its columns x, y and z name "
-                         "no unit and are read in metres, and the project is in cm"));
+  EXPECT_THAT(bare.messages,
+              testing::HasSubstr("warning[point-list-unit]: 'list.csv': its columns x, y and z "
+                                 "have no unit and are read in metres, but the project is in cm"));
   for (const std::string head : {"x_m,y_m,z_m", "x_mm,y_mm,z_mm"}) {
     const Loaded named = load_list(head, "cm");
     ASSERT_TRUE(named.project) << named.messages;

@@ -246,8 +246,8 @@ TEST(RoadXml, WarnsOfLightThatGoesElsewhere) {
   };
   EXPECT_EQ(said(""),
             "dir/p.xml:4:1: warning[road-luminaire-turned]: row of luminaires 'r': most of its "
-            "light goes to C90, and it is C0 that looks to the street; write street=\"C90\", or "
-            "street=\"C0\" if that is meant");
+            "light goes to C90, but C0 faces the street; write street=\"C90\", or street=\"C0\" if "
+            "that is meant");
   EXPECT_EQ(said("street='C0'"), "");
   EXPECT_EQ(said("street='C90'"), "");
 }

@@ -50,11 +50,12 @@ TEST(RoomXml, FootprintsAreMendedAndSaid) {
   ASSERT_TRUE(mended.project) << mended.messages;
   ASSERT_TRUE(mended.project->spaces[0].shell);
   EXPECT_EQ(mended.project->spaces[0].bodies.size(), 6u);
-  EXPECT_NE(mended.messages.find("warning[outline-mended]: attribute 'footprint' of <room> was "
-                                 "mended, the area stays: 1 doubled corner, 1 spike; the longest "
-                                 "stretch that was taken out, 2.24 m, at (6.000, 1.000, 0.000) m; "
-                                 "walls are numbered without these corners"),
-            std::string::npos)
+  EXPECT_NE(
+      mended.messages.find("warning[outline-mended]: attribute 'footprint' of <room> was mended "
+                           "and keeps its area: 1 doubled corner, 1 spike; the longest part that "
+                           "was removed is 2.24 m, at (6.000, 1.000, 0.000) m; "
+                           "walls are numbered without these corners"),
+      std::string::npos)
       << mended.messages;
   EXPECT_NE(room("0 0  4 3  4 0  0 3").messages.find("not-simple-polygon"), std::string::npos);
   // A hole: no prism.

@@ -135,20 +135,19 @@ TEST(WorkplaceGridXmlMessage, CopiesThatCannotBe) {
   expect_message(load_grid(area + "repeat='2 0' step='1 1'"), "attribute 'repeat'");
   expect_message(load_grid(area + "repeat='2 1'"), "<workplace-grid> needs the attribute 'step'");
   expect_message(load_grid(area + "repeat='4 1' step='1.2 0'"),
-                 "error[copy-outside-room]: copy 'g[3,0]': 0.8 m2 of its areas lie outside room "
-                 "'r'; all copies must lie within the room");
+                 "error[copy-outside-room]: copy 'g[3,0]': 0.8 m2 of its areas are outside room "
+                 "'r'; all copies must be within the room");
 }
 
 TEST(WorkplacesXmlMessage, TaskLargerThanTheRoom) {
-  expect_message(
-      load_workplace("origin='1 1' size='4 1'"),
-      "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
-      "m2 lie outside room 'r'; it must lie within the room");
+  expect_message(load_workplace("origin='1 1' size='4 1'"),
+                 "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its "
+                 "4 m2 are outside room 'r'; it must be within the room");
 }
 
 TEST(WorkplacesXmlMessage, AreaOfAZoneOutsideTheRoom) {
   expect_message(load_workplace("", "<zone role='background' footprint='0 0  9 0  9 3  0 3'/>"),
-                 "attribute 'footprint' of <zone>: 15 of its 27 m2 lie outside room 'r'");
+                 "attribute 'footprint' of <zone>: 15 of its 27 m2 are outside room 'r'");
 }
 
 TEST(WorkplacesXmlMessage, AreasThatAreNone) {
@@ -203,7 +202,7 @@ TEST(WorkplacesXmlMessage, OutsideARoom) {
 TEST(WorkplacesXmlMessage, InARoomOfABuildingFile) {
   expect_message(load(in_project("<room id='b' file='house.xml' space='low' material='white'>"
                                  "<workplace id='w' pack='p' row='1' height='0.75'/></room>")),
-                 "error[workplace-needs-room]: <workplace> needs a room given by 'size'");
+                 "error[workplace-needs-room]: <workplace> needs a room with 'size'");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(CoincidentSurfaces, OfTwoSheetsInOnePlaceNoneIsTheUpperOne) {
                   material + "'/>")
         .messages;
   };
-  EXPECT_THAT(second("felt", "2 2 1"), HasSubstr("object 'b' lies exactly in 'a' of line"));
+  EXPECT_THAT(second("felt", "2 2 1"), HasSubstr("object 'b' is exactly in 'a' of line"));
   EXPECT_THAT(second("glass", "2 2 1"), Not(HasSubstr("surfaces-coincide")));
   EXPECT_THAT(second("felt", "3 2 1"), Not(HasSubstr("surfaces-coincide"))) << "side by side";
   EXPECT_THAT(second("felt", "2 2 1.001"), Not(HasSubstr("surfaces-coincide")));
@@ -145,8 +145,8 @@ TEST(DoubledFaces, InOneMeshTheDarkerOneCounts) {
       EXPECT_NEAR(areas["glass"], glass_m2, 1e-9) << second << is_glass_first;
       EXPECT_NEAR(areas["white"], all_m2 - glass_m2, 1e-9) << second << is_glass_first;
       EXPECT_THAT(read.messages,
-                  HasSubstr("warning[faces-coincide]: object 'm': 2 of its triangles "
-                            "lie exactly in others of it, of another material, "))
+                  HasSubstr("warning[faces-coincide]: object 'm': 2 of its triangles are exactly "
+                            "in others of it, of another material, "))
           << second << is_glass_first;
     }
   }

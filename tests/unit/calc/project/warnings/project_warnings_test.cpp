@@ -79,9 +79,9 @@ std::string with_second_luminaire(const std::string& rest) {
 
 TEST(ProjectWarnings, ALuminaireThatWasPastedTwiceIsNamedWithTheFirst) {
   EXPECT_EQ(with_second_luminaire(R"(position="2 1.5 2.5")"),
-            "dir/p.xml:6:1: warning[luminaires-coincide]: luminaire 'l' stands where 'k' of line 5 "
-            "does, within 10 mm, with the same type and aim: pasted twice? delete one of them, or "
-            "move it");
+            "dir/p.xml:6:1: warning[luminaires-coincide]: luminaire 'l' is at the place of 'k' of "
+            "line 5, within 10 mm, with the same type and aim; was it pasted twice? delete one of "
+            "them, or move it");
   EXPECT_THAT(with_second_luminaire(R"(position="2.009 1.5 2.5")"), HasSubstr("coincide"));
   EXPECT_EQ(with_second_luminaire(R"(position="2.011 1.5 2.5")"), "");
   EXPECT_EQ(with_second_luminaire(R"(position="2 1.5 2.5" aim="0 0 0")"), "");  // two heads
@@ -108,7 +108,7 @@ TEST(ProjectWarnings, OneHousingIsNotTwoLuminairesOfAlmostTheSameLight) {
 <room id="z" origin="90 0 0" size="4 3 2.5" ceiling="white" walls="white" floor="white">)");
   };
   EXPECT_THAT(two("1.5 1.5 2.4", R"(type="more")"), HasSubstr("'k' of line"));
-  EXPECT_THAT(two("1.5 1.515 2.4", R"(type="more")"), HasSubstr("does, within 15 mm,"));
+  EXPECT_THAT(two("1.5 1.515 2.4", R"(type="more")"), HasSubstr(", within 15 mm,"));
   EXPECT_THAT(two("1.5 1.8 2.4", R"(type="more")"), Not(HasSubstr("coincide")));
   EXPECT_THAT(two("1.5 1.5 2.4", R"(type="half")"), Not(HasSubstr("coincide")));
   EXPECT_THAT(two("1.5 1.5 2.4", R"(type="more" group="warm")"), Not(HasSubstr("coincide")));
@@ -149,7 +149,7 @@ TEST(ProjectWarnings, PanelsInOneAnotherAreNamed) {
         id, turn);
   };
   EXPECT_THAT(messages_in_room(grid("g", "0") + grid("h", "90")),
-              HasSubstr("luminaires of this space likewise): two cannot hang there"));
+              HasSubstr("luminaires of this space likewise), and the light of both counts"));
 }
 
 TEST(ProjectWarnings, FurtherPastedLuminairesAreCounted) {
@@ -176,8 +176,8 @@ TEST(ProjectWarnings, AnOpeningThatReachesThroughAWallIsToldFromOneThatTouchesIt
   };
   EXPECT_EQ(panel_at("0.1"),
             "dir/p.xml:7:1: warning[luminaire-partly-outside]: luminaire 'k': its luminous opening "
-            "reaches 0.2 m out of room 'q', and the light of that part is missing in the results; "
-            "move it, or see in 'luxgate photometry' whether its size is right");
+            "reaches 0.2 m out of room 'q', and the light of that part is missing; move it, or "
+            "check its size with 'luxgate photometry'");
   EXPECT_THAT(panel_at("0.298"), HasSubstr("luminaire-partly-outside"));
   EXPECT_EQ(panel_at("0.2995"), "");
   EXPECT_EQ(panel_at("0.3"), "");
@@ -195,8 +195,8 @@ std::string with_type(const std::string& attributes) {
 
 TEST(ProjectWarnings, FluxAndPowerMustMakeAUsualEfficacy) {
   EXPECT_THAT(with_type(R"(flux-lm="2510" power-w="10")"),
-              HasSubstr("warning[efficacy-unusual]: luminaire type 't': 2510 lm for 10 W make 251 "
-                        "lm/W, where 5 to 250 are usual: are flux and power right?"));
+              HasSubstr("warning[efficacy-unusual]: luminaire type 't': 2510 lm for 10 W are 251 "
+                        "lm/W, and 5 to 250 are usual; check flux and power"));
   EXPECT_THAT(with_type(R"(flux-lm="49" power-w="10")"), HasSubstr("efficacy-unusual"));
   EXPECT_EQ(with_type(R"(flux-lm="2490" power-w="10")"), "");
   // A slip in what might be taken would win every search for the least power.
@@ -230,8 +230,9 @@ TEST(ProjectWarnings, ReflectancesThatNoPaintHasAreUnusualButZeroIsOnPurpose) {
 TEST(ProjectWarnings, APlaneThatFacesAwayFromEveryLuminaireGetsReflectedLightOnly) {
   const std::string text =
       messages(in_room(R"(<plane id="p" origin="1 1 1" u="0 1 0" v="1 0 0"/>)"));
-  EXPECT_THAT(text, HasSubstr("dir/p.xml:5:1: warning[plane-faces-away]: plane 'p' faces away "
-                              "from every luminaire of its space: only reflected light reaches"));
+  EXPECT_THAT(text,
+              HasSubstr("dir/p.xml:5:1: warning[plane-faces-away]: plane 'p' faces away "
+                        "from every luminaire of its space, and only reflected light reaches"));
   EXPECT_EQ(messages(in_room(R"(<plane id="p" origin="1 1 1" u="1 0 0" v="0 1 0"/>)")), "");
   // Upright, with the luminaire at x = 2 m.
   EXPECT_EQ(messages(in_room(R"(<plane id="p" origin="1.99 1 1" u="0 1 0" v="0 0 1"/>)")), "");
@@ -274,7 +275,7 @@ TEST(ProjectWarnings, RoomsThatShareSpaceDoNotSeeEachOther) {
   const auto of_two = [](const std::string& origin, const std::string& size) {
     return messages(in_project(room_at("a", "0 0 0", "6 4 3") + room_at("b", origin, size)));
   };
-  EXPECT_THAT(of_two("5.9 1 0", "4 2 3"), HasSubstr("rooms 'b' and 'a' share space:"));
+  EXPECT_THAT(of_two("5.9 1 0", "4 2 3"), HasSubstr("rooms 'b' and 'a' overlap;"));
   EXPECT_THAT(of_two("1 1 1", "1 1 1"), HasSubstr("rooms-overlap"));
   for (const char* beside : {"6 0 0", "5.995 0 0", "0 4 0", "0 0 3", "0 0 2.995"}) {
     EXPECT_THAT(of_two(beside, "6 4 3"), Not(HasSubstr("rooms-overlap"))) << beside;
@@ -295,7 +296,7 @@ TEST(ProjectWarnings, ObjectsOfTheOpenSpaceThatReachIntoARoom) {
   };
   // A deck over the whole room whose middle lies outside; a wall across; a box around all of it.
   EXPECT_THAT(with("<quad id='d' origin='-1 -1 1.5' u='30 0 0' v='0 8 0' material='white'/>\n"),
-              HasSubstr("object 'd' stands in the open space, but within room 'a'"));
+              HasSubstr("object 'd' is in the open space but within room 'a'"));
   EXPECT_THAT(with("<quad id='d' origin='3 -9 -1' u='0 30 0' v='0 0 9' material='white'/>\n"),
               HasSubstr("object-inside-room"));
   EXPECT_THAT(with("<box id='d' position='-1 -1 -1' size='30 30 30' material='white'/>\n"),
@@ -314,7 +315,7 @@ TEST(ProjectWarnings, RoomsThrowNoShadowInTheOpenSpace) {
       "<luminaire id='mast' type='spot' position='20 2 8'/>\n"
       "<plane id='p' points='-10 0 0  -5 0 0  -5 5 0  -10 5 0'/>\n";
   EXPECT_THAT(messages(in_project(site + room_at("a", "0 0 0", "6 4 3"))),
-              HasSubstr("room 'a' stands among the luminaires and planes of the open space"));
+              HasSubstr("room 'a' is among the luminaires and planes of the open space"));
   EXPECT_THAT(messages(in_project(site + room_at("a", "0 40 0", "6 4 3"))),
               Not(HasSubstr("room-in-open-space")));
 }
