@@ -4,6 +4,7 @@
 #include "calc/base/edit_distance.h"
 #include "calc/base/text.h"
 #include "report/formats/console_lines.h"
+#include "report/tools/rules/pack_words.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
 
@@ -544,19 +545,46 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
 constexpr std::string_view kEffectOfErrors =
     "luxgate judges nothing that depends on it, and the exit code is 2.";
 constexpr std::string_view kEffectOfWarnings =
-    "The results count all the same. The exit code changes only with --strict, or if a policy "
-    "names "
-    "the warning.";
+    "The results count all the same. The exit code changes only with --strict, or where a policy "
+    "says so.";
+constexpr std::string_view kEffectOfRemarks = "It changes no result and no exit code.";
 
-constexpr int kWidth = 80;  // columns
+// Warnings about a run, a rule pack or a table to import. --strict counts warnings of projects.
+constexpr bool is_remark(calc::DiagnosticId id) {
+  switch (id) {
+    case calc::DiagnosticId::rule_import_skipped:
+    case calc::DiagnosticId::rule_value_unusual:
+    case calc::DiagnosticId::rule_row_empty:
+    case calc::DiagnosticId::rule_pack_unverified:
+    case calc::DiagnosticId::rule_without_trust:
+    case calc::DiagnosticId::rule_of_result:
+    case calc::DiagnosticId::rule_unused:
+    case calc::DiagnosticId::store_entry_unusable:
+    case calc::DiagnosticId::store_not_written:
+    case calc::DiagnosticId::config_of_revision:
+    case calc::DiagnosticId::output_written_meanwhile:
+    case calc::DiagnosticId::backend_is_software:
+    case calc::DiagnosticId::picture_device_failed:
+    case calc::DiagnosticId::reference_is_rough:
+      return true;
+    default:
+      return false;
+  }
+}
 
-// Its paragraphs in lines of that width. Indented lines are examples and stay as they are.
+std::string_view usual_effect(calc::DiagnosticId id) {
+  if (calc::diagnostic_severity(id) == calc::Severity::error) return kEffectOfErrors;
+  return is_remark(id) ? kEffectOfRemarks : kEffectOfWarnings;
+}
+
+// Its paragraphs in lines of kTextColumns. Indented lines are examples and stay as they are.
 std::string in_lines(std::string_view text) {
   std::string lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string line(text.substr(0, end));
-    lines += line.rfind("  ", 0) == 0 ? line + "\n" : report::wrapped_lines("", line, 0, kWidth);
+    lines +=
+        line.rfind("  ", 0) == 0 ? line + "\n" : report::wrapped_lines("", line, 0, kTextColumns);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
@@ -624,11 +652,9 @@ std::optional<std::string> explain_message(const std::string& name) {
     if (const std::string_view meaning = meaning_of(id); !meaning.empty()) {
       return head + in_lines(meaning);
     }
-    const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
     const std::string message(calc::diagnostic_template(id));
-    return head + report::wrapped_lines("    ", message, 4, kWidth) + "\n" +
-           in_lines(fmt::format("{{}} stands for what was found. {}",
-                                is_error ? kEffectOfErrors : kEffectOfWarnings));
+    return head + report::wrapped_lines("    ", message, 4, kTextColumns) + "\n" +
+           in_lines(fmt::format("{{}} stands for what was found. {}", usual_effect(id)));
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "report/formats/console_lines.h"
 #include "report/text/plain_text.h"
+#include "report/tools/rules/pack_words.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,8 +12,6 @@
 
 namespace cli {
 namespace {
-
-constexpr int kWidth = 80;  // columns
 
 // What German letters are written as where a keyboard does not have them; also letters with a
 // separate diaeresis, as some systems store them.
@@ -158,8 +157,8 @@ std::string row_list(const std::vector<FoundRow>& rows, std::size_t most) {
     const rules::RuleRow& row = *rows[i].row;
     const std::string german = row.name_de.empty() ? "" : " / " + row.name_de;
     const std::string id = report::padded(report::printable(rows[i].id()), width, false);
-    text +=
-        report::wrapped_lines(id + "  ", report::printable(row.name + german), width + 2, kWidth);
+    text += report::wrapped_lines(id + "  ", report::printable(row.name + german), width + 2,
+                                  kTextColumns);
   }
   return text;
 }

@@ -11,6 +11,8 @@
 
 namespace cli {
 
+inline constexpr int kTextColumns = 80;  // of lines for people
+
 // What a pack says may hold anything.
 std::string printable_lines(std::string_view text);
 

@@ -143,7 +143,6 @@ std::string find_command(const std::string& words, const std::vector<std::string
 // Rows and messages that have the word, for somebody who does not know the id. "" = none.
 std::string found_by_word(const std::string& word, const std::vector<rules::RulePack>& packs,
                           const std::vector<std::string>& rule_files) {
-  constexpr int kWidth = 80;  // columns
   constexpr std::size_t kMostShown = 8;
   const std::vector<FoundRow> rows = find_rows(word, packs);
   const std::vector<std::string> messages = messages_with_word(word);
@@ -161,7 +160,7 @@ std::string found_by_word(const std::string& word, const std::vector<rules::Rule
   if (!messages.empty()) {
     text += "\n" + report::wrapped_lines(
                        "", "Messages with this word: " + calc::list_names(messages, kMostShown), 2,
-                       kWidth);
+                       kTextColumns);
   }
   return text;
 }

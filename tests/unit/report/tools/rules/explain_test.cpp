@@ -29,6 +29,13 @@ TEST(Explain, WarningOfThePolicyAlwaysCounts) {
   EXPECT_THAT(explained("luminaires-coincide"), HasSubstr("only with --strict"));
 }
 
+TEST(Explain, StrictCountsWarningsOfProjectsOnly) {
+  for (const char* id : {"backend-is-software", "store-not-written", "rule-unused"}) {
+    EXPECT_THAT(explained(id), HasSubstr("It changes no result and no exit code.")) << id;
+  }
+  EXPECT_THAT(explained("light-leaves-room"), Not(HasSubstr("no exit code")));
+}
+
 TEST(Explain, LinesFitATerminalAndExamplesStayWhole) {
   EXPECT_EQ(explain_message("rule-circle"),
             "rule-circle: error\n\n"
