@@ -106,20 +106,17 @@ Fit fit_of(const RowText& row, const std::vector<std::string_view>& words) {
 }  // namespace
 
 std::string search_form(std::string_view text) {
+  const std::string lowered = calc::ascii_lowered(text);  // of German letters the table has both
   std::string form;
-  while (!text.empty()) {
+  for (std::string_view rest = lowered; !rest.empty();) {
     const auto* letter =
         std::find_if(std::begin(kLetters), std::end(kLetters),
-                     [&](const auto& known) { return begins_with(text, known.first); });
-    if (letter != std::end(kLetters)) {
-      form += letter->second;
-      text.remove_prefix(letter->first.size());
-    } else {
-      form += text.front();
-      text.remove_prefix(1);
-    }
+                     [&](const auto& known) { return begins_with(rest, known.first); });
+    const bool is_known = letter != std::end(kLetters);
+    form += is_known ? letter->second : rest.substr(0, 1);
+    rest.remove_prefix(is_known ? letter->first.size() : 1);
   }
-  return calc::ascii_lowered(form);
+  return form;
 }
 
 std::string FoundRow::id() const { return pack->full_id() + "/" + row->ref; }
