@@ -179,8 +179,8 @@ TEST(GldfTogether, PlacesThatAreNotKnownAreSaid) {
       "</Variant>";
   EXPECT_THAT(
       reason(sample, l3d()),
-      HasSubstr("warning[gldf-places]: the places of the emitters 'e1', 'e2' are not known: the "
-                "product names no model"));
+      HasSubstr("warning[gldf-places]: the places of the emitters 'e1', 'e2' are not known: "
+                "product.xml names no model"));
 }
 
 TEST(GldfTogether, WhatNobodySaysIsRefused) {
