@@ -1,5 +1,5 @@
 #pragma once
-// How much work a calculation will be: counts from the schedule, seconds from measured costs.
+// Predicts the work of a calculation: counts from the schedule, seconds from measured costs.
 
 #include "calc/radiosity/gather/settings.h"
 
@@ -12,7 +12,7 @@ namespace calc {
 // Draw, kernel and shadow ray of a connection, on one thread.  [measured, see cost_model.cpp]
 inline constexpr double kConnection_ns = 95.0;
 
-// What a plane asks of the calculation, as far as it is known before.
+// The work of a plane, as far as it is known before the calculation.
 struct PlaneWorkload {
   std::size_t points = 0;
   std::size_t seeing_points = 0;     // that indirect light may reach
@@ -50,12 +50,12 @@ struct Prediction {
   double bytes = 0;  // results, the largest pool, the scene
 };
 
-// paths: of one replicate, per plane, what the last of its looks has in all; 0 for a plane without
-// indirect light. Looks start with settings.first_paths and double.
+// Returns the prediction. paths: of one replicate, per plane, the total in its last sampling round;
+// 0 for a plane without indirect light. Rounds start with settings.first_paths and double.
 Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>& paths,
                    const RadiositySettings& settings, int threads);
 
-// Threads that settings.jobs means on this machine.
+// Returns the threads that settings.jobs means on this machine.
 int thread_count(const RadiositySettings& settings);
 
 }  // namespace calc

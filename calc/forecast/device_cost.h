@@ -1,12 +1,12 @@
 #pragma once
-// Whether a graphics device is worth its way: both times by stages, from counts, rates and threads.
+// Compares a graphics device with the CPU: both times by stages, from counts, rates and threads.
 
 #include "calc/forecast/cost_model.h"
 #include "calc/forecast/drawing_cost.h"
 
 namespace calc {
 
-// Of a device and the way to it; 0 = not measured.
+// Rates of a device and of transfers to it; 0 = not measured.
 struct DeviceRates {
   double any_hit_per_s = 0;      // connections with their shadow ray, one by one
   double closest_hit_per_s = 0;  // short rays
@@ -18,17 +18,17 @@ struct DeviceRates {
   friend bool operator==(const DeviceRates&, const DeviceRates&) = default;
 };
 
-// For what was not measured. Assumed, from what is published of good tracers without ray units on
-// such devices, the slower end of it; opening one takes 0.15 to 0.5 s.
+// Rates for what was not measured. Assumed, from the slower end of published values for good
+// tracers without ray units on such devices; opening a device takes 0.15 to 0.5 s.
 inline constexpr DeviceRates kAssumedRates{1e9, 5e8, 1e8, 1e10, 5e9, 1e-4, 0.4};
 
-// The same with what is not measured, or is no sane number, assumed.
+// Returns the same with assumed rates for those not measured or not plausible.
 DeviceRates with_assumptions(const DeviceRates& measured);
 
-// What any driver takes to open, at least.
+// The least time that any driver takes to open.
 inline constexpr double kLeastOpen_s = 0.15;
 
-// What a device does; the rest is the CPU's.
+// The stages that a device computes; the CPU computes the rest.
 struct DeviceStages {
   bool direct_light = true, light_paths = true, connections = true, near_field = true;
 
@@ -37,7 +37,7 @@ struct DeviceStages {
   friend bool operator==(const DeviceStages&, const DeviceStages&) = default;
 };
 
-// What is to be done, of any number of spaces.
+// The work for any number of spaces.
 struct DeviceWork {
   Work work;
   Seconds one_thread;    // on the CPU; `prepare` is so for any number of threads
@@ -46,7 +46,7 @@ struct DeviceWork {
   int threads = 1;
   DrawingWork drawing;  // shadow maps, where settings want them
 
-  // predicted_threads: those that the prediction is for; `threads` stays as it is.
+  // Adds a prediction. predicted_threads: those that it is for; `threads` stays as it is.
   void add(const Prediction& prediction, const SpaceWorkload& space,
            const RadiositySettings& settings, int predicted_threads);
 };
@@ -62,17 +62,17 @@ struct DeviceCost {
   double device_s() const { return open_s + send_s + with_device.total(); }
 };
 
-// rates: all of them known. Device and CPU are taken to wait for each other, which they do not
-// always.
+// Returns both costs; requires all rates. It assumes that device and CPU wait for each other, which
+// they do not always.
 DeviceCost weigh_device(const DeviceWork& work, const DeviceRates& rates,
                         const DeviceStages& possible);
 
-// The CPU gives the same bits everywhere, a device its own: what it gains must be worth that. So
-// the choice may be slower than the better one by this factor, and no more.
+// The CPU gives the same bits everywhere, a device its own, so that a device must be worth that.
+// The choice may therefore be slower than the faster option by at most this factor.
 inline constexpr double kWorthwhileGain = 1.2;
 bool is_device_worth_it(const DeviceCost& cost);
 
-// The least that any device could take: rates without limit.
+// Returns the lower bound for any device: rates without limit.
 DeviceCost weigh_ideal_device(const DeviceWork& work, const DeviceStages& possible);
 
 }  // namespace calc

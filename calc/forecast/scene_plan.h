@@ -1,5 +1,5 @@
 #pragma once
-// What the calculation of a space will do, what it may leave out, and why.
+// The plan of a space's calculation: its work, what it may leave out, and why.
 
 #include "calc/forecast/cost_model.h"
 #include "calc/proofs/skips.h"
@@ -32,7 +32,8 @@ struct ScenePlan {
   Prediction last_look;   // all planes up to max_paths: the most this can cost, but for openings
 };
 
-// Traces no light; what a few points see of the openings is looked up. Settings must be valid.
+// Returns the plan without tracing light; tests what a few points see of openings. Settings must be
+// valid.
 ScenePlan make_scene_plan(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                           const RadiositySettings& settings);
 

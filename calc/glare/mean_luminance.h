@@ -11,17 +11,16 @@ namespace calc {
 
 class MeanLuminance {
  public:
-  // web: must outlive this. A flat opening counts with its sides, however low they are: light is
-  // calculated as flat there (calc/CONVENTIONS.md), but seen from the side they are much of the
-  // area.
+  // web: must outlive this. A flat opening counts with its sides, however low: the calculation of
+  // light takes it as flat (calc/CONVENTIONS.md), but from the side they are much of the area.
   explicit MeanLuminance(const PhotometricWeb& web);
 
-  // False of a point, which has none.
+  // Returns false for a point, which has no area.
   bool has_area() const { return luminaire_.opening.shape != OpeningShape::point; }
-  // towards: unit, in the frame of web.h; m2, 0 edge-on.
+  // Returns the area, m2, 0 edge-on. towards: unit, in the frame of web.h.
   double area_m2(const glm::dvec3& towards) const;
   double intensity_cd(const glm::dvec3& towards) const;
-  // Not a number without area.
+  // Returns the luminance; not a number without area.
   double luminance_cd_m2(double c_rad, double gamma_rad) const;
 
  private:

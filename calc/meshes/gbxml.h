@@ -1,5 +1,5 @@
 #pragma once
-// gbXML (Green Building XML) to the surfaces around a space. Prefixes of names are passed over,
+// Reads from gbXML (Green Building XML) the surfaces around a space. Prefixes of names are ignored,
 // lengths become metres.
 
 #include "calc/base/diagnostics.h"
@@ -44,14 +44,14 @@ struct GbxmlBuilding {
   std::vector<GbxmlSurface> surface;
 };
 
-// True if the root element is gbXML, with any prefix, in any encoding of decoded_xml().
+// Returns whether the root element is gbXML, with any prefix, in any encoding of decoded_xml().
 bool is_gbxml(std::string_view bytes);
 
-// Empty if and only if an error was reported.
+// Returns the building; empty if and only if an error was reported.
 std::optional<GbxmlBuilding> parse_gbxml(std::string bytes, const std::string& name,
                                          Diagnostics& diagnostics);
 
-// One surface, without its openings, or one opening.
+// A surface without its openings, or an opening.
 struct GbxmlPart {
   std::string id, type;
   std::vector<glm::dvec3> vertex_m;
@@ -61,21 +61,21 @@ struct GbxmlPart {
 struct GbxmlRoom {
   std::string name;
   std::vector<GbxmlPart> part;
-  // Of the space's own PlanarGeometry, else of the floor if it is one polygon; empty if that is not
-  // horizontal. The height is that of the highest surface above it.
+  // The outline of the space's own PlanarGeometry, else of the floor if it is one polygon; empty if
+  // that is not horizontal. The height is that of the highest surface above it.
   std::vector<glm::dvec2> footprint_m;
   double floor_z_m = 0.0, height_m = 0.0;
-  // What was mended (polygon_mend.h), and what could not be: the area that is missing.
+  // Repairs (polygon_mend.h), and the missing area of what could not be repaired.
   Mending mending;
   std::size_t polygons_mended = 0, polygons_left_out = 0;
   double area_left_out_m2 = 0.0;
 };
 
-// All surfaces next to the space. Each point belongs to one part: openings are cut out of their
-// surface, and out of each other. InteriorFloor and Ceiling are told apart by whether they lie
-// below or above the middle of the room, unless the file says how the space sees them. Outlines are
-// mended, and what cannot be used is left out with its area; a warning says both. Empty, with an
-// error at `where`, if there is no such space or it has no surface.
+// Returns all surfaces next to the space. Each point belongs to one part: openings are cut out of
+// their surface, and out of each other. InteriorFloor is distinguished from Ceiling by its place
+// below or above the middle of the room, unless the file states the space's view of it. Outlines
+// are repaired, and unusable ones are omitted with their area; a warning reports both. Empty, with
+// an error at `where`, if there is no such space or it has no surface.
 std::optional<GbxmlRoom> gbxml_room(const GbxmlBuilding& building, const std::string& space_id,
                                     const SourceLocation& where, Diagnostics& diagnostics);
 

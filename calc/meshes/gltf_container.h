@@ -1,6 +1,6 @@
 #pragma once
-// What is checked of a glTF file before the library sees it: the frame of a GLB, that the JSON is
-// well-formed and not too deep, and what the file asks for.
+// Checks a glTF file before the library sees it: the frame of a GLB, well-formed JSON of limited
+// depth, and the files and extensions it requires.
 
 #include "calc/base/diagnostics.h"
 
@@ -12,7 +12,7 @@
 
 namespace calc {
 
-// True for the magic of GLB, and for text that begins as JSON does.
+// Returns true for the magic of GLB, and for text that begins as JSON does.
 bool is_gltf(std::string_view bytes);
 
 struct GltfContainer {
@@ -22,14 +22,14 @@ struct GltfContainer {
   std::vector<std::string> extensions_used, extensions_required;
 };
 
-// Empty if and only if an error was reported.
+// Returns the container; empty if and only if an error was reported.
 std::optional<GltfContainer> open_gltf(std::string_view bytes, const std::string& name,
                                        Diagnostics& diagnostics);
 
-// Those that may change geometry and are not read, as a list for a message; "" = none.
+// Returns a list of unsupported ones that may change geometry, for a message; "" = none.
 std::string unknown_gltf_extensions(const std::vector<std::string>& extensions);
 
-// "a%20b" -> "a b". plus_is_blank: as in forms on the web.
+// Returns "a b" for "a%20b". plus_is_blank: as in forms on the web.
 std::string percent_decoded(std::string_view uri, bool plus_is_blank);
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// Faces to triangles, the same way for all mesh formats.
+// Converts faces to triangles, the same way for all mesh formats.
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/triangle_mesh.h"
@@ -20,7 +20,7 @@
 
 namespace calc {
 
-// Of one face: triangulation takes the square of their number.
+// Most corners of a face, because triangulation takes the square of their number.
 inline constexpr std::size_t kMaxFaceCorners = 2000;
 
 // Names in order of first use.
@@ -34,31 +34,31 @@ class NameList {
   std::map<std::string, std::uint32_t, std::less<>> index_;
 };
 
-// Faces with more than three corners are mended (polygon_mend.h), with one warning, and
-// triangulated (concave ones correctly); those not flat too, as seen along their mean normal, with
-// one warning. Faces without area or with crossing sides are left out, with one warning that has
-// their area. Only an area of exactly zero is no surface: needles are kept.
+// Collects faces. Those with more than three corners are repaired (polygon_mend.h), with one
+// warning, and triangulated (concave ones correctly); those not flat are projected along their mean
+// normal, with one warning. Faces without area or with crossing sides are omitted, with one warning
+// and their area. Only an area of exactly zero is no surface: needles are kept.
 class MeshBuilder {
  public:
   // name: the path used in messages.
   MeshBuilder(MeshFormat format, std::string name, Diagnostics& diagnostics);
 
-  // Of the faces that follow.
+  // Set the names for the faces that follow.
   void set_material(std::string_view name);
   void set_object(std::string_view name);
 
-  // False, and an error, when so many more would be too many.
+  // Returns false, with an error, if so many more vertices exceed the limit.
   bool has_room_for_vertices(std::size_t count);
-  // False, and an error, for a position that is not finite or too far away; `what` names it:
-  // "object 'desk', vertex 3".
+  // Returns false, with an error, for a position that is not finite or too far away; `what` names
+  // it: "object 'desk', vertex 3".
   bool add_vertex(const glm::dvec3& position, const std::function<std::string()>& what);
   void set_vertices(std::vector<glm::dvec3> vertices) { mesh_.vertex = std::move(vertices); }
   std::size_t vertices() const { return mesh_.vertex.size(); }
 
-  // corner: indices of vertices, all in range; line 0 = not known. False after an error.
+  // Returns false after an error. corner: indices of vertices, all in range; line 0 = not known.
   bool add_face(std::span<const std::uint32_t> corner, int line);
 
-  // Warnings, then the mesh; empty, with an error, if it has no triangle.
+  // Gives warnings, then returns the mesh; empty, with an error, if it has no triangle.
   std::optional<TriangleMesh> finish();
 
  private:

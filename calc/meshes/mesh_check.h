@@ -1,5 +1,5 @@
 #pragma once
-// What can be wrong with a surface model, counted. Nothing here traces rays.
+// Counts possible faults of a surface model, without tracing rays.
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/mesh_shells.h"
@@ -27,9 +27,9 @@ struct SurfaceModel {
   double area_left_out_m2 = 0.0;                           // of the latter
 };
 
-// What <mesh> does with a file, without placing it.
+// Returns the surface as <mesh> reads a file, without placing it.
 SurfaceModel surface_of(const TriangleMesh& mesh, double metres_per_unit, bool y_is_up);
-// All bodies of a space, a room's own surfaces too.
+// Returns all bodies of a space, with a room's own surfaces.
 SurfaceModel surface_of(const Project& project, const Space& space);
 
 struct SurfacePart {
@@ -54,15 +54,15 @@ struct SurfaceFindings {
   double area_left_out_m2 = 0.0;
   std::size_t not_finite = 0;  // triangles with such a corner; counted nowhere else
   bool is_watertight = false;  // every edge has an even number of triangles
-  // Of the triangles whose corners are finite: those that are closed and have two sides, and what
-  // has an odd number of triangles.
+  // Shells of triangles with finite corners: those that are closed and have two sides, and edges
+  // with an odd number of triangles.
   std::vector<MeshShell> closed;
   OpenEdges open;
   double float_step_m = 0.0;  // distance of neighbouring floats at the farthest coordinate
 };
 SurfaceFindings check_surface(const SurfaceModel& model);
 
-// Warnings about everything but what the reader has left out, and open edges, which furniture may
+// Warns about everything except what the reader has omitted and open edges, which furniture may
 // have.
 void warn_about_surface(const SurfaceFindings& findings, const SourceLocation& where,
                         Diagnostics& diagnostics);

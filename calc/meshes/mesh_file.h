@@ -1,5 +1,5 @@
 #pragma once
-// Any mesh file to triangles. The contents decide what it is, not the file's name.
+// Reads any mesh file as triangles. The contents decide its format, not the file's name.
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/triangle_mesh.h"
@@ -11,17 +11,17 @@
 
 namespace calc {
 
-// Bytes of a file that a mesh file names, e.g. the .bin of a .gltf: path relative to the mesh
-// file's folder, normalised, in that folder or below. Reports what is wrong, then gives nothing.
+// Returns the bytes of a file that a mesh file names, e.g. the .bin of a .gltf: path relative to
+// the mesh file's folder, normalised, in that folder or below. Reports errors, and is then empty.
 using SideFiles = std::function<std::optional<std::string>(const std::string& path)>;
 
-// "glTF" or "{" at the start: glTF; "ply": PLY; "solid", or the exact size of a binary STL: STL;
-// all other text: OBJ. Empty for bytes that are none of them.
+// Returns the format: "glTF" or "{" at the start: glTF; "ply": PLY; "solid", or the exact size of a
+// binary STL: STL; all other text: OBJ. Empty for other bytes.
 std::optional<MeshFormat> detect_mesh_format(std::string_view bytes);
 
-// name: the path used in messages. format: if given, anything else is an error. node: "", or the
-// node of a glTF file whose meshes and all below it are wanted; an error for other files. Empty if
-// and only if an error was reported.
+// Returns the mesh. name: the path used in messages. format: if given, anything else is an error.
+// node: "", or the node of a glTF file whose meshes, with all below it, are read; an error for
+// other files. Empty if and only if an error was reported.
 std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::string& name,
                                             const SideFiles& side_files, Diagnostics& diagnostics,
                                             std::optional<MeshFormat> format = std::nullopt,

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers in the buffers of a glTF model: every index and every range of bytes is checked.
+// Reads numbers in the buffers of a glTF model: every index and every range of bytes is checked.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ class Model;
 
 namespace calc::gltf {
 
-// What an error in the file throws; caught in parse_gltf().
+// Thrown for an error in the file; caught in parse_gltf().
 struct Broken {
   std::string what;
 };
@@ -32,8 +32,8 @@ const T& checked(const std::vector<T>& list, int index, const char* kind) {
   return list[static_cast<std::size_t>(index)];
 }
 
-// Numbers of one accessor, `components` per element, normalised if the file says so. type:
-// TINYGLTF_TYPE_VEC3 ..., which the accessor must have, with at most `most` elements. Throws
+// Returns the numbers of one accessor, `components` per element, normalised if the file says so.
+// type: TINYGLTF_TYPE_VEC3 ..., which the accessor must have, with at most `most` elements. Throws
 // Broken.
 std::vector<double> read_accessor(const tinygltf::Model& model, int index, int type,
                                   std::size_t components, std::size_t most);

@@ -1,5 +1,5 @@
 #pragma once
-// PLY (Stanford polygon file), text and binary of either byte order, to triangles.
+// Reads PLY (Stanford polygon file), text and binary of either byte order, as triangles.
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/triangle_mesh.h"
@@ -10,12 +10,12 @@
 
 namespace calc {
 
-// True if the first line is "ply".
+// Returns whether the first line is "ply".
 bool is_ply(std::string_view bytes);
 
-// Elements "vertex" (x, y, z) and "face" (vertex_indices or vertex_index); everything else is read
-// over, but for tristrips, which are refused. One object without a name, material "default". Empty
-// if and only if an error was reported.
+// Reads elements "vertex" (x, y, z) and "face" (vertex_indices or vertex_index) and ignores others,
+// except tristrips, which are refused. One object without a name, material "default". Empty if and
+// only if an error was reported.
 std::optional<TriangleMesh> parse_ply(std::string_view bytes, const std::string& name,
                                       Diagnostics& diagnostics);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The shells of a mesh: what its triangles enclose, and where they leave gaps. Nothing here traces
-// light.
+// Finds the shells of a mesh: what its triangles enclose, and where they leave gaps. Nothing here
+// traces light.
 
 #include "calc/scene/solids.h"
 
@@ -12,24 +12,24 @@
 
 namespace calc {
 
-// Which way the faces of a closed shell look, by the order of their corners. unclear: triangles
-// meet at some of its edges in such a way that it has no two sides to tell apart.
+// The direction of a closed shell's faces, by the order of their corners. unclear: triangles meet
+// at some of its edges in such a way that it does not have two sides.
 enum class FacesLook { inward, outward, mixed, unclear };
 
-// Triangles that hang together by their edges, corners at exactly the same position counting as
-// one. Two shells that only touch along an edge are two.
+// Triangles connected by their edges, where corners at exactly the same position are the same. Two
+// shells that only touch along an edge are two.
 struct MeshShell {
   std::vector<std::uint32_t> triangle;  // ascending; at least one
   BoundingBox bounds;
   bool is_closed = false;  // each of its edges has an even number of its triangles
-  // Of a closed one, else unclear, 0 and 0.
+  // Values of a closed shell; else unclear, 0 and 0.
   FacesLook faces = FacesLook::unclear;
   std::size_t outward = 0;  // of its triangles; 0 if that is unclear
   double volume = 0.0;      // by the divergence theorem, >= 0; 0 if the faces are unclear
 };
 
-// In the order of their first triangles. Triangles with two equal corners belong to none.
-// O(n log n).
+// Returns the shells in the order of their first triangles, without triangles with two equal
+// corners. O(n log n).
 std::vector<MeshShell> find_shells(const std::vector<glm::dvec3>& vertex,
                                    const std::vector<glm::uvec3>& triangle);
 
@@ -43,9 +43,9 @@ struct OpenEdges {
 OpenEdges open_edges(const std::vector<glm::dvec3>& vertex,
                      const std::vector<glm::uvec3>& triangle);
 
-// True if there is a place from which at least 18 of 26 directions, spread evenly, meet a triangle:
-// looked for at 27 places of the box around them. A flat sheet encloses nothing, a tray neither, a
-// room without a ceiling or with large openings does. O(27 * 26 * triangles) at most.
+// Returns whether there is a place from which at least 18 of 26 directions, spread evenly, meet a
+// triangle, among 27 places of the box around them. A flat sheet or a tray encloses nothing; a room
+// without a ceiling or with large openings does. O(27 * 26 * triangles) at most.
 bool encloses_something(const std::vector<glm::dvec3>& vertex,
                         const std::vector<glm::uvec3>& triangle);
 
@@ -55,9 +55,9 @@ struct MeshFloor {
   double z = 0.0, height = 0.0;     // up to the highest corner
   double above = 0.0;  // area, seen from above, of what looks up elsewhere; of closed shells only
 };
-// The lengths are metres. Without an outline if those triangles are no single polygon without
-// holes, or if other surfaces that look up have, seen from above, more than a twentieth of their
-// area: then the room has several floors, and which of them counts is not known.
+// Returns the floor of a mesh in metres. It has no outline if those triangles are not a single
+// polygon without holes, or if other surfaces that look up have, seen from above, more than a
+// twentieth of their area: then the room has several floors, and the right one is not known.
 MeshFloor find_floor(const std::vector<glm::dvec3>& vertex_m,
                      const std::vector<glm::uvec3>& triangle);
 

@@ -1,5 +1,5 @@
 #pragma once
-// STL, text and binary, to triangles.
+// Reads STL, text and binary, as triangles.
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/triangle_mesh.h"
@@ -10,13 +10,13 @@
 
 namespace calc {
 
-// True if the size is exactly what the binary header's count asks for: 84 + 50 bytes per triangle.
+// Returns whether the size matches the binary header's count: 84 + 50 bytes per triangle.
 bool is_binary_stl(std::string_view bytes);
-// True if the first word is "solid" and there are no bytes that are not text.
+// Returns whether the first word is "solid" and all bytes are text.
 bool is_text_stl(std::string_view bytes);
 
-// One object per solid, all of material "default". Normals and attribute bytes are not used. Empty
-// if and only if an error was reported.
+// Reads one object per solid, all of material "default". Normals and attribute bytes are not used.
+// Empty if and only if an error was reported.
 std::optional<TriangleMesh> parse_stl(std::string_view bytes, const std::string& name,
                                       Diagnostics& diagnostics);
 

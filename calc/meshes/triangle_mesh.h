@@ -1,5 +1,5 @@
 #pragma once
-// What every reader of mesh files gives.
+// The result of every reader of mesh files.
 
 #include "calc/base/names.h"
 
@@ -23,11 +23,11 @@ struct EnumNames<MeshFormat> {
                                                   {MeshFormat::ply, "ply"}};
 };
 
-// glTF is in metres with y up by its standard; the other formats do not say.
+// Returns true for glTF, which is in metres with y up by its standard; other formats do not say.
 constexpr bool has_fixed_units(MeshFormat format) { return format == MeshFormat::gltf; }
 
-// In the file's own units and axes; glTF with the transforms of its nodes applied. All coordinates
-// are finite and at most kMaxMeshCoordinate; no triangle has an area of exactly zero.
+// A mesh in the file's own units and axes; glTF with the transforms of its nodes applied. All
+// coordinates are finite and at most kMaxMeshCoordinate; no triangle has an area of exactly zero.
 struct TriangleMesh {
   MeshFormat format = MeshFormat::obj;
   std::vector<glm::dvec3> vertex;
@@ -46,7 +46,7 @@ inline constexpr double kMaxMeshCoordinate = 1.0e12;  // areas stay far from ove
 inline constexpr std::size_t kMaxMeshTriangles = 10'000'000;
 inline constexpr std::size_t kMaxMeshVertices = 30'000'000;
 
-// STL and PLY name no material: their faces have this one.
+// The material of STL and PLY faces, because these formats name none.
 inline constexpr std::string_view kDefaultMeshMaterial = "default";
 
 }  // namespace calc

@@ -1,5 +1,5 @@
 #pragma once
-// A space in which nothing can stand between two points.
+// Proves that nothing can be between two points of a space.
 
 #include "calc/proofs/point_set.h"
 #include "calc/scene/prepared_scene.h"
@@ -14,20 +14,19 @@
 
 namespace calc {
 
-// Proof of V = 1. Every triangle lies in one of `walls` (within a tolerance), and every corner of
-// every triangle, every luminaire and every point asked about lies on the inner side of every wall
-// or in it. Both ends of a segment between such points are then on one side of the plane of any
-// triangle, so that the segment does not pass through that plane: it can touch a surface at its
-// ends or run within it, and a surface that holds an end hides nothing from it. This includes
-// the space between flat ground and luminaires above it.
-// The tolerance is a quarter of ray_offset_m(), at least 8 ulp of the largest coordinate: corners
-// of a flat wall rounded to float keep within it, and rays, which start a whole ray_offset_m() off
-// surfaces, do not see it. Beside an edge of less than 90 degrees a ray that starts within
-// ray_offset_m() of the edge may start behind the other wall, where it would be called blocked; not
-// tracing it is nearer the truth.
+// Proof of V = 1. Every triangle is in one of `walls` (within a tolerance), and every corner of
+// every triangle, every luminaire and every tested point is on the inner side of every wall or in
+// it. Both ends of a segment between such points are then on one side of the plane of any triangle,
+// so that the segment does not pass through that plane: it can touch a surface at its ends or run
+// within it, and a surface that holds an end hides nothing from it. This includes the space between
+// flat ground and luminaires above it. The tolerance is a quarter of ray_offset_m(), at least 8 ulp
+// of the largest coordinate: corners of a flat wall rounded to float are within it, and rays, which
+// start a whole ray_offset_m() off surfaces, do not see it. Beside an edge of less than 90 degrees
+// a ray that starts within ray_offset_m() of the edge may start behind the other wall, where it
+// would count as blocked; not tracing it is more accurate.
 class ConvexSpace {
  public:
-  // Whether the points, and their lifted ray origins, are inside as well.
+  // Returns whether the points, and their lifted ray origins, are inside as well.
   bool holds(const PointSet& points, const PointBounds& bounds) const;
 
  private:
@@ -48,7 +47,7 @@ struct ConvexAnswer {
   std::optional<std::uint32_t> obstacle_body;  // a body with a surface that stands inside
 };
 
-// Gives up ("not proved") beyond so many different walls, triangles, or comparisons.
+// The limits of walls, triangles and comparisons, beyond which the search ends ("not proved").
 inline constexpr std::size_t kMostWalls = 2000;
 inline constexpr std::size_t kMostConvexTriangles = 20'000;
 inline constexpr std::size_t kMostWallTests = 20'000'000;

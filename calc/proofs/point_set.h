@@ -1,5 +1,5 @@
 #pragma once
-// The points of one plane as the proofs see them.
+// The points of a plane for the proofs.
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/receiver_kernel.h"
@@ -13,8 +13,8 @@
 
 namespace calc {
 
-// Points that receive light, local coordinates. Light from behind a planar receiver counts
-// nothing; all other kernels see light from everywhere.
+// Points that receive light, local coordinates. Light from behind a planar receiver does not count;
+// all other kernels see light from everywhere.
 struct PointSet {
   std::span<const glm::dvec3> position_m;
   std::span<const glm::dvec3> normal;  // unit, as many
@@ -23,7 +23,7 @@ struct PointSet {
   bool has_back() const { return kernel == ReceiverKernel::planar; }
 };
 
-// A grid's positions, moved to the scene's local coordinates: what PointSet::position_m shows.
+// Returns a grid's positions in the scene's local coordinates, for PointSet::position_m.
 std::vector<glm::dvec3> local_positions_m(const PreparedScene& scene, const SensorGrid& grid);
 
 // Points with the same normal: all of them have dot(normal, x) >= lowest_m.
@@ -41,10 +41,10 @@ struct PointBounds {
 };
 inline constexpr std::size_t kMostNormalGroups = 64;
 
-// At least one point.
+// Returns the bounds of at least one point.
 PointBounds bounds_of(const PointSet& points);
 
-// Corners of the box between two opposite ones.
+// Returns the corners of the box between two opposite ones.
 std::array<glm::dvec3, 8> box_corners(const glm::dvec3& low, const glm::dvec3& high);
 
 }  // namespace calc

@@ -1,7 +1,7 @@
 #pragma once
-// What the calculation may leave out, each only when a predicate proves that nothing changes.
+// Steps that the calculation may leave out, each only when a predicate proves that nothing changes.
 // [METHOD, 8.3]
-// A new one is decided and explained in solve_plan.cpp.
+// solve_plan.cpp decides and explains each of them.
 
 #include "calc/base/names.h"
 
@@ -26,7 +26,7 @@ enum class Skip : std::size_t {
   decided_points,  // points that no open verdict needs take no further samples
 };
 
-// As --no-skip and the plan name them.
+// Names for --no-skip and the plan.
 template <>
 struct EnumNames<Skip> {
   static constexpr EnumName<Skip> list[] = {{Skip::no_reflection, "no-reflection"},
@@ -55,8 +55,8 @@ class SkipSet {
   std::bitset<kSkips> allowed_;
 };
 
-// applies: proved, at least for a part; while_calculating: the proof is sought point by point as
-// the work goes on; not_needed: another skip leaves nothing to skip; forbidden: by the settings.
+// applies: proved, at least for a part; while_calculating: the proof is tried point by point during
+// the calculation; not_needed: another skip leaves nothing to skip; forbidden: by the settings.
 enum class SkipState { applies, not_proved, while_calculating, not_needed, forbidden };
 
 template <>
@@ -69,7 +69,7 @@ struct EnumNames<SkipState> {
       {SkipState::forbidden, "forbidden"}};
 };
 
-// What became of a skip in a space.
+// The decision about a skip in a space.
 struct SkipDecision {
   Skip skip;
   SkipState state = SkipState::not_proved;

@@ -1,6 +1,6 @@
 #pragma once
-// What the calculation of a space leaves out: decided and explained here, once, before the first
-// ray. The solver does what this says, the plan prints it, the forecast counts it.
+// Decides and explains what the calculation of a space omits, once, before the first ray. The
+// solver follows this, the plan prints it, the forecast counts it.
 
 #include "calc/proofs/beam.h"
 #include "calc/proofs/skips.h"
@@ -17,7 +17,7 @@
 namespace calc {
 
 // A plane to compute: its id keys the random numbers, so that a plane's result does not depend on
-// which other planes are computed or in which order.
+// the other planes or their order.
 struct PlaneTask {
   std::string plane_id;
   const SensorGrid* grid;
@@ -26,7 +26,7 @@ struct PlaneTask {
 struct PlaneDecision {
   std::size_t points = 0;     // of the grid
   std::size_t receivers = 0;  // points times receivers_per_point()
-  // [point]: 0 = proved that no reflected light reaches it, whether that may be used or not.
+  // [point]: 0 = proved that no reflected light reaches it, even if that must not be used.
   std::vector<std::uint8_t> may_see_reflection;
   std::vector<std::uint8_t> gathers_reflection;  // [point]: 1 = looks add reflected light to it
   std::vector<std::uint8_t> is_dark;  // [luminaire]: 1 = left out; empty: none is left out
@@ -50,17 +50,17 @@ struct SolvePlan {
   std::vector<PlaneDecision> planes;           // one per task, in order
 };
 
-// Traces no ray. Grids must outlive the call only.
+// Returns the plan without tracing rays. Grids must outlive only the call.
 SolvePlan decide(const PreparedScene& scene, std::span<const PlaneTask> tasks,
                  const SkipSet& allowed);
 
-// One per Skip, in their order. plan: decide() of the same arguments. has_light_pool: light paths
-// are gathered from a pool of vertices.
+// Returns one decision per Skip, in their order. plan: decide() of the same arguments.
+// has_light_pool: light paths are gathered from a pool of vertices.
 std::vector<SkipDecision> explain_skips(const SolvePlan& plan, const PreparedScene& scene,
                                         std::span<const PlaneTask> tasks, const SkipSet& allowed,
                                         bool has_light_pool);
 
-// SolvePlan::is_unlit alone. beams: beams_of(scene).
+// Returns only SolvePlan::is_unlit. beams: beams_of(scene).
 std::vector<std::uint8_t> unlit_luminaires(const PreparedScene& scene,
                                            const std::vector<Beam>& beams, const SkipSet& allowed);
 
