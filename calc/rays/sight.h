@@ -22,19 +22,19 @@ struct SightQuery {
   double clear_m;  // what hides keeps this far off both ends: what is nearer may not be met
 };
 
-// free: no triangle comes within the margin of the convex hull of point and corners, by a plane
-// that separates them [the separating axes of two convex bodies]. hidden: one triangle, or two that
-// share an edge and together look convex from the point, stand in the way of all four corners, and
-// so of all between. What several other triangles hide together is unknown. The answer is a
-// function of query and triangles alone.
+// Returns a proof of sight. free: no triangle comes within the margin of the convex hull of point
+// and corners, by a plane that separates them [the separating axes of two convex bodies]. hidden:
+// one triangle, or two that share an edge and together look convex from the point, block all four
+// corners, and so all between. What several other triangles hide together is unknown. The answer
+// depends only on query and triangles.
 Sight sight_of(const TriangleTree& tree, const SightQuery& query);
 
 struct SightBox {
   glm::dvec3 low_m, high_m;
 };
 
-// true: no triangle comes within the margin of the convex hull of the two boxes, so that every
-// place in the one sees every place in the other. false: not known. By the planes through two
+// Returns true if no triangle comes within the margin of the convex hull of the two boxes, so that
+// every place in one sees every place in the other; false: not known. Tests the planes through two
 // parallel edges, one of each box, that leave both boxes on one side.  [shafts: HW94]
 bool is_free_between(const TriangleTree& tree, const SightBox& one, const SightBox& other,
                      double margin_m);

@@ -5,7 +5,7 @@
 
 namespace calc {
 
-// What the searches see of a tree; it must have triangles.
+// The data of a tree for the searches; it must have triangles.
 struct TreeView {
   explicit TreeView(const TriangleTree& tree)
       : triangles(tree.triangles_.data()),
@@ -22,7 +22,7 @@ struct TreeView {
   float largest_m, reach_m;
 };
 
-// As TriangleTree::blocked() and first_hits().
+// Search like TriangleTree::blocked() and first_hits().
 std::uint32_t blocked_rays(const TreeView& tree, std::span<const Ray> rays);
 std::uint32_t first_hits_of_rays(const TreeView& tree, std::span<const Ray> rays,
                                  std::span<TriangleHit> hits);

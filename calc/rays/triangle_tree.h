@@ -1,10 +1,10 @@
 #pragma once
 // A tree of boxes over triangles, for queries whose answers do not depend on the processor.
 //
-// Boxes and a first look at triangles are worked out in single precision, in as wide vectors as the
-// processor has. They only ever leave out what provably cannot be met, with bounds on every
-// rounding, and what is left is decided by meets(), in double. So neither the order of a search nor
-// the width of vectors nor fused multiplications can show in an answer.
+// Boxes and a first test of triangles are computed in single precision, in vectors as wide as the
+// processor has. They only ever exclude what provably cannot be met, with bounds on every rounding,
+// and meets() decides the rest, in double. So answers depend neither on the order of a search nor
+// on the width of vectors nor on fused multiplications.
 
 #include "calc/rays/triangle_hit.h"
 
@@ -24,28 +24,28 @@ class TriangleTree {
   static constexpr std::size_t kRays = 16;  // of one call, at most
 
   TriangleTree() = default;
-  // Corners in metres, fewer than 2^31 triangles of non-zero area. The tree is built by Embree, on
-  // all threads. Throws std::runtime_error if Embree fails.
+  // Builds a tree with Embree, on all threads. Requires corners in metres, fewer than 2^31
+  // triangles of non-zero area. Throws std::runtime_error if Embree fails.
   TriangleTree(std::span<const glm::vec3> vertex_m, std::span<const glm::uvec3> corners);
 
   bool is_empty() const { return triangles_.empty(); }
   std::size_t size() const { return triangles_.size(); }
   const Triangle& triangle(std::size_t index) const { return triangles_[index]; }
 
-  // Bit k is set if ray k meets any triangle.
+  // Returns a mask: bit k is set if ray k meets any triangle.
   std::uint32_t blocked(std::span<const Ray> rays) const;
 
-  // Bit k is set, and hits[k] valid, if ray k meets a triangle; the first by
+  // Returns a mask: bit k is set, and hits[k] valid, if ray k meets a triangle; the first by
   // TriangleHit::is_before(). hits: one per ray.
   std::uint32_t first_hits(std::span<const Ray> rays, std::span<TriangleHit> hits) const;
 
   // Calls visit(triangle index) for every triangle that may be within radius_m of a point, in no
-  // order to rely on. What it returns is the radius from there on, at most the one before.
+  // defined order. It returns the next radius, at most the one before.
   template <class Visit>
   void visit_near(const glm::dvec3& point_m, double radius_m, const Visit& visit) const;
 
-  // Calls visit(triangle index) for every triangle in boxes that keep(node, lane) does not leave
-  // out, in no order to rely on, until it returns false.
+  // Calls visit(triangle index) for every triangle in boxes for which keep(node, lane) is true, in
+  // no defined order, until it returns false.
   template <class Keep, class Visit>
   void visit_if(const Keep& keep, const Visit& visit) const;
 
@@ -56,7 +56,7 @@ class TriangleTree {
   static constexpr std::size_t kWidth = 8;
   using Lanes = std::array<float, kWidth>;
 
-  // Boxes of up to eight children. Of children that are none low is +infinity, high -infinity.
+  // Boxes of up to eight children. For missing children low is +infinity, high -infinity.
   struct alignas(64) Node {
     std::array<Lanes, 3> low_m, high_m;
     std::array<Child, kWidth> child;
@@ -85,13 +85,13 @@ class TriangleTree {
   float reach_m_ = 0.0f;    // of the corner farthest from the origin, rounded up
 };
 
-// "Embree 3.13.5": what builds the trees. No answer depends on it: `luxgate version` says it,
-// results do not.
+// Returns "Embree 3.13.5", the library that builds the trees. No answer depends on it: `luxgate
+// version` names it, results do not.
 std::string tree_builder_version();
 
 namespace tree_detail {
 
-// Squared distance of a point from a box, m2.
+// Returns the squared distance of a point from a box, m2.
 inline double squared_distance(const TriangleTree::Node& node, std::size_t lane,
                                const glm::dvec3& point_m) {
   double sum = 0.0;

@@ -1,5 +1,5 @@
 #pragma once
-// What can be required of a project's road, from its description: see road_light.h.
+// The quantities of a project's road that can be required, from its description: see road_light.h.
 
 #include "calc/base/field.h"
 #include "calc/base/message.h"
@@ -11,7 +11,7 @@
 
 namespace calc {
 
-// One quantity of the whole road.
+// A quantity of the whole road.
 struct RoadValue {
   Message problem;  // why there is no value, in words; "" = there is
   Estimate value{};
@@ -25,13 +25,13 @@ struct RoadValues {
   Message why_no_row{};  // why no row of a rule pack is about it, in words; "" = one may be
 };
 
-// scene: null, or one of the project's: the rows count with its levels. space.road must be there.
+// Returns the layout of space.road with the levels of the scene; null: at full output.
 RoadLayout road_layout(const Project& project, const Space& space, const LightScene* scene);
 
-// How it is calculated, for reports: once for a road.
+// Returns the method of calculation, for reports: once for a road.
 Message road_method_words(const Road& road);
 
-// The worst observer of each quantity, and the darker edge.
+// Returns the values for the worst observer of each quantity, and the darker edge.
 RoadValues road_values(const Project& project, const Space& space, const LightScene* scene);
 
 }  // namespace calc

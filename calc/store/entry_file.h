@@ -1,6 +1,6 @@
 #pragma once
-// One entry as the bytes of a file: magic, format version, lengths, key, bytes, SHA-256 of all
-// that.
+// The file of one entry as bytes: magic, format version, lengths, key, bytes, SHA-256 of all of
+// these.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace calc {
 inline constexpr std::uint32_t kEntryFormat = 1;
 
 std::string render_entry(std::string_view key, std::string_view bytes);
-// Of a file that holds so much.
+// Returns the size of the file for these lengths.
 std::size_t entry_file_bytes(std::size_t key_bytes, std::size_t bytes);
 
-// Views into the file's bytes; or `problem` says in words why it is no whole entry of this format.
+// Views into the file's bytes; or `problem` states why it is not a whole entry of this format.
 struct ParsedEntry {
   std::string_view key, bytes;
   std::string problem;
 };
 ParsedEntry parse_entry(std::string_view file);
 
-// Whether a file begins as an entry of any format does.
+// Returns whether a file begins like an entry of any format.
 bool begins_as_entry(std::string_view file);
 
-// "ab/cdef...", the SHA-256 of the key: where its file lies.
+// The place of an entry's file: "ab/cdef...", the SHA-256 of the key.
 struct EntryPlace {
   std::string folder, file;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // A store in a folder: <folder>/ab/cdef..., one file per entry. Nothing is locked: files appear
-// whole, by renaming, and two writers of one key write the same bytes.
+// whole, by renaming, and two writers of a key write the same bytes.
 
 #include "calc/store/entry_store.h"
 
@@ -11,22 +11,22 @@
 
 namespace calc {
 
-// By this file in it a folder is known as a store, and by backup programs as a cache.
+// This file marks a folder as a store, and for backup programs as a cache.
 inline constexpr const char* kStoreMark = "CACHEDIR.TAG";
 
-// "" where the folder is a store, or can become one: it is empty, or not there yet. Else what is
-// wrong with it, and what is allowed.
+// Returns "" if the folder is a store, or can become one: it is empty, or does not exist. Else the
+// problem, and what is allowed.
 std::string problem_with_store(const std::string& folder);
 
-// What a run noticed. Each text is of the first one.
+// Problems during a run. Each text is about the first of its kind.
 struct StoreTroubles {
   std::uint64_t unusable = 0;  // entries that were there and could not be used
   std::string unusable_why;    // "'ab/cd...': its checksum is wrong"
   std::string not_written;     // why an entry could not be written; "" = all were
 };
 
-// Any number of threads and processes may use one folder at once. It is made when the first entry
-// is written.
+// Any number of threads and processes may use one folder at once. The first entry written creates
+// it.
 class EntryFolder : public EntryStore {
  public:
   explicit EntryFolder(std::string folder) : folder_(std::move(folder)) {}

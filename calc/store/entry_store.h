@@ -1,5 +1,5 @@
 #pragma once
-// Bytes by key: what is computed once and used again.
+// Stores bytes by key: results that are computed once and used again.
 
 #include <cstddef>
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace calc {
 
-// A key is a text that says all that the bytes depend on: whoever writes one key writes the same
-// bytes. Losing an entry costs time, never a result, so nothing here throws or stops a run.
+// A key is a text with all that the bytes depend on: all writers of a key write the same bytes.
+// Losing an entry costs time, never a result, so nothing here throws or stops a run.
 class EntryStore {
  public:
   virtual ~EntryStore() = default;
 
-  // Empty: there is no such entry, or none that can be used. An entry of more than most_bytes is
-  // none that can be used; no memory is taken for it.
+  // Returns the bytes; empty if there is no usable entry. An entry of more than most_bytes is not
+  // usable; no memory is taken for it.
   virtual std::optional<std::string> read(std::string_view key, std::size_t most_bytes) = 0;
   virtual void write(std::string_view key, std::string_view bytes) = 0;
-  // Of an entry whose bytes are well kept but do not say what they must: it counts as damaged.
+  // Marks an entry as damaged: its bytes are intact, but their content is wrong.
   virtual void refuse(std::string_view key, std::string_view why) = 0;
 };
 

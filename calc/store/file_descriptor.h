@@ -1,5 +1,5 @@
 #pragma once
-// Open files by number, for what streams cannot do: no links, no waiting, relative to a folder.
+// Opens files by number, for what streams cannot do: no links, no waiting, relative to a folder.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ class FileDescriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  // Until all is there, the file ends or something fails: how much was read.
+  // Reads until all is there, the file ends or an error; returns the bytes read.
   std::size_t read(char* into, std::size_t bytes) const {
     std::size_t done = 0;
     while (done < bytes) {
@@ -34,7 +34,7 @@ class FileDescriptor {
     }
     return done;
   }
-  // False: not all of it; errno says why.
+  // Returns false if not all was written; errno says why.
   bool write(std::string_view bytes) const {
     while (!bytes.empty()) {
       const ssize_t put = ::write(number_, bytes.data(), bytes.size());
@@ -49,10 +49,10 @@ class FileDescriptor {
   int number_;
 };
 
-// Files that a killed writer leaves behind begin so.
+// The start of names of temporary files, which a killed writer leaves behind.
 inline constexpr std::string_view kTemporaryPrefix = ".new-";
 
-// follows: whether the last part of the path may be a link.
+// Opens a folder. follows: whether the last part of the path may be a link.
 inline int open_folder(int at, const std::string& path, bool follows) {
   return openat(at, path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | (follows ? 0 : O_NOFOLLOW));
 }

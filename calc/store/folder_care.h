@@ -1,6 +1,6 @@
 #pragma once
-// What is in a store's folder, what of it is damaged, and making room. Only files that are named
-// and begin as entries are ever deleted.
+// Lists a store's folder, finds damaged entries, and makes room. It deletes only files that are
+// named and begin like entries.
 
 #include <cstdint>
 #include <functional>
@@ -17,7 +17,7 @@ struct StoreCount {
 StoreCount count_entries(const std::string& folder);
 
 // Reads every entry whole: format, checksum, and whether its key leads to its place. Calls
-// on_damage with the place and what is wrong.
+// on_damage with the place and the fault.
 StoreCount verify_entries(
     const std::string& folder,
     const std::function<void(const std::string& place, const std::string& why)>& on_damage);
@@ -28,8 +28,8 @@ struct PruneResult {
   std::uint64_t deleted_left_behind = 0;
   std::string problem;  // of the first that could not be deleted, or why nothing was read
 };
-// Deletes entries, those first whose last use is longest ago, until the rest has at most
-// most_bytes; and what killed writers left behind a day ago or more. now_s: since 1970.
+// Deletes entries, the least recently used first, until the rest has at most most_bytes; and files
+// that killed writers left behind a day ago or more. now_s: since 1970.
 PruneResult prune_entries(const std::string& folder, std::uint64_t most_bytes, std::int64_t now_s);
 
 }  // namespace calc

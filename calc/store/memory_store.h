@@ -1,5 +1,5 @@
 #pragma once
-// A store for one run: in memory, and gone with it.
+// A store for a single run, in memory.
 
 #include "calc/store/entry_store.h"
 
@@ -10,17 +10,17 @@
 
 namespace calc {
 
-// Any number of threads may use it at once. What would make it larger than most_bytes is not kept.
+// Any number of threads may use it at once. Entries that would exceed most_bytes are not kept.
 class MemoryStore : public EntryStore {
  public:
   explicit MemoryStore(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   std::optional<std::string> read(std::string_view key, std::size_t most_bytes) override;
   void write(std::string_view key, std::string_view bytes) override;
-  // Forgets it: whoever refuses it writes another.
+  // Removes the entry, because the caller then writes another.
   void refuse(std::string_view key, std::string_view why) override;
 
-  // Forgets all if it holds more than that: for programs that run on and on.
+  // Removes all entries if it holds more than that: for long-running programs.
   void clear_above(std::size_t bytes);
 
  private:
