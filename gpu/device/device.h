@@ -1,15 +1,15 @@
 #pragma once
-// OpenGL devices as a list to show and to choose from.
+// Lists OpenGL devices, to show and to choose from.
 
 #include <string>
 #include <vector>
 
 namespace gpu {
 
-// Compute shaders came with this version.
+// The first version with compute shaders.
 inline constexpr int kLeastMajor = 4, kLeastMinor = 3;
 
-// Device::problem of what list_hardware() leaves closed.
+// Device::problem of devices that list_hardware() does not open.
 inline constexpr const char* kNotOpened = "not opened: software";
 
 struct Device {
@@ -19,9 +19,9 @@ struct Device {
   std::string problem;                    // "" = it runs compute shaders, else why not
 
   bool is_usable() const { return problem.empty(); }
-  // "llvmpipe (...), OpenGL 4.5"
+  // Returns "llvmpipe (...), OpenGL 4.5".
   std::string name() const;
-  // What tells drivers apart, for what is kept of them.
+  // Returns a key that distinguishes drivers, for data kept about them.
   std::string driver_key() const { return vendor + "\n" + renderer + "\n" + version; }
 };
 
@@ -32,22 +32,22 @@ struct DeviceList {
   std::string advice = {};
 };
 
-// In place of an index: the first device that is software, if there is any, else as by -1.
+// Instead of an index: the first device that is software, if there is any, else as by -1.
 inline constexpr int kPreferSoftware = -2;
 
-// By GL_RENDERER.
+// Returns whether GL_RENDERER names software.
 bool is_software_renderer(const std::string& renderer);
 
-// The first usable device of a list: hardware if there is any. -1 = none.
+// Returns the first usable device of a list: hardware if there is any. -1 = none.
 int preferred_device(const DeviceList& list);
 
-// The first usable device that is not software; -1 = none.
+// Returns the first usable device that is not software; -1 = none.
 int hardware_device(const DeviceList& list);
 
-// The first software device that can be used, or that list_hardware() left closed; -1 = none.
+// Returns the first software device, usable or not opened by list_hardware(); -1 = none.
 int software_device(const DeviceList& list);
 
-// For messages: why none of them is usable.
+// Returns for messages why none of them is usable.
 std::string why_none_is_usable(const DeviceList& list);
 
 }  // namespace gpu

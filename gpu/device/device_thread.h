@@ -27,7 +27,7 @@ struct DeviceRequest {
   DriverMessages* messages = nullptr;         // as in EglContext::open(), outlives the thread
 };
 
-// What work on the context's thread may use.
+// The state that work on the context's thread may use.
 struct DeviceState {
   const EglContext& context;
   Fault fault;
@@ -38,10 +38,10 @@ struct DeviceState {
   DeviceScenes scenes;
   PictureTools pictures;
 
-  // What is kept for later, which may be what leaves no room.
+  // Clears data kept for later, which may use the missing memory.
   void clear();
 
-  // Throws what the request's fault asks for, or that the context is lost.
+  // Throws the failure of the request's fault, or that the context is lost.
   void check(const std::string& doing) const;
 };
 
@@ -50,27 +50,27 @@ class DeviceThread {
   using Work = std::function<void(DeviceState&)>;
   using AtEnd = std::function<void(const std::string& problem)>;
 
-  // Null if the device gives no context; `problem` then says why in words, for the user.
+  // Returns null if the device gives no context; `problem` then says why in words, for the user.
   static std::shared_ptr<DeviceThread> open(const DeviceRequest& request, std::string& problem);
   ~DeviceThread();
   DeviceThread(const DeviceThread&) = delete;
   DeviceThread& operator=(const DeviceThread&) = delete;
 
   const Device& device() const { return device_; }
-  // One upload for all stages. What needs the context is for work on its thread.
+  // Data uploaded once for all stages. Functions that need the context are for its thread.
   DevicePools& pools() { return pools_; }
   PlaneBlocks<DrawPoints>& draw_points() { return draw_points_; }
   PlaneBlocks<NearPoints>& near_points() { return near_points_; }
 
-  // Runs the work on the context's thread and waits; any thread may ask, pieces run in the order
-  // asked for. Throws calc::BackendFailure with the text of what the work threw. After OutOfMemory
-  // the device may be used again; after anything else it is lost, and every further run() throws
-  // the same text.
+  // Runs the work on the context's thread and waits; any thread may call it, pieces run in the
+  // order of calls. Throws calc::BackendFailure with the text of what the work threw. After
+  // OutOfMemory the device may be used again; after anything else it is lost, and every further
+  // run() throws the same text.
   void run(const Work& work);
-  // The same without waiting. at_end, which must not throw, is called on the context's thread after
-  // the work, or in its place on a lost device: with the text that run() would throw, or "".
+  // Does the same without waiting. at_end, which must not throw, is called on the context's thread
+  // after the work, or instead of it on a lost device: with the text that run() would throw, or "".
   void start(Work work, AtEnd at_end);
-  // For handing back what earlier work made: runs on a lost device too; `work` must not throw.
+  // Runs work that frees earlier results, on a lost device too; `work` must not throw.
   void clean_up(const Work& work);
 
  private:
@@ -83,7 +83,7 @@ class DeviceThread {
   explicit DeviceThread(const DeviceRequest& request);
   void live();
   std::optional<Piece> next();
-  // Returns what went wrong.
+  // Returns the error, or "".
   std::string run_piece(DeviceState& state, const Piece& piece);
   void add(Piece piece);
   std::string wait_for(const Work& work, bool is_clean_up);

@@ -1,6 +1,6 @@
 #pragma once
-// Long work as dispatches or draw calls of 25 to 50 ms: desktop drivers watch, and between two of
-// them work can end early.
+// Splits long work into dispatches or draw calls of 25 to 50 ms, because desktop drivers have
+// watchdogs, and so that work can end early between two of them.
 
 #include "gpu/opengl/gl_fence.h"
 
@@ -10,14 +10,14 @@
 
 namespace gpu {
 
-// How many items a dispatch is to have, by what earlier ones took. Never changes a result.
+// The number of items of a dispatch, from the times of earlier ones. Never changes a result.
 class DispatchSize {
  public:
   DispatchSize(std::size_t fewest, std::size_t most, std::size_t first)
       : fewest_(fewest), most_(most), items_(first) {}
 
   std::size_t items() const { return items_; }
-  // That so many took no less than `least_s` and no more than `most_s`.
+  // Learns that so many took no less than `least_s` and no more than `most_s`.
   void learn(std::size_t items, double least_s, double most_s);
 
   static constexpr double kShort_s = 0.025, kLong_s = 0.05;
@@ -26,17 +26,17 @@ class DispatchSize {
   std::size_t fewest_, most_, items_;
 };
 
-// Keeps a few dispatches under way, so that the device has the next before it ends one, and finds
-// by fences how long each took: from when it had its turn, as others' work may be on the device.
-// All calls need the context current in which it was made, the destructor too.
+// Keeps a few dispatches under way, so that the device has the next before it ends one, and
+// measures by fences how long each took: from the start of its turn, as others' work may be on the
+// device. All calls, also the destructor, need the context current in which it was made.
 class DispatchPacer {
  public:
   explicit DispatchPacer(const DispatchSize& size) : size_(size) {}
 
-  // For the next.
+  // Returns the items of the next dispatch.
   std::size_t items() const { return size_.items(); }
-  // Waits until there is room, and sends what `dispatch` calls. teaches: nothing but the items
-  // takes time in it. Throws GlError.
+  // Waits until there is room, and runs `dispatch`. teaches: only the items take time in it. Throws
+  // GlError.
   template <class Dispatch>
   void run(std::size_t items, const std::string& doing, const Dispatch& dispatch,
            bool teaches = true) {
@@ -45,11 +45,11 @@ class DispatchPacer {
     end(items, teaches);
   }
 
-  // Dispatches of items() each; or more, of smaller ones.
+  // Limits for dispatches of items() each; or more, of smaller ones.
   static constexpr std::size_t kMostUnderWay = 2, kMostSmallUnderWay = 32;
 
  private:
-  // When the device got somewhere. Nobody may have looked just then.
+  // The time at which the device reached a fence; it is a range, because no thread may have polled.
   struct Mark {
     GlFence fence;
     double least_s = 0.0, most_s = 0.0;  // 0: not yet

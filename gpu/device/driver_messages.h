@@ -1,6 +1,6 @@
 #pragma once
-// What a driver says about speed, such as buffers that it moves to host memory. Asked for by a
-// debug context alone: drivers say nothing, or not all, without one.
+// Collects a driver's messages about speed, such as buffers that it moves to host memory. Only a
+// debug context requests them, because drivers give few or none without one.
 
 #include <cstddef>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace gpu {
 
-// For all threads: drivers call from their own.
+// For all threads, because drivers call from their own.
 class DriverMessages {
  public:
   enum class Kind {
@@ -25,14 +25,14 @@ class DriverMessages {
   };
 
   void add(Kind kind, const std::string& text);
-  // Messages name buffers by OpenGL's numbers; those are used again.
+  // Names a buffer; messages name buffers by OpenGL's numbers, which are used again.
   void name_buffer(unsigned name, const std::string& what);
 
-  // All of this kind, repeated ones too.
+  // Returns the number of this kind, repeated ones too.
   std::size_t count(Kind kind) const;
-  // Each text once, the first first, at most kMostTexts: of the others only count() knows.
+  // Returns each text once, in order, at most kMostTexts; count() also counts the others.
   std::vector<Message> messages() const;
-  // "buffer 3: results, sums"
+  // Returns texts like "buffer 3: results, sums".
   std::vector<std::string> buffers() const;
 
   static constexpr std::size_t kMostTexts = 200;

@@ -1,5 +1,5 @@
 #pragma once
-// OpenGL without a window or display. egl_context.cpp is the only file that knows EGL.
+// OpenGL without a window or display. Only egl_context.cpp uses EGL.
 
 #include "gpu/device/device.h"
 #include "gpu/device/driver_messages.h"
@@ -9,7 +9,7 @@
 
 namespace gpu {
 
-// What tests let fail, because a working machine does not.
+// Failures for tests, because a working machine does not have them.
 enum class Fault {
   none,
   no_egl,
@@ -20,17 +20,17 @@ enum class Fault {
   no_buffer_storage  // no failure: the driver is older than OpenGL 4.4
 };
 
-// Opens every device that EGL knows, one after the other: a tenth of a second or more.
+// Returns every device that EGL knows and opens each: a tenth of a second or more.
 DeviceList list_devices(Fault fault = Fault::none);
 
-// Whether EGL is worth asking for hardware; quick.
+// Returns whether EGL may find hardware; quick.
 bool may_have_hardware();
 
-// As list_devices(), but quick where there is no hardware: EGL is not even asked if the machine has
-// no graphics device, and devices that EGL itself calls software are not opened.
+// Does the same, but quick where there is no hardware: it does not use EGL if the machine has no
+// graphics device, and does not open devices that EGL itself calls software.
 DeviceList list_hardware(Fault fault = Fault::none);
 
-// For a context that turned out to be software, though hardware was wanted: DeviceList::advice.
+// Returns DeviceList::advice for a context that is software, though hardware was wanted.
 std::string missing_hardware_advice(Fault fault);
 
 struct EglHandles;
@@ -38,25 +38,25 @@ struct EglHandles;
 // A context of one device, current on the thread that opened it until it is destroyed there.
 class EglContext {
  public:
-  // index: as in list_devices(), -1 = preferred_device(), or kPreferSoftware. Null: `problem` says
-  // why, in words. messages: what the driver says goes there, which may cost time; null = it is not
-  // asked.
+  // Opens a context. index: as in list_devices(), -1 = preferred_device(), or kPreferSoftware.
+  // Null: `problem` says why, in words. messages: receives the driver's messages, which may cost
+  // time; null = none are requested.
   static std::unique_ptr<EglContext> open(int index, Fault fault, std::string& problem,
                                           DriverMessages* messages = nullptr);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  // The one that is current on the calling thread, as OpenGL's own calls take it.
+  // Returns the context that is current on the calling thread, as for OpenGL's own calls.
   static const EglContext& current();
 
   const Device& device() const { return device_; }
   Fault fault() const { return fault_; }
   DriverMessages* messages() const { return messages_; }
-  // Buffers whose place the driver may choose once and for all, and that can stay mapped.
+  // Returns whether there are buffers of fixed placement that can stay mapped.
   bool has_buffer_storage() const { return has_buffer_storage_; }
-  // GL_OUT_OF_MEMORY and the like are told by glGetError(); this is what it does not tell: "" or
-  // why the context is gone for good.
+  // Returns why the context is lost, or "". glGetError() reports other errors, such as
+  // GL_OUT_OF_MEMORY.
   std::string loss() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Why OpenGL finds no hardware on a machine that has some, and what to do about it.
+// Finds out why OpenGL finds no hardware on a machine that has some, and what to do about it.
 
 #include <filesystem>
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace gpu {
 
-// Where facts are read: this machine, or a tree that a test made.
+// The source of facts: this machine, or a tree that a test made.
 struct MachineView {
   std::filesystem::path root = "/";
   std::function<std::string(std::string_view variable)> environment;  // "" = not set
@@ -17,15 +17,14 @@ struct MachineView {
 };
 MachineView this_machine();
 
-// One maker's driver as libglvnd finds it.
-// [libglvnd, EGL ICD enumeration]
+// The driver of a maker as libglvnd finds it. [libglvnd, EGL ICD enumeration]
 struct EglVendor {
   bool has_library = false;  // libEGL_nvidia.so.0 or libEGL_mesa.so.0
   bool has_file = false;     // the JSON file that names it, where EGL looks
 };
 
 struct DeviceFacts {
-  // PCI display controllers of makers of GPUs; those of virtual machines are none.
+  // PCI display controllers of makers of GPUs; those of virtual machines do not count.
   bool has_nvidia_gpu = false, has_other_gpu = false;
   bool has_graphics_node = false;     // without one EGL could find nothing but software
   bool is_nvidia_loaded = false;      // its kernel module
@@ -52,13 +51,13 @@ enum class MissingDevice {
   no_vendor_file,
   vendor_file_elsewhere,
 };
-// The first of them that must be put right.
+// Returns the first reason that must be fixed.
 MissingDevice why_missing(const DeviceFacts& facts);
 
-// The same with what to do, in words; "" if it is no_gpu or unknown.
+// Returns the reason and what to do, in words; "" if it is no_gpu or unknown.
 std::string missing_device_advice(const DeviceFacts& facts);
 
-// Why EGL knows no device at all, not even software.
+// Returns why EGL knows no device at all, not even software.
 std::string no_egl_device_reason(const DeviceFacts& facts);
 
 }  // namespace gpu

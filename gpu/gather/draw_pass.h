@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of drawn connections on the device, many at a time, so that the device has work while the
+// Runs pieces of drawn connections on the device, many at a time, so that it has work while the
 // next are sent. For the thread that owns the context.
 
 #include "gpu/device/device_thread.h"
@@ -27,8 +27,8 @@ struct DrawPrograms {
   DrawPrograms(const DeviceState& device, const DrawShape& shape);
 };
 
-// A piece and what it may need to be sent: null where the device is thought to hold it. All live
-// until it is finished.
+// A piece and the data to send for it: null where the device should hold it. All live until it is
+// finished.
 struct DrawTask {
   DrawPiece* piece;
   const PackedPool* pool;
@@ -42,22 +42,22 @@ class DrawPass {
   // limits: of the pieces; never change a result.
   DrawPass(const Device& device, const DrawLimits& limits);
 
-  // A free one, for this piece; none: all are in use. It is free again after finish(), though
-  // another thread may still read what came back: then send() waits for that.
+  // Returns a free slot for this piece; empty: all are in use. It is free again after finish(),
+  // though another thread may still read the results: then send() waits for that.
   std::optional<std::size_t> take_slot(const DrawPiece& piece);
-  // Starts the work of `fresh` as far as their draws are known; and beside it the rest of the work
-  // of `drawn`, which were `fresh` before: their rays, sums, and the way back. Stages of one and
-  // of the other run between the same barriers, so that a device may work on both at a time.
-  // Throws GlError; what the slots hold is then lost.
+  // Starts the work of `fresh` up to their draws; and beside it the rest of the work of `drawn`,
+  // which were `fresh` before: their rays, sums, and the transfer back. Stages of both run between
+  // the same barriers, so that a device may work on both at a time. Throws GlError; the contents of
+  // the slots are then lost.
   void send(DeviceState& device, std::span<const DrawTask> fresh, std::span<const DrawTask> drawn);
-  // Waits so long at most; whether finish() would not wait. Throws GlError.
+  // Waits at most this long; returns whether finish() would not wait. Throws GlError.
   bool is_ready(const DrawTask& task, double most_s);
-  // Waits for the piece, whose rays were sent, and lends what came back. Throws GlError.
+  // Waits for the piece, whose rays were sent, and lends its results. Throws GlError.
   void finish(DeviceState& device, const DrawTask& task);
-  // What buffers of all slots take; after send() no more than most_bytes(), but for those in use.
+  // Returns all slots' buffer bytes; after send() at most most_bytes(), except those in use.
   std::size_t bytes() const;
   static std::size_t most_bytes(const DrawLimits& limits);
-  // Rays of a dispatch, by what the last ones took.
+  // Returns the rays of a dispatch, from the times of the last ones.
   std::size_t places_per_dispatch() const { return pacer_.items(); }
 
  private:
@@ -84,7 +84,7 @@ class DrawPass {
 
   void give_back();
   void upload(const DrawTask& task);
-  // Binds what stages after choosing read and write.
+  // Binds the buffers of the stages after choosing.
   void bind(DeviceState& device, const DrawTask& task);
   void choose(DeviceState& device, const DrawTask& task);
   void weigh(DeviceState& device, const DrawTask& task);
@@ -100,7 +100,7 @@ class DrawPass {
   std::unique_ptr<GlProgram> choose_;
   std::map<DrawShape, std::unique_ptr<DrawPrograms>> programs_;
   DispatchPacer pacer_;
-  // Bounded draws that are fetched with the sums: by what pieces had, so that few come back twice.
+  // Bounded draws to fetch with the sums, by earlier pieces, so that few need a second fetch.
   std::size_t bounded_expected_ = 1024;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Part of a calc::DrawBatch as it goes to the device and comes back.
+// A part of a calc::DrawBatch on its way to the device and back.
 
 #include "calc/radiosity/gather/gatherer.h"
 #include "gpu/opengl/borrowed_bytes.h"
@@ -11,7 +11,7 @@
 
 namespace gpu {
 
-// One of the draws above the smallest bound, whose own bound the CPU has to find.
+// A draw above the smallest bound, whose own bound the CPU has to find.
 struct BoundedDraw {
   std::uint32_t vertex;
   float weight;           // as in calc::Connection
@@ -19,7 +19,7 @@ struct BoundedDraw {
 };
 static_assert(sizeof(BoundedDraw) == 12);
 
-// What the device answers for a receiver, before a sum for each channel of the pool.
+// The device's answer for a receiver, before a sum for each channel of the pool.
 struct DrawAnswer {
   std::uint32_t rays;  // kNotDone: the device did not do its work
   std::uint32_t bounded, first_bounded;
@@ -27,7 +27,7 @@ struct DrawAnswer {
 };
 static_assert(sizeof(DrawAnswer) == 16);
 
-// The programs of a piece leave out what it does not need.
+// The features that a piece needs; its programs omit the others.
 struct DrawShape {
   bool has_shadows = false;
   bool has_planar = false, has_round = false;  // kernels of receivers
@@ -43,12 +43,11 @@ struct DrawPiece {
   DrawShape shape;
   std::uint32_t most_nodes = 0;   // of a tile
   std::uint32_t most_ranges = 0;  // channels of the pool
-  // Of the plane's tiles, see device_points.h: neighbours there.
+  // Block of the plane's tiles, see device_points.h: neighbours there.
   std::size_t block = 0;
   std::size_t first_receiver = 0, receivers = 0;  // in the block
   std::size_t first_tile = 0, tile_count = 0;     // in the block; the last may be cut
-  // Of tiles whose nodes the device does not choose, as shaders/gather/tile_words.glsl says; else
-  // empty.
+  // Tiles whose nodes the device does not choose, as in shaders/gather/tile_words.glsl; else empty.
   std::vector<std::uint32_t> tiles;
 
   // What comes back, read by whoever asked; given back before the next piece is.
@@ -57,7 +56,7 @@ struct DrawPiece {
   BorrowedBytes bounded, bounded_rest;
   bool is_cut_short = false;  // the deadline has passed
 
-  // Throws calc::BackendFailure if the device did not do its work.
+  // Returns a draw; throws calc::BackendFailure if the device did not do its work.
   BoundedDraw bounded_draw(std::size_t index) const;
 
   std::size_t places_per_receiver() const { return std::size_t{batch->draws} + 1; }
@@ -68,36 +67,35 @@ struct DrawPiece {
   std::size_t words_per_answer() const { return 4 + 2 * std::size_t{most_ranges}; }
 };
 
-// Bounds of what a piece, or those that go together, take on the device, whose buffers may be no
-// larger than 128 MiB. A receiver with more draws makes a piece alone. Most pieces end by their
-// weights: half a million draws, twice what a large device has threads.
+// Limits of a piece, or of those that go together, on the device, whose buffers may be no larger
+// than 128 MiB. A receiver with more draws makes a piece on its own. Most pieces end by their
+// weights: half a million draws, twice the number of threads of a large device.
 struct DrawLimits {
   std::size_t places = std::size_t{1} << 22;    // of draws: 12 bytes in the longest list
   std::size_t weights = std::size_t{1} << 23;   // of groups: 8 bytes
   std::size_t dispatch = std::size_t{1} << 21;  // draws whose rays go in one dispatch
 };
 
-// Tiles in a batch: as many as make one dispatch of one piece, so that the device is full where the
-// work is enough, but no more than a thread's share. Small beside a replicate, and large beside the
-// way to the device and back, a tenth of a millisecond.
+// Returns the tiles in a batch: as many as make one dispatch of one piece, so that enough work
+// fills the device, but no more than a thread's share. Small beside a replicate, and large beside
+// the transfer to the device and back, a tenth of a millisecond.
 std::size_t tiles_per_batch(const calc::TileWork& work, const DrawLimits& limits,
                             std::size_t places_per_dispatch);
 
-// Cuts a batch into pieces that fit onto the device, and adds what comes back. Chooses the nodes of
-// tiles whose cuts are too large for the device to choose: those of few points with thousands of
-// draws each.
+// Cuts a batch into pieces that fit onto the device, and adds their results. Chooses the nodes of
+// tiles whose cuts are too large for the device: those of few points with thousands of draws each.
 class DrawPacker {
  public:
   DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits);
 
-  // The next piece; false after the last, or past the deadline.
+  // Makes the next piece; returns false after the last, or past the deadline.
   bool next(DrawPiece& piece);
   // Adds the answers to the sums of that piece, the last that next() made; returns the rays. Throws
   // calc::BackendFailure if the device did not do its work.
   std::uint64_t add(const DrawPiece& piece) const;
 
  private:
-  // Some receivers of one tile, in the piece one after the other.
+  // Some receivers of one tile, consecutive in the piece.
   struct Part {
     std::size_t tile, first, count;
   };

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of drawn connections of many threads, on their way to one device.
+// Queues pieces of drawn connections of many threads for one device.
 
 #include "gpu/gather/draw_pass.h"
 
@@ -13,10 +13,10 @@
 
 namespace gpu {
 
-// What waits goes together, as far as it takes no more room than a large piece: those of a batch of
-// small rooms fill a device only so. Once sent, pieces stand with their draws known until the next
-// come, so that rays of these run beside the choices of those; but not while the device would
-// run out of work.
+// Waiting pieces go together, as far as they need no more room than a large piece, because only a
+// batch of small rooms' pieces fills a device. Once sent, pieces wait with their draws known until
+// the next are sent, so that their rays run beside the choices of those; but not while the device
+// would run out of work.
 class DrawQueue {
  public:
   explicit DrawQueue(const DrawLimits& limits) : limits_(limits) {}
@@ -24,12 +24,12 @@ class DrawQueue {
   // Waits for the piece. pool, points: as in DrawTask. Throws calc::BackendFailure.
   void run(DeviceThread& thread, DrawPiece& piece, const PackedPool* pool,
            const DrawPoints::Packed* points);
-  // With the context current. Nothing may be under way.
+  // Clears the pass; needs the context current and nothing under way.
   void clear() { pass_.reset(); }
-  // As DrawPass::places_per_dispatch(), 0 before the first piece. For all threads.
+  // Returns DrawPass::places_per_dispatch(), 0 before the first piece. For all threads.
   std::size_t places_per_dispatch() const { return places_per_dispatch_; }
 
-  // For tests: pieces that wait; what was sent so far.
+  // For tests: the number of waiting pieces, and the record of sent ones.
   struct Sent {
     std::size_t batches = 0, most_pieces = 0;  // pieces that went together
     std::size_t beside = 0;                    // batches whose choices went beside rays of others
@@ -45,8 +45,8 @@ class DrawQueue {
   };
   using Batch = std::vector<Entry*>;
 
-  // On the context's thread: sends what waits as long as there is room, then finishes the oldest,
-  // unless others might yet be sent meanwhile.
+  // Sends waiting pieces as long as there is room, then finishes the oldest, unless others might be
+  // sent meanwhile. On the context's thread.
   void advance(DeviceState& device);
   void take_batch();
   void send(DeviceState& device);
@@ -58,7 +58,7 @@ class DrawQueue {
   std::atomic<std::size_t> places_per_dispatch_{0};
   mutable std::mutex mutex_;
   std::deque<Entry*> waiting_;
-  // Of the context's thread alone.
+  // Only for the context's thread.
   std::unique_ptr<DrawPass> pass_;
   Batch next_;                   // not sent yet
   Batch drawn_;                  // the last batch, if its rays were not sent

@@ -1,6 +1,6 @@
 #pragma once
-// Given connections on the device: uploads, one invocation each, results back. For the thread that
-// owns the context.
+// Evaluates given connections on the device: uploads, one invocation each, results back. For the
+// thread that owns the context.
 
 #include "calc/radiosity/paths/draws.h"
 #include "calc/radiosity/paths/light_vertex.h"
@@ -21,7 +21,7 @@
 
 namespace gpu {
 
-// A receiver as the shader reads it: three vec4.
+// A receiver in the shader's layout: three vec4.
 struct GpuReceiver {
   glm::vec4 position_m;  // local; last component unused
   glm::vec4 axis;        // last component: the calc::ReceiverKernel
@@ -39,12 +39,12 @@ struct GatherJob {
   std::span<const calc::Connection> connections;  // of these receivers, at most kMostConnections
   float bounded_from_per_m2 = 0.0f;               // VertexBounds::lowest_per_m2()
   bool has_shadows = true;
-  // One for each connection:
+  // Results, one for each connection:
   //   kNoRay        one end faces away from the other
-  //   kAddsNothing  something stands between, or what is added is 0
+  //   kAddsNothing  something is between, or the contribution is 0
   //   kNotDone      the device did not do its work
-  //   else a float: > 0 what the connection adds, lx; < 0 the geometry term, negative, which is
-  //   above bounded_from_per_m2: its bound is for the caller to find.
+  //   else a float: > 0 the contribution, lx; < 0 the geometry term, negative, which is above
+  //   bounded_from_per_m2: the caller has to find its bound.
   std::span<std::uint32_t> results;
 };
 
@@ -52,7 +52,7 @@ class GatherPass {
  public:
   GatherPass();
 
-  // Throws GlError, and can be used again after OutOfMemory.
+  // Runs the job. Throws GlError, and can be used again after OutOfMemory.
   void run(DeviceState& device, DevicePools& pools, const GatherJob& job);
 
   // Short enough for the watchdogs of desktop drivers.

@@ -1,5 +1,5 @@
 #pragma once
-// The nodes that the receivers of a tile choose from, as shaders/gather/tile_words.glsl has them.
+// The nodes that a tile's receivers choose from, in the layout of shaders/gather/tile_words.glsl.
 
 #include "calc/radiosity/paths/cut.h"
 #include "calc/radiosity/paths/vertex_tree.h"
@@ -13,7 +13,7 @@ namespace gpu {
 
 inline constexpr std::uint32_t kTileHead = 4, kTileChosen = 1;
 
-// Words of a tile. most_ranges: channels of the pool, that is roots of its tree.
+// Returns the words of a tile. most_ranges: channels of the pool, that is roots of its tree.
 constexpr std::size_t words_per_tile(std::size_t most_nodes, std::size_t most_ranges) {
   return std::size_t{kTileHead} + 2 * most_ranges + most_nodes;
 }

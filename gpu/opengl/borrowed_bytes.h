@@ -1,5 +1,5 @@
 #pragma once
-// Memory of one thread that others read: lent in parts, and used again once all of them are back.
+// Memory of one thread that others borrow in parts; it is used again once all parts are back.
 
 #include <condition_variable>
 #include <cstddef>
@@ -43,8 +43,8 @@ class BorrowedBytes {
   std::uint32_t not_done_ = 0;
 };
 
-// Outlives what it lends: its destructor waits. The owner's thread alone must not hold any of it
-// then, nor in wait().
+// Outlives its lent parts: its destructor waits. The owner's thread must not hold any part then,
+// nor in wait().
 class Lender {
  public:
   Lender() = default;
@@ -66,7 +66,7 @@ class Lender {
   std::size_t lent_ = 0;
 };
 
-// Every 4 bytes, the rest as far as it goes.
+// Fills every 4 bytes, and the rest in part.
 void fill_words(std::span<std::byte> bytes, std::uint32_t word);
 
 }  // namespace gpu

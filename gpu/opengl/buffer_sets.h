@@ -1,5 +1,5 @@
 #pragma once
-// Sets of buffers for calls that are under way at the same time: each takes one, the others wait.
+// Shares sets of buffers among simultaneous calls: each takes a set, the others wait.
 
 #include <condition_variable>
 #include <cstddef>
@@ -30,7 +30,7 @@ class BufferSets {
     BufferSet(const BufferSet&) = delete;
     BufferSet& operator=(const BufferSet&) = delete;
 
-    // On the context's thread. What an earlier call left, or what clear() left of it.
+    // Returns the buffers with an earlier call's contents, or new. For the context's thread.
     Buffers& buffers() const {
       std::unique_ptr<Buffers>& made = owner_->sets_[number_];
       if (!made) made = std::make_unique<Buffers>();
@@ -61,7 +61,7 @@ class BufferSets {
     if (free_.empty()) return std::nullopt;
     return next();
   }
-  // On the context's thread: of sets that nobody has; others go on with theirs.
+  // Frees the unused sets; others stay. For the context's thread.
   void clear() {
     const std::scoped_lock lock(mutex_);
     for (const std::size_t k : free_) sets_[k].reset();

@@ -1,5 +1,5 @@
 #pragma once
-// What OpenGL complains about, as exceptions.
+// OpenGL's errors as exceptions.
 
 #include <stdexcept>
 #include <string>
@@ -11,7 +11,7 @@ class GlError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// There was not enough memory on the device; the context itself is sound.
+// Not enough memory on the device; the context itself is sound.
 class OutOfMemory : public GlError {
  public:
   using GlError::GlError;
@@ -20,10 +20,10 @@ class OutOfMemory : public GlError {
 // Throws if a GL call since the last check failed. doing: "tracing shadow rays".
 void check_gl(const std::string& doing);
 
-// Throws calc::BackendFailure: what a device left undone is no result.
+// Throws calc::BackendFailure, because undone work is not a result.
 [[noreturn]] void throw_not_done();
 
-// Throws away what earlier failures left behind.
+// Discards the errors of earlier failures.
 void forget_gl_errors();
 
 }  // namespace gpu

@@ -6,12 +6,12 @@
 
 namespace gpu {
 
-// All calls need the context current in which it was made, the destructor too. A device that is
-// lost, or says nothing any more, ends a wait by GlError.
+// All calls, also the destructor, need the context current in which it was made. A wait for a
+// device that is lost or no longer responds ends with GlError.
 class GlFence {
  public:
   GlFence() = default;  // is reached
-  // After all commands so far, which it sends on their way.
+  // Returns a fence after all commands so far, and sends these.
   static GlFence set();
   ~GlFence();
   GlFence(GlFence&& other) noexcept
@@ -24,9 +24,9 @@ class GlFence {
   GlFence(const GlFence&) = delete;
   GlFence& operator=(const GlFence&) = delete;
 
-  // Whether the device has got there. Does not wait.
+  // Returns whether the device has reached it, without waiting.
   bool is_reached();
-  // Waits so long at most; the same answer. doing: for messages, "gathering light".
+  // Waits at most this long; returns the same. doing: for messages, "gathering light".
   bool wait_for(double most_s, const std::string& doing);
   void wait(const std::string& doing);
 

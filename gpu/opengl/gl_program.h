@@ -10,8 +10,8 @@
 
 namespace gpu {
 
-// Compiles with `compile`, which gives a linked program, or takes what the cache has for the key;
-// the name of OpenGL, and whether the cache had it.
+// A linked program: its OpenGL name, and whether it is from the cache. linked_program() takes it
+// from the cache by the key, else from `compile`.
 struct LinkedProgram {
   unsigned name = 0;
   bool is_from_cache = false;
@@ -19,7 +19,7 @@ struct LinkedProgram {
 LinkedProgram linked_program(const ProgramCache& cache, const std::string& key,
                              const std::function<unsigned()>& compile);
 
-// All calls need the context current in which it was made, the destructor too.
+// All calls, also the destructor, need the context current in which it was made.
 class GlProgram {
  public:
   // Throws GlError with the compiler's messages. what: for messages, "gather".
@@ -29,11 +29,11 @@ class GlProgram {
   GlProgram& operator=(const GlProgram&) = delete;
 
   void use() const;
-  // Of the program in use. Names that the shader does not read, some in some variants of it, are
-  // passed over.
+  // Sets a uniform of the program in use; ignores names that the shader does not read, because some
+  // variants omit them.
   void set(const char* uniform, std::uint32_t value) const;
   void set(const char* uniform, float value) const;
-  // Whether the cache had it.
+  // Returns whether it is from the cache.
   bool is_from_cache() const { return is_from_cache_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What many threads want packed for the device at the same time, packed by one of them.
+// Packs data for the device once when many threads need it at the same time.
 
 #include <map>
 #include <memory>
@@ -10,8 +10,8 @@ namespace gpu {
 template <class Key, class Packed>
 class PackOnce {
  public:
-  // What `pack` returns, once for all that ask for the key while anyone still holds it. Others
-  // wait.
+  // Returns the result of `pack`, computed once for all threads with this key while any of them
+  // holds it. Others wait.
   template <class Pack>
   std::shared_ptr<const Packed> get(const Key& key, const Pack& pack) {
     std::shared_ptr<Packing> packing;

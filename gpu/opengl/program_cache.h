@@ -1,5 +1,5 @@
 #pragma once
-// Compiled shaders in files, for the next run: compiling takes longer than a small calculation.
+// Keeps compiled shaders in files, because compiling takes longer than a small calculation.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,23 +11,23 @@
 
 namespace gpu {
 
-// What glGetProgramBinary() gives.
+// A result of glGetProgramBinary().
 struct ProgramBinary {
   std::uint32_t format = 0;
   std::vector<std::byte> bytes;
 };
 
-// A file for each source and driver, whose names are hashes of both. A file that cannot be read or
-// is not whole is as good as none, one that cannot be written is left out: this only saves time.
+// A file for each source and driver, whose names are hashes of both. An unreadable or incomplete
+// file counts as missing, and failed writes are ignored, because this only saves time.
 class ProgramCache {
  public:
   ProgramCache() = default;  // off: holds nothing, takes nothing
-  // folder: made when first needed, "" = off. driver: whatever tells drivers apart.
+  // folder: made when first needed, "" = off. driver: a text that distinguishes drivers.
   ProgramCache(std::filesystem::path folder, std::string driver);
 
   bool is_on() const { return !folder_.empty(); }
   std::optional<ProgramBinary> find(std::string_view source) const;
-  // Whole or not at all, also if others write the same file or the program is killed.
+  // Writes it whole or not at all, also if others write the same file or the program is killed.
   void keep(std::string_view source, const ProgramBinary& binary) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// From where a picture of a room is taken.
+// The view from which a picture of a room is taken.
 
 #include <glm/glm.hpp>
 
@@ -15,22 +15,22 @@ struct Camera {
   glm::dvec3 eye_m{0.0};  // far outside the box; nothing is behind it
   double aspect = 1.0;    // width over height
 
-  // Place in the picture: x to the right, y up, both -1 to 1; z is depth, -1 nearest.
+  // Returns the place in the picture: x to the right, y up, both -1 to 1; z is depth, -1 nearest.
   glm::dvec3 project(const glm::dvec3& p_m) const {
     const glm::dvec4 clip = clip_from_local * glm::dvec4(p_m, 1.0);
     return glm::dvec3(clip) / clip.w;
   }
-  // Moved towards the eye: lines stand off the surfaces that they are drawn on.
+  // Returns a point moved towards the eye, so that lines are off the surfaces they are drawn on.
   glm::dvec3 nearer(const glm::dvec3& p_m, double distance_m) const {
     return p_m + glm::normalize(eye_m - p_m) * distance_m;
   }
 };
 
-// From above one corner, across the longer side; its horizontal axis runs to the right. The box
-// fills the picture up to a small margin.
+// Returns a view from above one corner, across the longer side; the box's horizontal axis is to the
+// right. The box fills the picture up to a small margin.
 Camera corner_camera(const RoomBox& box);
 
-// Straight from above, without perspective: x to the right, y up, as in a plan.
+// Returns a view from above without perspective: x to the right, y up, as in a plan.
 Camera plan_camera(const RoomBox& box);
 
 }  // namespace gpu

@@ -11,7 +11,7 @@
 
 namespace gpu {
 
-// As GlProgram, for drawing.
+// Like GlProgram, for drawing.
 class GlRenderProgram {
  public:
   // Throws GlError with the compiler's messages. what: for messages, "shadow map".
@@ -22,12 +22,12 @@ class GlRenderProgram {
   GlRenderProgram& operator=(const GlRenderProgram&) = delete;
 
   void use() const;
-  // Of the program in use; names that the shaders do not read are passed over.
+  // Sets a uniform of the program in use; ignores names that the shaders do not read.
   void set(const char* uniform, std::uint32_t value) const;
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
-  // Whether the cache had it.
+  // Returns whether it is from the cache.
   bool is_from_cache() const { return is_from_cache_; }
 
  private:

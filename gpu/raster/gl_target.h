@@ -10,8 +10,8 @@ namespace gpu {
 
 enum class Layer { depth, value, colour };  // 32-bit float; 32-bit float; 8-bit RGBA
 
-// One texture for each layer, all of one size. All calls need the context current in which it was
-// made, the destructor too. They throw GlError.
+// One texture for each layer, all of one size. All calls, also the destructor, need the context
+// current in which it was made. They throw GlError.
 class GlTarget {
  public:
   // what: for messages, "shadow maps". Not larger than largest_side().
@@ -24,14 +24,14 @@ class GlTarget {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // What is drawn from now on goes here, layers other than depth to outputs 0, 1, ... in order.
+  // Directs further drawing here, layers other than depth to outputs 0, 1, ... in order.
   void draw_into() const { draw_into(width_, height_); }
-  // The same, to the first columns and the lowest rows.
+  // Does the same for the first columns and the lowest rows.
   void draw_into(int width, int height) const;
-  // As a sampler of shaders.
+  // Binds a layer as a sampler of shaders.
   void bind_texture(std::size_t layer, unsigned unit) const;
-  // The first columns and lowest rows of a layer that is not depth, lowest row first, 4 bytes a
-  // pixel. It must have been drawn into since another target was.
+  // Reads the first columns and lowest rows of a layer that is not depth, lowest row first, 4 bytes
+  // a pixel. Requires that it was drawn into after any other target.
   void read(std::size_t layer, int width, int height, std::span<std::byte> to) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Drawing by rasterisation: surfaces that carry a value, and lines, faces and dots over them.
+// Draws by rasterisation: surfaces that carry a value, and lines, faces and dots over them.
 
 #include "gpu/device/device_thread.h"
 #include "gpu/raster/camera.h"
@@ -42,7 +42,7 @@ struct PictureScene {
   double lift_m = 0.0;  // faces, lines and dots are drawn so much nearer to the eye
 };
 
-// Rows from the top.
+// A picture with rows from the top.
 struct Picture {
   static constexpr float kNothing = -1.0f;
 
@@ -51,13 +51,13 @@ struct Picture {
   std::vector<std::uint8_t> cover;  // RGBA of what is drawn over it, premultiplied
 };
 
-// width: pixels; the height follows from the camera. Sizes in pixels are those of this picture. The
-// same device gives the same bits. recycled: a picture that is no longer needed, for its memory.
+// Draws a picture. width: pixels; the height follows from the camera. Sizes in pixels are those of
+// this picture. The same device gives the same bits. recycled: an old picture, for its memory.
 // Throws calc::BackendFailure; the device may be used again, unless it is lost.
 Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
                      int width, Picture recycled = {});
 
-// The picture's height, at least 1.
+// Returns the picture's height, at least 1.
 int height_of(const Camera& camera, int width);
 
 }  // namespace gpu

@@ -1,5 +1,5 @@
 #pragma once
-// What drawing pictures keeps from one to the next.
+// Keeps tools for drawing between pictures.
 
 #include "gpu/opengl/program_cache.h"
 #include "gpu/raster/gl_render_program.h"
@@ -9,13 +9,13 @@
 
 namespace gpu {
 
-// Made when first asked for. All calls need the context current in which it lives, the destructor
-// too; they throw GlError.
+// Tools made on first use. All calls, also the destructor, need the context current in which it
+// lives; they throw GlError.
 class PictureTools {
  public:
   enum Output : std::size_t { kValue = 0, kCover = 1 };  // layers of target()
 
-  // Layers kValue, kCover and depth, at least so large.
+  // Returns a target of layers kValue, kCover and depth, at least so large.
   const GlTarget& target(int width, int height);
   const GlRenderProgram& surfaces(const ProgramCache& cache);
   const GlRenderProgram& lines_and_dots(const ProgramCache& cache);

@@ -1,6 +1,6 @@
 #pragma once
-// Instant radiosity by rasterisation: a depth map of half a cube around every light vertex, and all
-// receivers looked up in it. For the thread that owns the context.  [Keller97]
+// Instant radiosity by rasterisation: a depth map of half a cube around every light vertex, in
+// which all receivers are looked up. For the thread that owns the context.  [Keller97]
 
 #include "calc/radiosity/paths/light_vertex.h"
 #include "calc/radiosity/sampling/rays.h"
@@ -27,8 +27,8 @@ struct ShadowMapJob {
   float most_per_m2 = 0.0f;  // larger geometry terms are cut off
   bool has_shadows = true;
   double deadline_s = 0.0;  // as in calc::GatherBatch; what was not yet told then never is
-  // Told, in order of vertices: results [vertex - first][receiver - first_receiver] of some
-  // vertices and some receivers, as of GatherJob::results, all above 0 being lx.
+  // Called in order of vertices: results [vertex - first][receiver - first_receiver] of some
+  // vertices and some receivers, as in GatherJob::results, all above 0 being lx.
   std::function<void(std::size_t first, std::size_t first_receiver, std::size_t receivers,
                      std::span<const std::uint32_t> results)>
       take;
@@ -40,19 +40,19 @@ struct ShadowMapTimes {
 
 class ShadowMapPass {
  public:
-  // Texels along a cube's edge: a power of two, 16 to 2048.
+  // texels: along a cube's edge, a power of two, 16 to 2048.
   ShadowMapPass(std::uint32_t texels, const ProgramCache& programs);
   ~ShadowMapPass();
   ShadowMapPass(const ShadowMapPass&) = delete;
   ShadowMapPass& operator=(const ShadowMapPass&) = delete;
 
-  // Throws GlError, and can be used again after OutOfMemory.
+  // Runs the job. Throws GlError, and can be used again after OutOfMemory.
   ShadowMapTimes run(DeviceState& device, const ShadowMapJob& job);
 
  private:
   void upload(const ShadowMapJob& job);
   void upload_scene(const calc::Tracer& tracer);
-  // False at the deadline.
+  // Returns false at the deadline.
   bool render(const ShadowMapJob& job, std::size_t first, std::size_t count);
   void prepare(const ShadowMapJob& job, std::size_t count);
   bool gather(const ShadowMapJob& job, std::size_t first, std::size_t count);

@@ -1,5 +1,5 @@
 #pragma once
-// Direct light of some points on the device, stage after stage.
+// Computes direct light of some points on the device, stage after stage.
 
 #include "calc/radiosity/direct/direct_tracer.h"
 #include "gpu/device/device_thread.h"
@@ -18,7 +18,7 @@
 
 namespace gpu {
 
-// A piece of work, as it goes to the device and comes back.
+// A piece of work, on its way to the device and back.
 struct DirectPiece {
   const calc::Tracer* tracer = nullptr;
   std::span<const calc::Receiver> points{};
@@ -28,17 +28,17 @@ struct DirectPiece {
   calc::OpeningRounds rounds{};
   double deadline_s = 0.0;  // see calc::is_past()
 
-  // The deadline passed: nothing below is whole.
+  // The deadline passed: results below are incomplete.
   bool is_cut_short = false;
-  // Pairs that are not kPairNothing: of point openings, that is the shadow rays.
+  // Pairs that are not kPairNothing: for point openings the number of shadow rays.
   std::uint64_t asked_pairs = 0;
-  // Pairs of which nothing is proved, luminaire by luminaire.
+  // Pairs without a proof, luminaire by luminaire.
   struct Sampled {
     std::uint32_t point, luminaire, samples;  // samples of one round
   };
   std::vector<Sampled> sampled{};
-  // [point]: 1 = so near to an opening that this falls into more parts than a shader visits; all of
-  // the point is left to the CPU, so that its light is that of the CPU.
+  // [point]: 1 = so near to an opening that it has more parts than a shader visits; the CPU
+  // computes the whole point, so that its light is the CPU's.
   std::vector<std::uint8_t> is_left{};
   // [channel * points + point]
   std::vector<double> known_lx{};
@@ -59,7 +59,7 @@ struct DirectBuffers {
   GlReadBack totals_back{"direct light of replicates"};
 };
 
-// Samples of pairs of which nothing is proved, of some points that go together.
+// Samples of pairs without a proof, of some points that go together.
 struct DirectSamples {
   std::size_t first_point, last_point;
   std::vector<std::uint32_t> list;  // as shaders/direct/direct_chunks.glsl has it
@@ -73,13 +73,13 @@ std::vector<DirectSamples> samples_of(const DirectPiece& piece, const DirectLimi
 // known_lx and, with keys, totals.
 void take_sums(const BorrowedBytes& known, const BorrowedBytes& totals, DirectPiece& piece);
 
-// In three steps, between which the device's thread does other work. All calls need the context
-// current, the destructor too. They throw GlError.
+// Works in three steps, between which the device's thread does other work. All calls, also the
+// destructor, need the context current. They throw GlError.
 class DirectPass {
  public:
   explicit DirectPass(const ProgramCache& programs);  // must outlive it
 
-  // Proofs and what is known.
+  // Starts proofs and known light.
   void start(DeviceState& device, DirectPiece& piece, DirectBuffers& buffers);
   // Of what is proved, a word for each pair. Waits.
   BorrowedBytes pairs(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
@@ -89,7 +89,7 @@ class DirectPass {
   struct Sums {
     BorrowedBytes known, totals;  // totals: with keys
   };
-  // Waits.
+  // Waits, and returns the sums.
   Sums sums(DeviceState& device, const DirectPiece& piece, DirectBuffers& buffers);
 
  private:

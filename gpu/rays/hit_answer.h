@@ -1,12 +1,12 @@
 #pragma once
-// What comes back of the short rays of a point, see hit_pass.h.
+// The answer for the short rays of a point, see hit_pass.h.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace gpu {
 
-// And a double for each channel: lx.
+// An answer; a double for each channel follows: lx.
 struct HitAnswer {
   float largest_lx;  // of a ray
   std::uint32_t rays;

@@ -1,5 +1,5 @@
 #pragma once
-// Light at the hits of short rays on the device: the first steps of every chain of
+// Computes the light at the hits of short rays on the device: the first steps of every chain of
 // calc::add_near_field(), and their sums. For the thread that owns the context.
 
 #include "calc/radiosity/paths/near_field.h"
@@ -24,24 +24,24 @@
 
 namespace gpu {
 
-// Rays that met what may give light are listed in their order, and light is found for a piece of
-// the list at a time:
+// Rays that met a surface that may give light are listed in their order, and light is found for a
+// piece of the list at a time:
 //   list    [hit] two words: the request, and which of its rays
-//   lights  [step][hit of the piece] a calc::HitLight; of later steps those of chains that go on
+//   lights  [step][hit of the piece] a calc::HitLight; in later steps of continued chains
 //   links   [step][hit of the piece] the chain's row of lights in the next step
 //   chains  where the next step's places are, see hit_further.glsl
 //   places  [place of the step] four uvec4: position, normal, weight, key, see hit_places.glsl
-//   near    draws whose vertex is so near that its own bound has to be found, see hit_far.glsl
+//   near    draws whose vertex is so near that its own bound is needed, see hit_far.glsl
 //   ends    [hit of the piece] of the whole chain: fate, rays, light; portions: that by channels
 //   answers [request] a HitAnswer and its channels
 //   left    calc::HitLight of rays that the CPU has to finish, in any order
-// For their draws from afar places are receivers of the tile that has all nodes of the field's cut;
-// those that nothing is to be found for, of one that has none.
+// For their draws from afar places are receivers of the tile with all nodes of the field's cut;
+// places without further light are receivers of a tile with none.
 //
-// Buffers of one call, on its way through the three steps below; what calls share is written and
-// read in the order of commands.
+// Buffers of one call, on its way through the three steps below; shared data is written and read in
+// the order of commands.
 struct HitBuffers {
-  // Some of the list.
+  // A part of the list.
   struct Piece {
     GlBuffer left{"what is left of short rays", BufferUse::by_device};
     GlBuffer left_count{"number of short rays that are left", BufferUse::by_device};
@@ -60,7 +60,7 @@ struct HitBuffers {
   std::size_t used = 0;      // of these
 };
 
-// What came back of a call.
+// The results of a call.
 struct HitAnswers {
   // Some calc::HitLight, in any order.
   struct Left {
@@ -83,16 +83,16 @@ class HitPass {
   HitPass(const ProgramCache& programs, const HitLimits& limits);  // programs must outlive it
 
   // Three steps, between which other work may run, so that the device has work while a caller waits
-  // for what came back. Each throws GlError and calc::BackendFailure.
+  // for results. Each throws GlError and calc::BackendFailure.
 
   // Starts the rays, and counts those that met what may give light. False: the deadline passed.
   bool start(DeviceState& device, ShortRayPass& rays, const calc::NearField& field,
              const ShortRayJob& job, HitBuffers& buffers);
-  // Waits for the counts, lists the hits and starts to find the light there. packed: as
-  // DevicePools::find_or_send() takes it. False: the deadline passed.
+  // Waits for the counts, lists the hits and starts to find the light there. packed: as in
+  // DevicePools::find_or_send(). False: the deadline passed.
   bool find(DeviceState& device, const ShortRayPass& rays, const calc::NearField& field,
             const PackedPool* packed, const ShortRayJob& job, HitBuffers& buffers);
-  // Waits for it.
+  // Waits for the light and returns it.
   HitAnswers take(DeviceState& device, const calc::NearField& field, const ShortRayJob& job,
                   HitBuffers& buffers);
 

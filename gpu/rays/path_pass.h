@@ -1,6 +1,6 @@
 #pragma once
-// Light paths on the device: uploads, some reflections of all paths per dispatch until none lives,
-// vertices back. For the thread that owns the context.
+// Traces light paths on the device: uploads, some reflections of all paths per dispatch until none
+// lives, vertices back. For the thread that owns the context.
 
 #include "calc/radiosity/paths/light_paths.h"
 #include "gpu/device/device_thread.h"
@@ -20,15 +20,15 @@
 
 namespace gpu {
 
-// Some paths of one batch, on their own way through a pass that jobs of one emitter share.
+// Some paths of one batch; jobs of one emitter share a pass.
 struct PathJob {
   const calc::Tracer& tracer;
   const calc::Emitter& emitter;
   const calc::PathBatch& batch;
   std::uint32_t first = 0, last = 0;  // of the batch's paths, by whole chunks
   std::uint64_t most_vertices = 0;    // for this job
-  // Gets the vertices, round after round, those of rounds before it was found useless too. On the
-  // device's thread, which waits in the end until they are back: to be handed on.
+  // Receives the vertices, round after round, those of rounds before it was found useless too.
+  // Called on the device's thread, which waits in the end until they are back: pass them on.
   std::function<void(PathRound)> take{};
 
   // After run():
@@ -40,7 +40,7 @@ struct PathJob {
 };
 
 // Buffers of a pass. A path's place in them is its slot; the slots of a chunk (kPathsPerChunk paths
-// of one job) follow each other. Where paths have ended, the others move up between rounds.
+// of one job) are consecutive. Where paths have ended, the others move up between rounds.
 //   words     direction numbers, then kJobSize per job
 //   states    4 uvec4 per slot: origin, index; direction, channel and job; flux and survival;
 //             absorbed and escaped so far (double)
@@ -52,8 +52,8 @@ class PathPass {
   // most_paths: of one run(), a multiple of kPathsPerChunk. Never changes a result.
   PathPass(std::uint32_t most_paths, const ProgramCache& programs);
 
-  // All jobs at once: at most kMostJobs of one tracer and emitter, of at most most_paths() with
-  // chunks counted as full. Throws GlError; is then of no more use.
+  // Runs all jobs at once: at most kMostJobs of one tracer and emitter, of at most most_paths()
+  // with chunks counted as full. Throws GlError; is then of no more use.
   void run(DeviceState& device, std::span<PathJob* const> jobs);
 
   std::uint32_t most_paths() const { return most_paths_; }
@@ -71,7 +71,7 @@ class PathPass {
   struct ChunkSum {
     std::uint32_t vertices, alive, rays, is_done;
   };
-  // Vertices of one round on their way. While their readers are at it, the next round has another.
+  // Vertices of one round on their way. While they are read, the next round uses another.
   struct Delivery {
     GlReadBack back{"packed light vertices"};
     std::vector<std::vector<std::uint32_t>> chunk_vertices{};  // [job]
@@ -79,16 +79,16 @@ class PathPass {
   };
 
   std::uint32_t reflections_left(const PathJob& job) const;
-  // Of the next round.
+  // Returns the reflections of the next round.
   std::uint32_t reflections_for(DeviceState& device, std::span<PathJob* const> jobs) const;
   void start(std::span<PathJob* const> jobs);
   void emit(std::span<PathJob* const> jobs);
-  // The next reflections of all living paths.
+  // Traces the next reflections of all living paths.
   void trace(DeviceState& device, const PathJob& job, std::uint32_t reflections);
   std::vector<ChunkSum> sum_up();
   void pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums);
   Delivery& free_delivery();
-  // What pack() started last, if it has not been.
+  // Delivers what pack() started last, unless already done.
   void deliver(std::span<PathJob* const> jobs);
   void start_balance();
   void finish_balance(std::span<PathJob* const> jobs);

@@ -1,6 +1,6 @@
 #pragma once
-// Light vertices on their way from the device's thread to the one that asked for them, which alone
-// reads them: what a path costs it, all others would wait for.
+// Passes light vertices from the device's thread to the requesting thread, which reads them alone,
+// so that other threads do not wait for that.
 
 #include "calc/radiosity/paths/light_vertex.h"
 #include "gpu/opengl/borrowed_bytes.h"
@@ -16,23 +16,23 @@
 
 namespace gpu {
 
-// What the reflections of one round left, of one job.
+// The vertices that the reflections of one round left, for one job.
 struct PathRound {
   std::vector<std::uint32_t> chunk_vertices;  // [chunk of the job]
   BorrowedBytes vertices;  // in order of chunks, then of reflections, then of paths
   double share_alive;      // of the job's paths, which go on
 };
 
-// From the device's thread to the one that waits.
+// A queue from the device's thread to the waiting one.
 class PathInbox {
  public:
   void put(PathRound round);
-  // After the last: why there is no more, "" if nothing is missing. The inbox may be gone then.
+  // Ends the queue: why there is no more, "" if nothing is missing. The inbox may be gone then.
   void end(const std::string& problem);
-  // Waits for the next; nothing: the end. Whoever asked has to take all: the device waits for what
-  // it lent.
+  // Waits for the next round; empty: the end. The caller has to take all, because the device waits
+  // for the parts it lent.
   std::optional<PathRound> next();
-  // After the end.
+  // Returns the problem, after the end.
   const std::string& problem() const { return problem_; }
 
  private:
@@ -43,16 +43,16 @@ class PathInbox {
   std::string problem_;
 };
 
-// Puts a job's rounds behind the vertices that are there.
+// Appends a job's rounds to the existing vertices.
 class RoundCollector {
  public:
-  // share: of all that `vertices` will have in the end, when this job is done; for room.
+  // share: this job's share of the final `vertices`, to reserve room.
   RoundCollector(calc::LightVertices& vertices, double share)
       : vertices_(vertices), begin_(vertices.size()), share_(share) {}
 
-  // Throws calc::BackendFailure if the device did not finish its work.
+  // Adds a round; throws calc::BackendFailure if the device did not finish its work.
   void add(const PathRound& round);
-  // Chunk by chunk, as the CPU orders them.
+  // Orders the vertices chunk by chunk, as the CPU does.
   void finish();
 
  private:

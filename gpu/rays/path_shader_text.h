@@ -1,6 +1,6 @@
 #pragma once
-// The sources of shaders for light paths, direct light and short rays, put together from shaders/
-// and the formulas of calc/.
+// Builds the sources of shaders for light paths, direct light and short rays from shaders/ and the
+// formulas of calc/.
 
 #include "calc/radiosity/sampling/short_rays.h"
 
@@ -30,12 +30,12 @@ std::string light_path_shader();
 std::string path_sums_shader();
 std::string path_places_shader();
 std::string path_balance_shader();
-// has_light: for the stages below. Only what may give light counts as met; kLitHitSize words for
-// each ray, its triangle in the tree and two doubles.
+// Returns the shader. has_light: for the stages below. Only surfaces that may give light count as
+// hits; kLitHitSize words for each ray, its triangle in the tree and two doubles.
 std::string short_ray_shader(bool has_light);
 inline constexpr std::uint32_t kLitHitSize = 5;
 
-// Rays that one invocation lists the hits of.
+// Rays whose hits one invocation lists.
 inline constexpr std::uint32_t kRaysPerBlock = 64;
 // Numbers of a piece of hits, see hit_pass.h: tiles of its receivers, doubles of the field, floats
 // of a calc::ChoiceSource and of a calc::ChoiceLobe.
@@ -44,20 +44,20 @@ inline constexpr std::uint32_t kFieldSmallest = 0, kFieldPerLumen = 1, kFieldAmb
                                kFieldNeeded = 3, kFieldLeast = 4;
 inline constexpr std::uint32_t kChoiceSize = 19, kLobeSize = 33;
 
-// Steps of a chain that the device does, the first among them. Of 100 hits some 5 go on, of these
-// some 5 once more; all that are left go to the CPU.
+// Steps of a chain that the device computes, with the first. Of 100 hits about 5 continue, of 100
+// of these about 5 again; the CPU computes the rest.
 inline constexpr std::uint32_t kChainSteps = 3;
-// What may go on: a word for each step, how many do, and then the places that they go on from.
+// Continued chains: a word per step with their number, then the places they continue from.
 inline constexpr std::uint32_t kChainHead = 16, kChainSize = 12;
 static_assert(kChainSteps < kChainHead);
-// Of a hit with its chain, kEndSize words; kMostPortions: channels one after the other that it has
-// light of, from each step a luminaire and kPlacesPerHit draws.
+// A hit with its chain has kEndSize words; kMostPortions: consecutive channels of its light, from
+// each step a luminaire and kPlacesPerHit draws.
 inline constexpr std::uint32_t kFateDone = 0, kFateLeft = 1;  // to the CPU
 inline constexpr std::uint32_t kEndSize = 8;
 inline constexpr std::uint32_t kPlacesPerHit = std::tuple_size_v<decltype(calc::HitLight::draws)>;
 inline constexpr std::uint32_t kMostPortions = kChainSteps * (1 + kPlacesPerHit);
-// Sizes of a later step's dispatches: of one for each place, for each node of each, a group for
-// each, one for each draw.
+// Dispatches of a later step: an invocation for each place, one for each node of each place, a
+// group for each place, an invocation for each draw.
 inline constexpr std::uint32_t kDispatchPlaces = 0, kDispatchNodes = 1, kDispatchRows = 2,
                                kDispatchDraws = 3, kDispatches = 4;
 
@@ -79,22 +79,22 @@ enum class HitStage {
 };
 std::string hit_shader(HitStage stage);
 
-// What a point has of a luminaire; above it, of what is sampled, samples of one round.
+// A point's proof about a luminaire; above it, for sampled ones, samples of one round.
 inline constexpr std::uint32_t kPairNothing = 0, kPairHidden = 1, kPairSeen = 2, kPairSampled = 3,
                                kPairLeft = 4;  // to the CPU
 inline constexpr std::uint32_t kPairStep = 8;
-// Parts of an opening that a shader visits at most, and how deep in the tree of halves.
+// Most parts of an opening that a shader visits, and the depth in the tree of halves.
 inline constexpr std::uint32_t kMostParts = 64, kDeepestPlace = 31;
-// The same at a hit, which stands for little: few, so that it does not hold up its neighbours.
+// The same at a hit, which has little weight: few, so that it does not delay its neighbours.
 inline constexpr std::uint32_t kMostHitParts = 16, kDeepestHitPlace = 8;
-// Of the samples of a chunk; above these bits, its rays.
+// Flags of a chunk's samples; above these bits, its rays.
 inline constexpr std::uint32_t kChunkIsLit = 1, kChunkHasHidden = 2, kChunkHasSeen = 4;
 inline constexpr std::uint32_t kChunkFlags = 3;
 
 enum class DirectStage { classify, seen, sums, samples, totals };
 std::string direct_shader(DirectStage stage);
 
-// Declares is_blocked(), closest_hit() and what they are made of: for tests and benchmarks.
+// Declares is_blocked(), closest_hit() and their parts, for tests and benchmarks.
 std::string ray_text();
 
 }  // namespace gpu

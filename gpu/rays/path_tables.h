@@ -1,5 +1,5 @@
 #pragma once
-// Luminaires as shaders/paths/emission.glsl reads them.
+// Luminaires in the layout of shaders/paths/emission.glsl.
 
 #include "calc/radiosity/direct/emission.h"
 

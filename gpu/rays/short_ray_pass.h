@@ -1,5 +1,5 @@
 #pragma once
-// First short rays of some points on the device. For the thread that owns the context.
+// Traces first short rays of some points on the device. For the thread that owns the context.
 
 #include "calc/radiosity/sampling/short_rays.h"
 #include "gpu/device/device_thread.h"
@@ -16,13 +16,13 @@
 
 namespace gpu {
 
-// One point, as shaders/hits/short_ray_requests.glsl reads it.
+// A point in the layout of shaders/hits/short_ray_requests.glsl.
 struct ShortRayRequest {
   std::uint32_t receiver;   // of its block, see plane_blocks.h
   std::uint32_t first_ray;  // rays are numbered one after the other
 };
 
-// Points of a batch that lie in one block.
+// Points of a batch in one block.
 struct ShortRayPart {
   std::size_t block = 0;
   std::vector<ShortRayRequest> requests{};  // and one behind the last, where its rays end
@@ -31,7 +31,7 @@ struct ShortRayPart {
   std::size_t rays() const { return requests.back().first_ray; }
   std::uint32_t most_rays() const;  // of a point
 };
-// most_points: of a part.
+// Returns the parts of a batch. most_points: of a part.
 std::vector<ShortRayPart> parts_of(const calc::NearFieldBatch& batch, std::size_t most_points);
 
 struct ShortRayJob {
@@ -44,10 +44,10 @@ struct ShortRayJob {
   double deadline_s = 0.0;           // see calc::is_past()
 };
 
-// Rays of one call, from their start until what is at their ends was found.
+// Rays of one call, from their start until the work at their hits is done.
 struct ShortRayBuffers {
   GlBuffer requests{"calculation points"};
-  // What the rays met, kNotDone before: calc::FirstHit; has_light: as short_ray_shader() says.
+  // The hits of the rays, kNotDone before: calc::FirstHit; has_light: as short_ray_shader() says.
   GlBuffer hits{"hits of short rays", BufferUse::by_device};
 };
 
@@ -55,14 +55,14 @@ class ShortRayPass {
  public:
   explicit ShortRayPass(const ProgramCache& programs);  // must outlive it
 
-  // Bindings that the stages after it share; others are those of DeviceScene.
+  // Bindings shared with later stages; others are those of DeviceScene.
   enum Binding : unsigned { kWords = 4, kHits = 6, kRequests = 9, kField, kPoints = 15 };
 
-  // Sends the points and starts their rays; has_light: with the field's numbers bound. False: the
-  // deadline passed. Throws GlError.
+  // Sends the points and starts their rays; has_light: with the field's numbers bound. Returns
+  // false after the deadline. Throws GlError.
   bool trace(DeviceState& device, const ShortRayJob& job, ShortRayBuffers& buffers);
   void bind(DeviceState& device, const ShortRayJob& job, const ShortRayBuffers& buffers) const;
-  // Of a program that reads points and their rays.
+  // Sets the keys of a program that reads points and their rays.
   static void set_keys(const GlProgram& program, const ShortRayJob& job);
 
  private:

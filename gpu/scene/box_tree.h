@@ -24,7 +24,7 @@ struct Box {
     low = glm::min(low, box.low);
     high = glm::max(high, box.high);
   }
-  // Half of it; 0 if nothing is inside.
+  // Returns half of the area; 0 if nothing is inside.
   float area() const {
     const glm::vec3 d = glm::max(high - low, glm::vec3(0.0f));
     return d.x * d.y + d.y * d.z + d.z * d.x;
@@ -33,7 +33,7 @@ struct Box {
 };
 
 struct BoxTree {
-  // No path from the root to a leaf is longer.
+  // The longest path from the root to a leaf.
   static constexpr int kMostHeight = 48;
 
   struct Node {
@@ -48,8 +48,8 @@ struct BoxTree {
   std::vector<std::uint32_t> order;  // the scene's triangles, those of a node one after another
 };
 
-// Splits where the summed area of boxes, times their triangles, is least among 16 bins of each
-// axis [Wald07]. A function of the scene alone, on all threads.
+// Builds the tree; splits where the summed area of boxes, times their triangles, is least among 16
+// bins of each axis [Wald07]. Depends only on the scene; runs on all threads.
 BoxTree build_box_tree(const calc::PreparedScene& scene, std::size_t most_per_leaf);
 
 }  // namespace gpu

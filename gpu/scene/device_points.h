@@ -1,5 +1,5 @@
 #pragma once
-// Calculation points as devices keep them, see plane_blocks.h.
+// Calculation points in the layouts of devices, see plane_blocks.h.
 
 #include "calc/radiosity/sampling/rays.h"
 #include "calc/radiosity/sampling/tiles.h"
@@ -14,7 +14,7 @@
 
 namespace gpu {
 
-// A receiver as the shaders of draws read it: four uvec4, the first three with vectors of floats.
+// A receiver for the shaders of draws: four uvec4, the first three with vectors of floats.
 struct DrawReceiver {
   glm::vec3 position_m;  // local
   std::uint32_t unused0 = 0;
@@ -24,12 +24,12 @@ struct DrawReceiver {
   std::uint32_t unused2 = 0;
   std::uint32_t tile;    // of its block
   std::uint32_t kernel;  // calc::ReceiverKernel
-  // A point's index in its plane, and 0; of a hit of a short ray the halves of its shift.
+  // A point's index in its plane, and 0; for a short ray's hit the halves of its shift.
   glm::uvec2 random;
 };
 static_assert(sizeof(DrawReceiver) == 64);
 
-// A tile as shaders/gather/choose.glsl reads it: three vec4, calc::ReceiverTile.
+// A tile for shaders/gather/choose.glsl: three vec4, calc::ReceiverTile.
 struct DrawTileView {
   glm::vec3 centre_m;
   float radius_m;
@@ -41,7 +41,7 @@ struct DrawTileView {
 };
 static_assert(sizeof(DrawTileView) == 48);
 
-// What draws need.
+// Data for draws.
 struct DrawPoints {
   struct Packed {
     std::vector<DrawReceiver> receivers;
@@ -52,14 +52,14 @@ struct DrawPoints {
     GlBuffer views{"tiles of calculation points", BufferUse::fixed};
   };
 
-  // Tiles block * kTilesPerBlock and on.
+  // Packs the tiles from block * kTilesPerBlock on.
   static Packed pack(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
                      std::size_t block);
   static void send(const Packed& packed, Block& block);
   static std::size_t bytes(const Block& block);
 };
 
-// A receiver as shaders/hits/short_ray_requests.glsl reads it: five uvec4.
+// A receiver for shaders/hits/short_ray_requests.glsl: five uvec4.
 struct NearReceiver {
   glm::dvec3 position_m, axis;  // local
   glm::vec3 origin_m;           // of its rays: lifted
@@ -69,7 +69,7 @@ struct NearReceiver {
 };
 static_assert(sizeof(NearReceiver) == 80);
 
-// What short rays need.
+// Data for short rays.
 struct NearPoints {
   using Packed = std::vector<NearReceiver>;
   struct Block {

@@ -18,8 +18,8 @@
 
 namespace gpu {
 
-// As the shaders read them. Apart, so that the largest pool (calc::kMostVertices) fits into buffers
-// of 128 MiB.
+// A pool in the shaders' layout, in separate arrays, so that the largest pool (calc::kMostVertices)
+// fits into buffers of 128 MiB.
 struct PackedPool {
   std::vector<glm::vec4> position_m;  // last component: flux, lm
   std::vector<glm::vec4> normal;      // last component: channel
@@ -40,27 +40,27 @@ struct DevicePool {
   GlBuffer position, normal, sphere, rest, half, axis, flux_before;
 
   std::size_t bytes() const;
-  // To bindings 2, 3; for draws 6, 7, 11; to choose nodes 6 to 9.
+  // Bind to bindings 2, 3; for draws 6, 7, 11; to choose nodes 6 to 9.
   void bind_vertices() const;
   void bind_tree() const;
   void bind_nodes() const;
 };
 
-// The pools used last: the replicates of a look are computed side by side.
+// The pools used last, because the replicates of a sampling round are computed side by side.
 class DevicePools {
  public:
-  // For all threads: what find_or_send() takes, packed once for all that want it at the same time;
-  // null if the device has it with its tree.
+  // Returns the data for find_or_send(), packed once for all threads that need it at the same time;
+  // null if the device has it with its tree. For all threads.
   std::shared_ptr<const PackedPool> pack_unless_held(const calc::VertexTree& tree);
 
-  // All others need the context current in which the pools live, the destructor too.
-  // Null if it is not there, or lacks the tree that is needed. Valid until the next call.
+  // All others, also the destructor, need the context current in which the pools live. Returns null
+  // if it is missing, or lacks the needed tree. Valid until the next call.
   const DevicePool* find(std::uint64_t identity, bool needs_tree);
-  // identity: as VertexTree::identity(), 0 = never used again. Takes the place of a pool of the
-  // same identity. Throws GlError.
+  // Sends a pool and replaces one of the same identity. identity: as VertexTree::identity(), 0 =
+  // never used again. Throws GlError.
   const DevicePool& send(std::uint64_t identity, const PackedPool& packed);
-  // With its tree. packed: of pack_unless_held(); null, though it is not there any more: packed
-  // now.
+  // Returns the pool with its tree. packed: of pack_unless_held(); null, but the pool is gone:
+  // packs it now.
   const DevicePool& find_or_send(const calc::VertexTree& tree, const PackedPool* packed);
   void clear();
 

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes as shaders trace rays through them.
+// Scenes on the device, for shaders that trace rays.
 
 #include "calc/radiosity/sampling/rays.h"
 #include "gpu/opengl/gl_buffer.h"
@@ -18,16 +18,16 @@ struct DeviceScene {
   GlBuffer surface;  // per triangle of the tree: unit normal and reflectance, four double
   GlBuffer order;    // per triangle of the tree: its index in the scene
 
-  // To bindings 0 and 1.
+  // Binds to bindings 0 and 1.
   void bind() const;
-  // What closest hits need besides, to bindings 2 and 8: surfaces and triangle numbers.
+  // Binds the further data of closest hits to bindings 2 and 8: surfaces and triangle numbers.
   void bind_surfaces() const;
 };
 
-// The scenes used last. All calls need the context current in which it lives, the destructor too.
+// The scenes used last. All calls, also the destructor, need the context current in which it lives.
 class DeviceScenes {
  public:
-  // Valid until the next call. Throws GlError.
+  // Returns the scene, valid until the next call. Throws GlError.
   const DeviceScene& of(const calc::Tracer& tracer);
   void clear() { scenes_.clear(); }
 

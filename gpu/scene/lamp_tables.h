@@ -1,5 +1,5 @@
 #pragma once
-// Luminaires as shaders/direct/lamps.glsl reads them.
+// Luminaires in the layout of shaders/direct/lamps.glsl.
 
 #include "calc/radiosity/sampling/rays.h"
 

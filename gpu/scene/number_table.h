@@ -1,5 +1,5 @@
 #pragma once
-// Arrays of numbers for shaders, put together piece by piece.
+// Builds arrays of numbers for shaders.
 
 #include "calc/radiosity/sampling/low_discrepancy.h"
 #include "calc/scene/prepared_scene.h"
@@ -19,7 +19,7 @@ inline void add(std::vector<double>& table, const std::vector<double>& values) {
   table.insert(table.end(), values.begin(), values.end());
 }
 
-// The 32 direction numbers of each of the first dimensions, as samples.glsl reads them.
+// Returns the 32 direction numbers of each of the first dimensions, in the layout of samples.glsl.
 inline std::vector<std::uint32_t> sobol_words(int dimensions) {
   std::vector<std::uint32_t> words;
   for (int dimension = 0; dimension < dimensions; ++dimension) {
@@ -30,7 +30,7 @@ inline std::vector<std::uint32_t> sobol_words(int dimensions) {
   return words;
 }
 
-// Where a luminaire is, and what shines: position, three axes, half sizes, calc::OpeningShape; 16
+// Adds a luminaire's place and opening: position, three axes, half sizes, calc::OpeningShape; 16
 // numbers.
 inline void add_placement(std::vector<double>& table, const calc::PlacedLuminaire& luminaire) {
   add(table, luminaire.position_m);

@@ -1,6 +1,6 @@
 #pragma once
-// What devices keep of a plane's points in one look, sent once for all its replicates, some tiles
-// at a time.
+// Keeps a plane's points of one sampling round on the device, sent once for all its replicates,
+// some tiles at a time.
 
 #include "calc/radiosity/sampling/rays.h"
 #include "calc/radiosity/sampling/tiles.h"
@@ -18,17 +18,17 @@
 
 namespace gpu {
 
-// Tiles that are kept together, some 10 MiB: buffers may be no larger than 128 MiB.
+// Tiles kept together, some 10 MiB: buffers may be no larger than 128 MiB.
 inline constexpr std::size_t kTilesPerBlock = 4096;
 
-// The blocks used last. Kind: what is kept, as device_points.h has it.
+// The blocks used last. Kind: the kind of data, see device_points.h.
 template <class Kind>
 class PlaneBlocks {
  public:
   using Packed = typename Kind::Packed;
   using Block = typename Kind::Block;
 
-  // For all threads: what find_or_send() takes; null if the device has it.
+  // Returns the data for find_or_send(); null if the device has it. For all threads.
   std::shared_ptr<const Packed> pack_unless_held(const calc::Tracer& tracer,
                                                  const calc::ReceiverTiles& tiles,
                                                  std::size_t block) {
@@ -40,13 +40,13 @@ class PlaneBlocks {
     return packings_.get(key, [&] { return Kind::pack(tracer, tiles, block); });
   }
 
-  // All others need the context current in which the blocks live, the destructor too.
-  // packed: of pack_unless_held(); null, though it is not there any more: packed now. Valid until
-  // the next call. Throws GlError.
+  // All others, also the destructor, need the context current in which the blocks live. Returns a
+  // block, valid until the next call. packed: of pack_unless_held(); null, but the block is gone:
+  // packs it now. Throws GlError.
   const Block& find_or_send(const calc::Tracer& tracer, const calc::ReceiverTiles& tiles,
                             std::size_t block, const Packed* packed) {
     const Key key{tracer.identity(), tiles.identity(), block};
-    // This thread alone changes it.
+    // Only this thread changes it.
     if (const auto found = known_.find(key); found != known_.end()) {
       held_.splice(held_.begin(), held_, found->second);
       return held_.front().block;
