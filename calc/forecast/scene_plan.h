@@ -18,7 +18,7 @@ struct PlanePlan {
   std::size_t points = 0;
   std::size_t luminaires = 0;     // that may light it directly
   std::size_t seeing_points = 0;  // that indirect light may reach
-  bool is_exact = false;          // nothing is sampled: one pass, no looks
+  bool is_exact = false;          // nothing is sampled: one pass, no rounds
 };
 
 struct ScenePlan {

@@ -28,7 +28,7 @@ struct PlaneDecision {
   std::size_t receivers = 0;  // points times receivers_per_point()
   // [point]: 0 = proved that no reflected light reaches it, even if that must not be used.
   std::vector<std::uint8_t> may_see_reflection;
-  std::vector<std::uint8_t> gathers_reflection;  // [point]: 1 = looks add reflected light to it
+  std::vector<std::uint8_t> gathers_reflection;  // [point]: 1 = rounds add reflected light to it
   std::vector<std::uint8_t> is_dark;  // [luminaire]: 1 = left out; empty: none is left out
   bool measures_direct = true;        // false: eyes, whose direct light is glare
   bool samples_openings = false;      // light straight from extended openings is sampled

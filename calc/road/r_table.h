@@ -32,7 +32,7 @@ inline constexpr std::array<double, kRTableBetas> kRTableBeta_deg{
 
 struct RTable {
   std::string_view name;
-  double q0;  // nominal: what the figures stand for, cd / (m^2 lx)
+  double q0;  // nominal, of the figures, cd / (m^2 lx)
   bool is_wet;
   std::array<std::array<double, kRTableBetas>, kRTableTans> r_1e4;  // [tan][beta], r * 10^4, >= 0
 };

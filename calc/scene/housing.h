@@ -34,9 +34,9 @@ inline constexpr double kNoBackwardLight = 1.0e-6;  // a share up to this counts
 
 // Returns the bodies of a luminaire's housing, "<id>.face" and "<id>.housing", at the luminaire:
 //
-//  - flat opening: the face, a sheet in the opening's plane. A surface around it (a ceiling) has
-//    its material, see coincident_surfaces.h. Light starts before it, on either side. With a depth,
-//    a closed prism from there backwards, too. Round ones have 32 corners and the disk's area.
+//  - flat opening: the face, a sheet in the opening's plane. A surface that contains it (a ceiling)
+//    gets its material, see coincident_surfaces.h. Light starts before it, on either side. With a
+//    depth, a closed prism backwards from it, too. Round ones: 32 corners and the disk's area.
 //  - opening that is a body: that body, 1 mm (at most a tenth of its smallest half side) within the
 //    surface that light leaves, so that it hides none of its own light. Round ones are inscribed.
 //  - several emitters, all flat: each has its face, and the first one, with a depth, the box around

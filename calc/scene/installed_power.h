@@ -18,7 +18,7 @@ struct InstalledPower {
   double power_w = 0.0;   // of the luminaires that state it
   double area_m2 = 0.0;   // of the room's floor; 0 = not known
   int luminaires = 0;     // all
-  int without_power = 0;  // of them: nobody states their power
+  int without_power = 0;  // of them: their power is not stated
   // Those of them whose photometry states a power for a flux other than the project's. Results omit
   // it.
   int of_other_flux = 0;

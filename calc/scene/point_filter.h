@@ -21,7 +21,7 @@ enum class DropReason {
   outside_room,
   inside_solid,
   without_floor,  // of a route: nothing to walk on
-  in_the_way,     // of a route: something stands there that nobody walks on
+  in_the_way,     // of a route: an obstacle is there
   in_surface      // what it would measure differs from one side of a surface to the other
 };
 

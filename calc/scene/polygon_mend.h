@@ -52,7 +52,7 @@ std::optional<MendedPolygon> mend_polygon(const std::vector<glm::dvec3>& polygon
 // Removes corners that no triangle uses from the list; the others keep their order.
 void drop_unused_corners(std::vector<glm::dvec3>& corner, std::vector<glm::uvec3>& triangle);
 
-// Returns the area inside by the even-odd rule, also with crossing sides; 0 below 3 corners.
+// Returns the area inside, >= 0, by the even-odd rule, sides may cross; 0 below 3 corners.
 double enclosed_area(const std::vector<glm::dvec2>& polygon);
 // Returns the same along the mean plane; 0 where there is none.
 double enclosed_area(const std::vector<glm::dvec3>& polygon);

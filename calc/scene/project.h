@@ -149,7 +149,7 @@ struct EnumNames<GridRounding> {
 // The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,
 // or the shorter one if longer / shorter >= shorter_from_ratio. Default: EN 12464-1.
 struct GridByRule {
-  Message name = Message::words("EN 12464-1");  // of whoever asks for it, for reports
+  Message name = Message::words("EN 12464-1");  // of the requirement's source, for reports
   double factor_m = 0.2, base = 5.0, max_spacing_m = 10.0;
   double shorter_from_ratio = 2.0;
   GridRounding rounding = GridRounding::nearest;
@@ -162,7 +162,7 @@ struct GridByCount {
 // Cell counts are rounded up, so that no cell is larger.
 struct GridBySpacing {
   double along_u_m = 0.0, along_v_m = 0.0;
-  Message name;  // of whoever asks for it; "" = the project
+  Message name;  // of the requirement's source; "" = the project
   bool operator==(const GridBySpacing&) const = default;
 };
 using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
@@ -267,7 +267,7 @@ struct UnmadeZone {
   std::string role;
   Message why;
   std::optional<Waiver> left_out;  // by the project; else there is no place for it
-  bool is_place_unknown = false;   // there is one, but nobody knows where: the project may say it
+  bool is_place_unknown = false;   // it exists, but the project does not state where
 };
 
 // The task of a workplace that is not level: a board on a wall, the face of a rack.
@@ -299,7 +299,7 @@ struct Workplace {
   std::vector<ZoneText> zones;
   std::vector<UnmadeZone> unmade;  // known once its planes are made
   bool is_good = true;             // false after an error in it or in the shape of its room
-  bool is_further_copy = false;    // of a grid: what is wrong with it is said of the first copy
+  bool is_further_copy = false;    // of a grid: errors are reported for the first copy
   SourceLocation where;
 };
 

@@ -28,7 +28,7 @@ struct PackedPool {
   std::vector<glm::vec4> half;        // [node] half sizes of its box, m; cos_spread
   std::vector<glm::uvec4> axis;       // [node] mean normal as floats; child
   std::span<const double> flux_before_lm;
-  bool has_tree = false;  // what is said of nodes, and the flux, are there
+  bool has_tree = false;  // the nodes and the flux are there
 };
 
 PackedPool pack_pool(std::span<const calc::LightVertex> vertices);

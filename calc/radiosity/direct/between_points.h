@@ -14,7 +14,7 @@ namespace calc {
 struct LightBetweenPoints {
   struct Cell {
     std::size_t point = 0;          // of the grid, whose cell it is
-    bool is_sample = false;         // one of those that stand for the whole plane
+    bool is_sample = false;         // in the sample of the whole plane
     std::vector<double> direct_lx;  // [channel]: mean over its places, new, at full output
   };
   std::vector<Cell> cells;  // that were looked at

@@ -26,9 +26,9 @@ struct PlaneSums {
   std::vector<double> indirect_sum_lx;         // [r][c][p], sum over batches, each times its paths
   std::vector<std::uint64_t> paths;            // [p], per replicate
   std::vector<float> largest_sum_lx;           // [r][p], largest sample times its paths
-  std::vector<double> possible_sample_lx;      // [p], the largest of its looks
+  std::vector<double> possible_sample_lx;      // [p], the largest of its rounds
   std::vector<double> short_ray_factor;        // [p]
-  std::vector<double> clear_m;                 // [p], up to a limit that the first look sets
+  std::vector<double> clear_m;                 // [p], up to a limit set by the first round
   std::vector<std::uint64_t> connection_rays;  // [r]
   std::vector<std::uint64_t> near_rays;        // [r]
 };
@@ -74,7 +74,7 @@ class PlaneState {
   // Sums over the rounds in which all points took part, once a point was left out of a round.
   struct EvenSums {
     bool is_needed = false;
-    std::vector<double> indirect_lx, before_lx;      // [r][c][p]; before: of all looks but this one
+    std::vector<double> indirect_lx, before_lx;      // [r][c][p]; before: without this round
     std::vector<std::uint64_t> paths, before_paths;  // [p]
   };
 

@@ -47,7 +47,7 @@ struct VertexBatch {
 
 // The limits of a light vertex on paths that were not sampled.
 struct PossibleVertex {
-  double flux_lm = 0.0;           // the largest of any path, times the paths of the look
+  double flux_lm = 0.0;           // the largest of any path, times the paths of the round
   double mean_reflectance = 0.0;  // of the surfaces, [0, 1]
   double most_per_m2 = 0.0;       // bound of its geometry term; 0: no such vertex
 };
@@ -145,12 +145,12 @@ class PlaneWork {
   std::vector<std::vector<std::uint8_t>> free_openings_;
   std::optional<bool> has_fine_beams_;            // once it is asked for
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
-  ReceiverTiles tiles_;                           // of this look
+  ReceiverTiles tiles_;                           // of this round
   std::size_t look_points_ = 0;                   // in them
   std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
-  PossibleVertex possible_vertex_;                // of this look
-  double reach_m_ = 0.0;                          // of this look's short rays
-  std::vector<double> look_near_lx_, look_drawn_lx_;  // [replicate][point], of this look alone
+  PossibleVertex possible_vertex_;                // of this round
+  double reach_m_ = 0.0;                          // of this round's short rays
+  std::vector<double> look_near_lx_, look_drawn_lx_;  // [replicate][point], of this round only
 };
 
 }  // namespace calc

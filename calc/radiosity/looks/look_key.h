@@ -31,7 +31,7 @@ class LookKey {
 
  private:
   std::string common_;
-  std::string active_digest_;  // of all looks so far
+  std::string active_digest_;  // of all rounds so far
   int looks_ = 0;
 };
 

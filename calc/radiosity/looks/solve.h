@@ -23,7 +23,7 @@ struct VertexCache;
 // The result cache, in which sampling rounds are kept between runs.
 struct LookStore {
   EntryStore& entries;
-  std::string backend;  // who computes, with versions: looks of one are not another's
+  std::string backend;  // the computing code with versions; rounds of others differ
   // Computes nothing: a plane with a missing round is refused, with not_in_store or
   // too_large_for_store of calc/base/sentences.def.
   bool is_all_there_is = false;
@@ -31,9 +31,9 @@ struct LookStore {
 
 // Counts of a space's sampling rounds; results omit them.
 struct LookCounts {
-  std::uint64_t read = 0;       // taken from the store, one for each plane and look
+  std::uint64_t read = 0;       // taken from the store, for each plane and round
   std::uint64_t computed = 0;   // and those that were not there
-  std::uint64_t too_large = 0;  // planes whose looks cannot be kept
+  std::uint64_t too_large = 0;  // planes whose rounds cannot be kept
   bool has_rays = false;        // something had to be prepared for rays; false: none was traced
 };
 

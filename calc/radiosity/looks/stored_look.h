@@ -17,8 +17,8 @@ namespace calc {
 struct LookLight {
   double emitted_lm = 0.0, untraced_lm = 0.0;   // as FluxBalance
   bool has_paths = false;                       // light paths were traced for this plane
-  std::vector<double> absorbed_lm, escaped_lm;  // [replicate], of this look's paths alone
-  std::uint64_t pool_rays = 0;                  // of this look's paths
+  std::vector<double> absorbed_lm, escaped_lm;  // [replicate], of this round's paths only
+  std::uint64_t pool_rays = 0;                  // of this round's paths
 };
 
 // A plane after a round, or after its exact light where nothing is sampled.

@@ -29,10 +29,10 @@ struct VertexCache {
   std::uint64_t scene = 0;  // scene_fingerprint()
   std::uint64_t seed = 1;
   int replicates = 0;
-  std::uint64_t first_paths = 0, paths = 0;  // of one replicate: at the first look, in all
+  std::uint64_t first_paths = 0, paths = 0;  // of one replicate: in the first round, in all
   glm::dvec3 origin_m{0.0};                  // of local coordinates
   std::size_t channels = 1;
-  std::vector<VertexCacheBatch> batches;  // by replicate, then by look
+  std::vector<VertexCacheBatch> batches;  // by replicate, then by round
 
   // Returns the result of trace_light_paths(), with rays = 0. Throws std::logic_error if the batch
   // is not here: settings must be those of the cache.

@@ -13,7 +13,7 @@ namespace calc {
 // 32 bytes, half a cache line, because a connection reads a vertex at a random place.
 struct LightVertex {
   glm::vec3 position_m;  // local, lifted off the surface on the side that reflects
-  float flux_lm;         // reflected flux that the vertex stands for, > 0
+  float flux_lm;         // reflected flux of the vertex, > 0
   glm::vec3 normal;      // unit, on the side that reflects
   std::uint32_t channel;
 };

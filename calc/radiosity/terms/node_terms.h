@@ -19,7 +19,7 @@
 
 namespace calc::node_terms {
 #include "calc/radiosity/terms/node_terms.glsl"
-// After what it is made of.
+// This text uses the one above.
 #include "calc/radiosity/terms/cut_terms.glsl"
 }  // namespace calc::node_terms
 
