@@ -491,8 +491,8 @@ void DxfWriter::draw_mark(const LabelBox& sign, double z_m, const std::string& l
   });
   const glm::dvec2 at = found == places.end() ? places.front() : *found;
   taken_->add(box_around(at, 2.0 * half));
-  dxf_words(layer(kNumbers), {at - half, z_m}, text_m_, label, DxfAlign::start,
-            DxfColour::by_layer, dxf_);
+  dxf_words(layer(kNumbers), {at - half, z_m}, text_m_, label, DxfAlign::start, DxfColour::by_layer,
+            dxf_);
 }
 
 void DxfWriter::draw_luminaires(const ProjectPart& project, const SpacePart& space) {

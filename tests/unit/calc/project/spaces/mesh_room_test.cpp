@@ -88,12 +88,13 @@ TEST(MeshRoom, PointsInTheRoomStayThoseOutsideAndInSolidsAreDropped) {
 TEST(MeshRoom, ASolidThatLooksTheOtherWayMayBeTheRoomInThickWalls) {
   const std::string thick =
       ObjText().box("house", kLow, kHigh, false).box("hall", {1, 1, 0.1}, {2, 2, 2}, true).text();
-  EXPECT_EQ(load_room(thick).messages,
-            "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': luxgate cannot tell which part "
-            "of 'hall.obj' is the room: shell 2 is inside shell 1 and has faces that look the other "
-            "way; it may be a solid in the room, or the room within thick walls; name one with "
-            "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
-            "room is the space between all surfaces, such as thick walls)");
+  EXPECT_EQ(
+      load_room(thick).messages,
+      "dir/p.xml:4:14: error[mesh-room-not-clear]: room 'r': luxgate cannot tell which part "
+      "of 'hall.obj' is the room: shell 2 is inside shell 1 and has faces that look the other "
+      "way; it may be a solid in the room, or the room within thick walls; name one with "
+      "shell=\"...\": 1 ('house', 4 x 3 x 2.5 m), 2 ('hall', 1 x 1 x 1.9 m), or \"all\" (the "
+      "room is the space between all surfaces, such as thick walls)");
   const Loaded chosen = load_room(thick, R"( shell="2")");
   ASSERT_TRUE(chosen.project) << chosen.messages;
   ASSERT_EQ(room_of(chosen).bodies.size(), 1u);
