@@ -487,15 +487,15 @@ TEST(GlDrawQueue, SendsTogetherWhatWaits) {
   const std::size_t weights = batches[0]->tiles.receivers() * 200;
   const std::size_t places = batches[0]->tiles.receivers() * 51;
   const gpu::DrawLimits by_weights{1u << 21, 2 * weights}, by_places{3 * places, 1u << 23};
-  for (const auto& [limits, batches] :
+  for (const auto& [limits, sent] :
        {std::pair{gpu::DrawLimits(), 1u}, {by_weights, 3u}, {by_places, 2u}}) {
     Queued gl(gl_device(), limits);
     std::vector<Sums> all(kCallers);
     gather_at_once(gl, [&](std::size_t k) { all[k] = gather(*batches[k], gl, 50); });
     for (std::size_t k = 0; k < kCallers; ++k) EXPECT_EQ(all[k], alone[k]) << k;
-    EXPECT_EQ(gl.queue.sent().batches, batches);
-    EXPECT_EQ(gl.queue.sent().most_pieces, kCallers / batches);
-    EXPECT_EQ(gl.queue.sent().beside, batches - 1);  // rays of each beside the choices of the next
+    EXPECT_EQ(gl.queue.sent().batches, sent);
+    EXPECT_EQ(gl.queue.sent().most_pieces, kCallers / sent);
+    EXPECT_EQ(gl.queue.sent().beside, sent - 1);  // rays of each beside the choices of the next
   }
 }
 
