@@ -12,6 +12,10 @@ function(luxgate_embed_packs output)
 "// Written by rules/pack/embed_packs.cmake.
 #include \"rules/pack/builtin_packs.h\"
 
+// All compilers that build luxgate take longer literals than the least that the language demands.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
+
 namespace rules {
 
 std::vector<std::string_view> builtin_pack_texts() {
@@ -20,5 +24,7 @@ std::vector<std::string_view> builtin_pack_texts() {
 }
 
 }  // namespace rules
+
+#pragma GCC diagnostic pop
 ")
 endfunction()

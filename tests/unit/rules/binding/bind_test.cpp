@@ -771,8 +771,8 @@ TEST(BindRequirementsMessage, UnknownRow) {
   EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.9"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
                           "<require>: there is no row '34.9'; allowed: 9.1, 9.2, 9.3, 9.4, 9.5, "
-                          "10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 11.1, 13.2, 13.3, 13.5, 13.6, "
-                          "13.7, 14.1 or 15.2 and 30 more; did you mean '33.9'?"));
+                          "9.6, 10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 10.8, 11.1, 11.2, 11.3, "
+                          "12.1, 12.2 or 12.3 and 306 more; did you mean '30.9'?"));
 }
 
 TEST(BindRequirementsMessage, AmbiguousPack) {

@@ -3,20 +3,24 @@
 #include "calc/base/diagnostic_ids.h"
 #include "rules/pack/builtin_packs.h"
 #include "rules/pack/limit.h"
+#include "rules/pack/row_values.h"
 #include "rules/pack/rule_lint.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace rules::rule_pack_test {
 namespace {
 
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -442,6 +446,95 @@ TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
                                "en13201-2:2015", "en1838:2013", "en1838:2024", "iso8995-1:2002",
                                "lai:2012", "leed-interior-lighting:4.1", "osha-1926-56:1926.56",
                                "rp-20:1998", "rp-8:2014", "well:v1"));
+}
+
+const RulePack& indoor_pack() {
+  static const std::vector<RulePack> kPacks = builtin_rule_packs();
+  return *std::find_if(kPacks.begin(), kPacks.end(),
+                       [](const RulePack& pack) { return pack.full_id() == "en12464-1:2021"; });
+}
+
+// The numbers that the table of rules/README.md has.
+TEST(IndoorRows, AreAllThatASourceStates) {
+  std::size_t of_one_source = 0, in_part = 0, in_full = 0, without_number = 0;
+  for (const RuleRow& row : indoor_pack().rows) {
+    const auto count = [&row](const auto& is_meant) {
+      return std::count_if(row.values.begin(), row.values.end(), is_meant);
+    };
+    const auto numbers = count([](const RuleValue& value) { return value.required.has_value(); });
+    const auto confirmed = count([](const RuleValue& value) {
+      return value.required.has_value() && value.trust == Trust::confirmed;
+    });
+    EXPECT_EQ(row.values.size(), indoor_pack().parameters.size()) << row.ref;
+    EXPECT_FALSE(row.name.empty() || row.name_de.empty()) << row.ref;
+    if (numbers == 0) {
+      ++without_number;
+    } else if (confirmed == numbers) {
+      ++in_full;
+    } else if (row.sources.size() > 1 && row.ref != "12.2") {  // there the other one contradicts
+      ++in_part;
+    } else {
+      EXPECT_EQ(confirmed, 0) << row.ref;
+      ++of_one_source;
+    }
+  }
+  EXPECT_EQ(indoor_pack().rows.size(), 326U);
+  EXPECT_EQ(in_full, 8U);
+  EXPECT_EQ(in_part, 31U);
+  EXPECT_EQ(of_one_source, 284U);
+  EXPECT_EQ(without_number, 3U);
+}
+
+// Those that one source has without doubt about them are on the scales of the standard.
+TEST(IndoorRows, HaveNumbersThatTheStandardUses) {
+  std::vector<std::string> off_scale;
+  for (const RowValueProblem& problem : row_value_problems(indoor_pack())) {
+    EXPECT_FALSE(problem.is_error) << problem.row->ref << ": " << problem.words;
+    EXPECT_EQ(problem.value->trust, Trust::unverified) << problem.row->ref;
+    off_scale.push_back(problem.row->ref + " " + problem.value->parameter);
+  }
+  EXPECT_THAT(off_scale, ElementsAre("44.5.3 Em"));
+  EXPECT_THAT(rows_without_requirement(indoor_pack()), IsEmpty());
+  for (const RuleRow& row : indoor_pack().rows) {
+    SCOPED_TRACE(row.ref);
+    for (const RuleValue& value : row.values) {
+      if (!value.required) continue;
+      if (value.modified) {
+        EXPECT_EQ(value.parameter, "Em");
+        EXPECT_GT(*value.modified, *value.required);
+      }
+      if (value.parameter == "Uo") {
+        EXPECT_THAT(*value.required, AnyOf(0.3, 0.4, 0.5, 0.6, 0.7));
+      } else if (value.parameter == "RUGL") {
+        EXPECT_THAT(*value.required, AnyOf(16, 19, 22, 25, 28));
+      } else if (value.parameter == "Ra") {
+        EXPECT_THAT(*value.required, AnyOf(20, 40, 60, 80, 90));
+      }
+    }
+  }
+}
+
+TEST(IndoorRows, SayWhyANumberIsUnverified) {
+  std::vector<std::string> unverified;
+  for (const RuleRow& row : indoor_pack().rows) {
+    for (const RuleValue& value : row.values) {
+      if (!value.required || value.trust != Trust::unverified) continue;
+      unverified.push_back(row.ref + " " + value.parameter);
+      EXPECT_THAT(row.note, HasSubstr("; ")) << row.ref << ": the reason follows the number's";
+    }
+  }
+  EXPECT_THAT(unverified, ElementsAre("12.2 Uo", "12.2 Ra", "26.9 Ra", "44.5.3 Em", "61.8 RUGL"));
+}
+
+// 9.10 comes after 9.9, not after 9.1.
+TEST(IndoorRows, AreInTheOrderOfTheirNumbers) {
+  std::vector<std::vector<int>> numbers;
+  for (const RuleRow& row : indoor_pack().rows) {
+    std::vector<int>& parts = numbers.emplace_back();
+    std::istringstream ref(row.ref);
+    for (std::string part; std::getline(ref, part, '.');) parts.push_back(std::stoi(part));
+  }
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
 }
 
 }  // namespace
