@@ -168,17 +168,22 @@ RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextO
   return notes;
 }
 
-void RoomsToName::add_name(rules::Outcome outcome, const std::string& name) {
+void RoomsToName::add_name(const std::string& name, List& list) {
   constexpr std::size_t kMostNamed = 12;
-  List& list = lists_[outcome];
   ++list.count;
   if (list.names.size() < kMostNamed) list.names.push_back(name);
+}
+
+std::string RoomsToName::names(const Texts& t, const List& list) {
+  const std::string names = fmt::format("{}", fmt::join(list.names, ", "));
+  const std::size_t more = list.count - list.names.size();
+  return more == 0 ? names : t.say<Text::names_and_more>(names, more);
 }
 
 void RoomsToName::add(const ProjectPart& project, const std::string& path) {
   if (!project.is_judged) {
     ++rooms_;
-    add_name(rules::Outcome::not_judged, path.empty() ? printable_path(project.path) : path);
+    add_name(path.empty() ? printable_path(project.path) : path, unread_);
   }
   const std::vector<std::string> titles = room_titles(project);
   for (const RoomSummary& room : room_summaries(project)) {
@@ -186,12 +191,13 @@ void RoomsToName::add(const ProjectPart& project, const std::string& path) {
         printable(titles[static_cast<std::size_t>(room.space - project.spaces.data())]);
     const std::string name = path.empty() ? title : fmt::format("{}: {}", path, title);
     ++rooms_;
-    add_name(room.outcome, name);
+    add_name(name, lists_[room.outcome]);
     // What was not judged is graver, but what fails is to be mended as well.
     const bool has_failed =
         std::any_of(room.causes.begin(), room.causes.end(),
                     [](const RoomCause& one) { return one.outcome == rules::Outcome::fail; });
-    if (has_failed && room.outcome != rules::Outcome::fail) add_name(rules::Outcome::fail, name);
+    if (has_failed && room.outcome != rules::Outcome::fail)
+      add_name(name, lists_[rules::Outcome::fail]);
   }
 }
 
@@ -203,21 +209,24 @@ std::string RoomsToName::text(const Texts& t, int terminal_width) const {
     const auto list = lists_.find(outcome);
     if (list == lists_.end()) continue;
     const std::size_t count = list->second.count;
-    std::string names = fmt::format("{}", fmt::join(list->second.names, ", "));
-    if (count > list->second.names.size()) {
-      names = t.say<Text::names_and_more>(names, count - list->second.names.size());
-    }
+    const std::string who = names(t, list->second);
     const bool is_one = count == 1;
     if (outcome == rules::Outcome::fail) {
-      parts.push_back(is_one ? t.say<Text::one_room_fails>(count, names)
-                             : t.say<Text::rooms_fail>(count, names));
+      parts.push_back(is_one ? t.say<Text::one_room_fails>(count, who)
+                             : t.say<Text::rooms_fail>(count, who));
     } else if (outcome == rules::Outcome::not_judged) {
-      parts.push_back(is_one ? t.say<Text::one_room_not_judged>(count, names)
-                             : t.say<Text::rooms_not_judged>(count, names));
+      parts.push_back(is_one ? t.say<Text::one_room_not_judged>(count, who)
+                             : t.say<Text::rooms_not_judged>(count, who));
     } else {
-      parts.push_back(is_one ? t.say<Text::one_room_undecided>(count, names)
-                             : t.say<Text::rooms_undecided>(count, names));
+      parts.push_back(is_one ? t.say<Text::one_room_undecided>(count, who)
+                             : t.say<Text::rooms_undecided>(count, who));
     }
+  }
+  if (unread_.count > 0) {
+    const std::string who = names(t, unread_);
+    parts.push_back(unread_.count == 1
+                        ? t.say<Text::one_project_not_judged_named>(unread_.count, who)
+                        : t.say<Text::projects_not_judged_named>(unread_.count, who));
   }
   if (parts.empty()) return {};
   const std::string line = fmt::format("{}", fmt::join(parts, " · "));

@@ -33,8 +33,9 @@ class RoomsToName {
   // path: of the project, where there are several; else "".
   void add(const ProjectPart& project, const std::string& path);
 
-  // "1 room fails: Office · 2 rooms not judged: Hall, Store"; "" where a single room is all there
-  // is, or none is to be named. A room that is not judged, and fails in what is, is named twice.
+  // Returns "1 room fails: Office · 2 rooms not judged: Hall, Store · 1 project not judged: a.xml";
+  // "" if there is one room only, or none to name. A room that is not judged and fails in what is
+  // judged is named twice.
   std::string text(const Texts& t, int terminal_width) const;
 
  private:
@@ -42,10 +43,12 @@ class RoomsToName {
     std::vector<std::string> names;  // the first ones
     std::size_t count = 0;
   };
-  void add_name(rules::Outcome outcome, const std::string& name);
+  static void add_name(const std::string& name, List& list);
+  static std::string names(const Texts& t, const List& list);
 
-  std::size_t rooms_ = 0;
+  std::size_t rooms_ = 0;  // and projects that could not be read
   std::map<rules::Outcome, List> lists_;
+  List unread_;  // projects
 };
 
 }  // namespace report
