@@ -18,6 +18,7 @@
 #include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
 #include "report/document/luminaire_labels.h"
+#include "report/text/one_source_note.h"
 #include "rules/binding/colour_rendering.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
@@ -579,7 +580,8 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
 
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
                                      const std::vector<rules::RulePack>& packs,
-                                     std::string_view day, const calc::Budget& budget) {
+                                     std::string_view day, const calc::Budget& budget,
+                                     bool warns_of_one_source) {
   calc::Diagnostics diagnostics;
   const std::optional<ProjectInBudget> in_budget =
       load(path, files, packs, calc::RadiositySettings().replicates, budget, diagnostics);
@@ -598,6 +600,8 @@ report::ProjectPart validate_project(const std::string& path, const calc::FileRe
   }
   part.is_judged = !diagnostics.has_errors();
   part.diagnostics = diagnostics.all();
+  if (warns_of_one_source)
+    report::warn_of_one_source(one_source_rows(*loaded), path, part.diagnostics);
   return part;
 }
 

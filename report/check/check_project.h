@@ -23,9 +23,11 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
                               const Run& run, Observer& observer);
 
 // Everything that check_project() reads and checks, without calculation; what will not be judged,
-// whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
+// whatever the light, is a warning, and so are numbers of one public source where that is asked
+// for. day: YYYY-MM-DD, see day_of().
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
                                      const std::vector<rules::RulePack>& packs,
-                                     std::string_view day, const calc::Budget& budget = {});
+                                     std::string_view day, const calc::Budget& budget = {},
+                                     bool warns_of_one_source = false);
 
 }  // namespace check

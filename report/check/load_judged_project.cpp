@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/gather/settings.h"
 #include "report/check/load_rules.h"
+#include "report/document/one_source.h"
 
 #include <utility>
 
@@ -31,6 +32,15 @@ std::optional<calc::Project> load_judged_project(const std::string& path,
       path, files, packs, calc::RadiositySettings().replicates, calc::Budget(), diagnostics);
   if (!loaded) return std::nullopt;
   return std::move(loaded->judged.project);
+}
+
+std::vector<calc::Message> one_source_rows(const rules::JudgedProject& judged) {
+  std::vector<calc::Message> rows;
+  for (const rules::Requirement& requirement : judged.requirements)
+    report::add_one_source_row(requirement, rows);
+  for (const rules::BuildingQuestion& question : judged.buildings)
+    report::add_one_source_row(question.requirement, rows);
+  return rows;
 }
 
 }  // namespace check

@@ -4,6 +4,7 @@
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
+#include "calc/base/message.h"
 #include "calc/forecast/memory_need.h"
 #include "calc/scene/project.h"
 #include "rules/binding/judged_project.h"
@@ -34,5 +35,9 @@ std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const calc::FileReader& files,
                                                  const std::vector<std::string>& rule_files,
                                                  calc::Diagnostics& diagnostics);
+
+// Clauses of the requirements whose numbers rest on one public source, see
+// report/document/one_source.h.
+std::vector<calc::Message> one_source_rows(const rules::JudgedProject& judged);
 
 }  // namespace check

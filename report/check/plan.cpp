@@ -4,6 +4,7 @@
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
+#include "report/text/one_source_note.h"
 #include "rules/binding/judged_project.h"
 
 #include <fmt/format.h>
@@ -57,15 +58,18 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings, std::string_view day,
-                         const calc::Budget& budget, const Selection& selection) {
+                         const calc::Budget& budget, const Selection& selection,
+                         bool warns_of_one_source) {
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
+  std::vector<calc::Message> one_source;
   if (auto loaded = load_in_budget(path, files, packs, settings.replicates, budget, diagnostics)) {
     select(selection, loaded->judged, diagnostics);
     const rules::JudgedProject& judged = loaded->judged;
     const calc::Project& project = judged.project;
     plan.name = project.name;
+    if (warns_of_one_source) one_source = one_source_rows(judged);
     for (const calc::Space& space : project.spaces) {
       const std::vector<PlaneJob> jobs = make_plane_jobs(space, judged, packs, day, diagnostics);
       warn_of_unjudged(jobs, diagnostics);
@@ -74,6 +78,7 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   }
   plan.is_planned = !diagnostics.has_errors();
   plan.diagnostics = diagnostics.all();
+  report::warn_of_one_source(one_source, path, plan.diagnostics);
   return plan;
 }
 
@@ -82,10 +87,11 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
                                        std::string_view day, const calc::Budget& budget,
-                                       const Selection& selection) {
+                                       const Selection& selection, bool warns_of_one_source) {
   std::vector<ProjectPlan> plans;
   for (const std::string& path : paths) {
-    plans.push_back(plan_project(path, files, packs, settings, day, budget, selection));
+    plans.push_back(
+        plan_project(path, files, packs, settings, day, budget, selection, warns_of_one_source));
   }
   return plans;
 }

@@ -34,11 +34,13 @@ struct ProjectPlan {
 };
 
 // Reads everything that a check reads. A plane without points is an error; the others are planned.
-// What will not be judged, whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
+// What will not be judged, whatever the light, is a warning, and so are numbers of one public
+// source where that is asked for. day: YYYY-MM-DD, see day_of().
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings, std::string_view day,
-                         const calc::Budget& budget = {}, const Selection& selection = {});
+                         const calc::Budget& budget = {}, const Selection& selection = {},
+                         bool warns_of_one_source = false);
 
 // Of each.
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
@@ -46,7 +48,8 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
                                        std::string_view day, const calc::Budget& budget = {},
-                                       const Selection& selection = {});
+                                       const Selection& selection = {},
+                                       bool warns_of_one_source = false);
 
 // First looks at all of these projects, with their shadow maps, as far as they are planned, on the
 // threads that the machine has: what `auto` chooses must not depend on settings.jobs, as no result

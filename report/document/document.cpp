@@ -1,6 +1,7 @@
 #include "report/document/document.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "report/document/one_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -239,6 +240,7 @@ void Totals::add(const ProjectPart& project) {
   outcome = is_selection_empty() ? rules::Outcome::not_judged : gravest;
   hangs_on_the_day = hangs_on_the_day || does_hang_on_the_day(project);
   is_cut_short = is_cut_short || was_cut_short(project);
+  add_one_source_rows(project, one_source_rows);
 }
 
 Totals totals_of(const Document& document) {

@@ -401,6 +401,8 @@ struct Totals {
   rules::Outcome outcome = rules::Outcome::nothing_asked;  // of all together
   bool hangs_on_the_day = false;                           // see above
   bool is_cut_short = false;  // by time or an interruption, so that it hangs on the machine
+  // Clauses whose numbers rest on one public source, each once: see one_source.h.
+  std::vector<calc::Message> one_source_rows = {};
 
   void add(const ProjectPart& project);
   // Options chose nothing in any of the projects.

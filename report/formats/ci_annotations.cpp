@@ -5,6 +5,7 @@
 #include "report/formats/ci_revision.h"
 #include "report/revision/revision_tables.h"
 #include "report/stream/json_list.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
@@ -147,6 +148,8 @@ class GithubWriter : public FormatWriter {
     messages_.copy_to(sink);
     problems_.copy_to(sink);
     std::string text;
+    if (const std::string note = one_source_note({}, end.totals.one_source_rows); !note.empty())
+      text += github_line("notice", {}, "luxgate: one-source", note);
     for (const calc::Diagnostic& error : document_errors(end)) {
       text += github_line("error", error.where,
                           fmt::format("luxgate: {}", calc::diagnostic_name(error.id)),
@@ -238,10 +241,14 @@ class GitlabWriter : public FormatWriter {
   }
 
   void finish(const DocumentEnd& end, Sink& sink) override {
+    // An issue without a file is refused: it is that of the first project.
+    const std::string file = paths_.empty() ? "" : paths_.front();
+    if (const std::string note = one_source_note({}, end.totals.one_source_rows); !note.empty()) {
+      messages_.add(gitlab_issue("luxgate/one-source", note, of_messages_.of("one-source"), "info",
+                                 {file, 0, 0}));
+    }
     for (const calc::Diagnostic& error : document_errors(end)) {
-      // An issue without a file is refused: it is that of the first project.
       const std::string name(calc::diagnostic_name(error.id));
-      const std::string file = paths_.empty() ? "" : paths_.front();
       messages_.add(gitlab_issue("luxgate/" + name, printable(error.message),
                                  of_messages_.of(name + "\n" + error.message), "blocker",
                                  {file, 0, 0}));

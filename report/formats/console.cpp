@@ -11,6 +11,7 @@
 #include "report/text/clause_words.h"
 #include "report/text/decides.h"
 #include "report/text/folded_warnings.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plain_text.h"
 #include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
@@ -582,6 +583,8 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
                                     : t_.say<Text::method_notes>(hidden_notes_));
   }
   if (has_folded_notes_) text += line(t_[Text::notes_of_a_kind]);
+  if (const std::string note = one_source_note(t_, end.totals.one_source_rows); !note.empty())
+    text += line(note);
   text += painted(line(summary_words(t_, end.totals)), outcome_colour(end.totals.outcome),
                   options_.colour);
   if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())

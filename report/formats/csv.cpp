@@ -73,6 +73,7 @@ class ResultsCsvWriter : public TableCsvWriter {
     TableCsvWriter::finish(end, sink);
     std::string lines;
     const auto visit = [&](std::span<const TableCell> row) { add_row(row, lines); };
+    result_of_one_source(end, visit);
     results_of_errors({}, end, visit);
     if (frame_.revised != nullptr) results_of_revision({}, *frame_.revised, visit);
     sink.write(lines);

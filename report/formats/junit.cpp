@@ -3,6 +3,7 @@
 #include "report/formats/ci_finding.h"
 #include "report/formats/ci_revision.h"
 #include "report/revision/revision_tables.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
@@ -146,8 +147,9 @@ void add_revision_suite(pugi::xml_node root, const Document& document,
   if (!words.empty()) suite.append_child("system-out").text() = words.c_str();
 }
 
-// A suite of its own: errors of no single project.
-void add_error_suite(pugi::xml_node root, const std::vector<calc::Diagnostic>& errors) {
+// A suite of its own: errors of no single project, and what is said once of all of them.
+void add_document_suite(pugi::xml_node root, const std::vector<calc::Diagnostic>& errors,
+                        const std::string& note) {
   pugi::xml_node suite = root.append_child("testsuite");
   set(suite, "name", "luxgate");
   Counts counts;
@@ -163,6 +165,7 @@ void add_error_suite(pugi::xml_node root, const std::vector<calc::Diagnostic>& e
     set(problem, "message", words);
     problem.text() = words.c_str();
   }
+  if (!note.empty()) suite.append_child("system-out").text() = (note + "\n").c_str();
 }
 
 // A suite as it stands in the file, one level deep.
@@ -222,9 +225,10 @@ void JunitWriter::add(const ProjectPart& project) {
 void JunitWriter::finish(const DocumentEnd& end, Sink& sink) {
   const std::vector<calc::Diagnostic> errors = document_errors(end);
   for (std::size_t i = 0; i < errors.size(); ++i) all_.add(CaseResult::error);
-  if (!errors.empty()) {
+  const std::string note = one_source_note({}, end.totals.one_source_rows);
+  if (!errors.empty() || !note.empty()) {
     pugi::xml_document xml;
-    add_error_suite(xml, errors);
+    add_document_suite(xml, errors, note);
     suites_.write(suite_text(xml));
   }
   if (const Document* revised = frame_.revised) {

@@ -8,6 +8,7 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/markup.h"
+#include "report/text/one_source_note.h"
 #include "report/text/room_causes.h"
 #include "report/text/room_notes.h"
 #include "report/text/room_overview.h"
@@ -364,6 +365,8 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
         folded_lines_.count > 0 ? folded_lines_.with_rest(t_) + "\n" : std::string();
     text += details(t_.say<Text::passed>(passed_.count()), folded + passed_.text());
   }
+  if (const std::string note = one_source_note(t_, end.totals.one_source_rows); !note.empty())
+    text += "\n" + escape_markdown(note) + "\n";
   if (const std::string words = provenance_remarks(remarked, t_); !words.empty())
     text += "\n" + words + "\n";
   sink.write(text);

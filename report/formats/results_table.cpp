@@ -1,7 +1,10 @@
+#include "calc/base/diagnostic_ids.h"
+#include "report/document/one_source.h"
 #include "report/formats/ci_revision.h"
 #include "report/formats/table.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/notices.h"
+#include "report/text/one_source_note.h"
 #include "report/text/sentences.h"
 #include "report/text/shown_decimals.h"
 #include "report/text/text_numbers.h"
@@ -148,7 +151,7 @@ void add_finding(const Texts& t, ResultRow row, const rules::Finding& finding,
   row.set("unit", rules::unit_of(requirement));
   row.set("scene", requirement.scene);
   row.set("state", calc::name_of(requirement.state));
-  row.set("clause", sentence(t, requirement.clause));
+  row.set("clause", sentence(t, without_one_source(requirement.clause)));
   row.set("source", calc::name_of(rules::source_of(requirement)));
   row.set("comparison", calc::name_of(requirement.comparison));
   if (!std::isnan(requirement.limit)) row.set("limit", requirement.limit);
@@ -193,7 +196,7 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
   ResultRow row =
       row_of(project, finding.space_id, finding.plane_id, finding.id, calc::name_of(finding.kind));
   row.set("what", aggregate_title(t, finding));
-  row.set("clause", sentence(t, finding.clause));
+  row.set("clause", sentence(t, without_one_source(finding.clause)));
   row.set("source", calc::name_of(rules::source_of_pack(finding.is_user_supplied)));
   row.set_verdict(rules::verdict_name(finding.verdict), verdict_words(t, finding.verdict));
   row.set("reason", words);
@@ -307,6 +310,16 @@ void results_of_errors(const Texts& t, const DocumentEnd& end, const VisitRow& v
     row.set("reason", calc::format_diagnostic(error));
     row.visit_with(visit);
   }
+}
+
+void result_of_one_source(const DocumentEnd& end, const VisitRow& visit) {
+  const std::string note = one_source_note({}, end.totals.one_source_rows);
+  if (note.empty()) return;
+  ResultRow row;
+  row.set("requirement", calc::diagnostic_name(calc::DiagnosticId::one_source));
+  row.set_verdict({}, Text::xlsx_kind_note);
+  row.set("reason", note);
+  row.visit_with(visit);
 }
 
 void results_of_revision(const Texts& t, const Document& document, const VisitRow& visit) {

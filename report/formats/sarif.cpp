@@ -1,9 +1,11 @@
 #include "report/formats/sarif.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/formats/ci_finding.h"
 #include "report/formats/ci_revision.h"
 #include "report/stream/json_list.h"
 #include "report/text/json_layout.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
@@ -261,6 +263,11 @@ void SarifWriter::finish(const DocumentEnd& end, Sink& sink) {
     for (const CiChange& change : ci_changes(*frame_.revised)) {
       results_.add(change_json(change), change.rule);
     }
+  }
+  if (const std::string note = one_source_note({}, end.totals.one_source_rows); !note.empty()) {
+    const std::string id = calc::diagnostic_name(calc::DiagnosticId::one_source);
+    notifications_.add(
+        {{"descriptor", {{"id", id}}}, {"level", "note"}, {"message", {{"text", note}}}});
   }
   const std::vector<calc::Diagnostic> errors = document_errors(end);
   for (const calc::Diagnostic& error : errors) notifications_.add(notification_json(error, true));

@@ -53,6 +53,8 @@ const DocumentTable& results_table();
 void results_in(const Texts& t, const ProjectPart& project, const VisitRow& visit);
 // Rows of the same table for errors of no single project, whose verdict is "error".
 void results_of_errors(const Texts& t, const DocumentEnd& end, const VisitRow& visit);
+// The row of the same table for what is said once of numbers of one public source; none without.
+void result_of_one_source(const DocumentEnd& end, const VisitRow& visit);
 // Rows of the same table for what a revision made worse, or asks less; document: with a revision.
 void results_of_revision(const Texts& t, const Document& document, const VisitRow& visit);
 // What stands for a notice beside verdicts: "note", "in part", ...

@@ -1,5 +1,6 @@
 #include "report/formats/xlsx.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "report/document/luminaire_schedule.h"
 #include "report/document/luminaire_totals.h"
 #include "report/document/room_summary.h"
@@ -10,6 +11,7 @@
 #include "report/text/about_words.h"
 #include "report/text/notices.h"
 #include "report/text/number_format.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plane_names.h"
 #include "report/text/room_causes.h"
 #include "report/text/room_overview.h"
@@ -865,6 +867,11 @@ void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
   const auto visit = [&](std::span<const TableCell> row) {
     requirements_.add(results_order_.row({}, row));
   };
+  if (const std::string note = one_source_note(t_, end.totals.one_source_rows); !note.empty()) {
+    const std::string id = calc::diagnostic_name(calc::DiagnosticId::one_source), none;
+    notes_.add(
+        std::array<TableCell, 5>{std::string(t_[Text::xlsx_kind_note]), none, note, id, none});
+  }
   results_of_errors(t_, end, visit);
   if (frame_.revised != nullptr) {
     results_of_revision(t_, *frame_.revised, visit);

@@ -16,6 +16,7 @@
 #include "report/shell/output/output_options.h"
 #include "report/shell/output/warning_tally.h"
 #include "report/shell/process/environment.h"
+#include "report/text/one_source_note.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/checked_document.h"
 
@@ -195,6 +196,7 @@ Checked check(const std::string& path, const std::vector<Setting>& settings,
                        check::selection_words(options.settings.selection));
     return refused(diagnostics);
   }
+  if (options.strict.names(calc::DiagnosticId::one_source)) report::warn_of_one_source(part);
   part.strict_warnings = cli::WarningTally(options.strict).add(part.diagnostics);
   if (folder) tell_of_store(options.store, folder->troubles(), diagnostics);
 

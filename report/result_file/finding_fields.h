@@ -114,7 +114,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
                     "wherever it lies.",
            .presence = only_if(finding.is_doubtful),
            .is_mark = true});
-  v.written("note", [&] { return note_words(finding); },
+  v.written("note", [&] { return marked_note_words(finding); },
             {.words = "What must be read with the finding, in words.", .holds = Holds::prose});
   v.written("policy", [&] { return rules::policy_text(requirement.policy); },
             {.words = "How values are compared, in words.", .holds = Holds::prose});

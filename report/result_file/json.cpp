@@ -1,5 +1,6 @@
 #include "report/result_file/json.h"
 
+#include "report/document/one_source.h"
 #include "report/result_file/json_writer.h"
 #include "report/stream/json_list.h"
 #include "report/text/json_layout.h"
@@ -27,6 +28,8 @@ class ResultWriter : public FormatWriter {
     json.at("counts") = json_of(end.totals.verdicts);
     json.at("warnings") = json_of(end.totals.warnings);
     json.at("projects") = json_gap();
+    if (const auto names = one_source_names(end.totals); !names.empty())
+      json["one_source"] = json_of(names);
     if (const auto errors = document_errors(end); !errors.empty()) json["errors"] = json_of(errors);
     const std::vector<std::string> pieces = json_layout_around_gaps(json, 0);
     sink.write(pieces.at(0));

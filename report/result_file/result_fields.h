@@ -11,6 +11,7 @@
 #include "calc/project/objects/maintenance_plan_xml.h"
 #include "calc/project/reading/logo.h"
 #include "report/document/document.h"
+#include "report/document/one_source.h"
 #include "report/document/road_facts.h"
 #include "report/document/room_summary.h"
 #include "report/document/row_uses.h"
@@ -614,6 +615,11 @@ void describe(auto& v, Is<Document> auto& document) {
   v.written("warnings", [&] { return count_warnings(document); }, {.presence = kSinceLater});
   v.field("projects", document.projects);
   v.field("revision", document.revision, {.presence = only_if(document.revision.has_value())});
+  const std::vector<std::string> one_source = one_source_names(totals_of(document));
+  v.written("one_source", [&] { return one_source; },
+            {.words = "Clauses whose numbers rest on one public source, each once. Clauses and "
+                      "notes of requirements have the mark, too.",
+             .presence = only_if(!one_source.empty())});
   const std::vector<calc::Diagnostic> errors = document_errors(end_of(document));
   v.written("errors", [&] { return errors; },
             {.words = "Of no single project, as that options chose nothing in any of them.",

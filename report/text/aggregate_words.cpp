@@ -1,6 +1,7 @@
 #include "report/text/aggregate_words.h"
 
 #include "calc/base/elementary.h"
+#include "report/document/one_source.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
@@ -152,7 +153,8 @@ std::string aggregate_note(const Texts& t, const rules::AggregateFinding& findin
     return note + (note.empty() || close.empty() ? "" : "; ") + close;
   }
   const std::string remark = aggregate_remark(t, finding);
-  return sentence(t, finding.note) + (finding.note.empty() || remark.empty() ? "" : "; ") + remark;
+  const std::string note = sentence(t, without_one_source(finding.note));
+  return note + (note.empty() || remark.empty() ? "" : "; ") + remark;
 }
 
 }  // namespace report

@@ -1,5 +1,6 @@
 #include "report/text/clause_words.h"
 
+#include "report/document/one_source.h"
 #include "report/text/sentences.h"
 #include "rules/catalogue/row_level.h"
 
@@ -35,7 +36,7 @@ std::string with_level(const Texts& t, std::string words) {
 
 std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source) {
   if (clause.empty()) return {};
-  std::string words = sentence(t, clause);
+  std::string words = sentence(t, without_one_source(clause));
   switch (source) {
     case rules::LimitSource::pack:
       return with_level(t, std::move(words));

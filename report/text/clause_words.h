@@ -9,9 +9,10 @@
 
 namespace report {
 
-// A clause of a rule pack, with how well its number is known; of others as it is. Behind it who
-// says the number, where that is not a rule pack that comes with luxgate: "EN 12464-1:2021 34.2
-// (project's own)". "" of "".
+// A clause of a rule pack, with "[unverified requirement]" where nobody has verified its number; of
+// others as it is. That a number rests on one public source is said once per report, see
+// one_source_note.h. Behind it who says the number, where that is not a rule pack that comes with
+// luxgate: "EN 12464-1:2021 34.2 (project's own)". "" of "".
 std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source);
 std::string clause_words(const Texts& t, const rules::Requirement& requirement);
 std::string clause_words(const Texts& t, const rules::AggregateFinding& finding);

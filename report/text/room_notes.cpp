@@ -3,6 +3,7 @@
 #include "calc/base/glare_limits.h"
 #include "calc/base/sentences.h"
 #include "calc/glare/ugr_table.h"
+#include "report/document/one_source.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
 #include "report/text/notices.h"
@@ -282,7 +283,8 @@ std::vector<RoomNote> room_notes(const Texts& t, const ProjectPart& project, boo
     add_room(t, space, room, notes);
     for (const rules::AggregateFinding& finding : project.aggregates) {
       if (finding.space_id != space.id) continue;
-      notes.add(room + " / " + printable(aggregate_title(t, finding)), finding.note, false);
+      notes.add(room + " / " + printable(aggregate_title(t, finding)),
+                without_one_source(finding.note), false);
       if (!finding.is_user_supplied || finding.clause.empty()) continue;
       notes.add(room, printable(clause_words(t, finding)), false);
     }

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "report/document/one_source.h"
 #include "report/text/clause_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/plane_names.h"
@@ -444,10 +445,14 @@ std::string mask_name(const Texts& t, std::string_view id) {
   return row == std::end(kMasks) ? std::string(id) : t[row->second];
 }
 
-std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
+namespace {
+
+// note: that of the requirement.
+std::vector<NotePart> parts_after(const Texts& t, calc::Message note,
+                                  const rules::Finding& finding) {
   std::vector<NotePart> parts;
   const rules::Requirement& requirement = finding.requirement;
-  if (!requirement.note.empty()) parts.push_back({requirement.note, ""});
+  if (!note.empty()) parts.push_back({std::move(note), ""});
   const auto add = [&parts](std::string text) { parts.push_back({{}, std::move(text)}); };
   if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
   if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
@@ -471,13 +476,27 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   return parts;
 }
 
-std::string note_words(const Texts& t, const rules::Finding& finding) {
+std::string joined_parts(const Texts& t, const std::vector<NotePart>& parts) {
   std::string words;
-  for (const NotePart& part : note_parts(t, finding)) {
+  for (const NotePart& part : parts) {
     words += words.empty() ? "" : "; ";
     words += part.message.empty() ? part.text : sentence(t, part.message);
   }
   return words;
+}
+
+}  // namespace
+
+std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
+  return parts_after(t, without_one_source(finding.requirement.note), finding);
+}
+
+std::string note_words(const Texts& t, const rules::Finding& finding) {
+  return joined_parts(t, note_parts(t, finding));
+}
+
+std::string marked_note_words(const rules::Finding& finding) {
+  return joined_parts({}, parts_after({}, finding.requirement.note, finding));
 }
 
 std::string_view title_of(std::string_view name, std::string_view id) {

@@ -98,6 +98,9 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);
+// For result files, which have the mark of numbers of one public source at each requirement; a
+// report says that once, see one_source_note.h.
+std::string marked_note_words(const rules::Finding& finding);
 // What was measured, with its unit: "512.5 ± 4.0 lx", "< 10" of a UGR below its scale.
 std::string measured_words(const Texts& t, const rules::Requirement& requirement,
                            const calc::Estimate& measured);

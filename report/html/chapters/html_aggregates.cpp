@@ -1,5 +1,6 @@
 #include "report/html/chapters/html_aggregates.h"
 
+#include "report/document/one_source.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/clause_words.h"
@@ -27,7 +28,7 @@ std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
     add(escape_html(aggregate_note(t, finding)));
     return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
   }
-  if (!finding.note.empty()) add(sentence_html(t, finding.note));
+  add(sentence_html(t, without_one_source(finding.note)));
   add(aggregate_remark(t, finding));
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }

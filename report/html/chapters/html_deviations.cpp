@@ -1,5 +1,6 @@
 #include "report/html/chapters/html_deviations.h"
 
+#include "report/document/one_source.h"
 #include "report/html/page/html_markup.h"
 #include "report/text/clause_words.h"
 #include "report/text/markup.h"
@@ -65,8 +66,8 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
                      deviation.stated ? by_words(t, *deviation.stated) : "");
   }
   if (requirement.origin.is_weakened)
-    rows +=
-        row_html(t[Text::weaker_than_row], where, asked, sentence_html(t, requirement.note), "");
+    rows += row_html(t[Text::weaker_than_row], where, asked,
+                     sentence_html(t, without_one_source(requirement.note)), "");
   if (finding.by_tolerance) rows += row_html(t[Text::met_by_tolerance], where, asked, "", "");
   return rows;
 }

@@ -1,5 +1,7 @@
 #include "report/html/chapters/html_method.h"
 
+#include "report/text/markup.h"
+#include "report/text/one_source_note.h"
 #include "report/text/text_numbers.h"
 
 #include <fmt/format.h>
@@ -35,7 +37,7 @@ std::string list(const Texts& t, Text title, const Table& table) {
 
 }  // namespace
 
-std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes,
+std::string html_method(const Texts& t, const DocumentEnd& end, const Footnotes& footnotes,
                         const ClientMethod* client) {
   std::string html = fmt::format(
       "<section aria-labelledby=\"method\" class=\"method\"><h2 "
@@ -48,9 +50,12 @@ std::string html_method(const Texts& t, double confidence, const Footnotes& foot
     html += fmt::format("<p>{}</p>\n", t[Text::method_pictures]);
   if (client != nullptr && client->has_rendered)
     html += fmt::format("<p>{}</p>\n", t[Text::rendered_caption]);
-  html += fmt::format("<p>{}</p>\n", t.say<Text::method_interval>(format_percent(t, confidence)));
+  html += fmt::format("<p>{}</p>\n",
+                      t.say<Text::method_interval>(format_percent(t, end.provenance.confidence)));
+  const std::string note = one_source_note(t, end.totals.one_source_rows);
   return html + list(t, Text::method_verdicts, kVerdicts) + list(t, Text::method_terms, kTerms) +
-         footnotes.list() + "</section>\n";
+         footnotes.list() + (note.empty() ? "" : "<p>" + escape_html(note) + "</p>\n") +
+         "</section>\n";
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 // How the values were calculated and what the words mean, for readers who are no lighting
 // engineers.
 
+#include "report/document/document.h"
 #include "report/html/page/html_footnotes.h"
 #include "report/text/texts.h"
 
@@ -15,8 +16,9 @@ struct ClientMethod {
   bool has_rendered = false;  // rendered views among them
 };
 
-// A section. confidence: of intervals, (0, 1). client: of the document for clients, else null.
-std::string html_method(const Texts& t, double confidence, const Footnotes& footnotes,
+// A section, with what is said once of numbers of one public source. client: of the document for
+// clients, else null.
+std::string html_method(const Texts& t, const DocumentEnd& end, const Footnotes& footnotes,
                         const ClientMethod* client = nullptr);
 
 }  // namespace report

@@ -1,5 +1,6 @@
 #include "report/html/chapters/html_roads.h"
 
+#include "report/document/one_source.h"
 #include "report/document/road_facts.h"
 #include "report/html/drawings/html_legend.h"
 #include "report/html/drawings/road_luminance.h"
@@ -136,7 +137,7 @@ std::string areas_of_street(const Texts& t, const RoadFacts& facts, const std::s
     const RoadFacts::Area& area = facts.areas[i];
     std::string classes;
     for (const calc::Message& one : area.classes)
-      classes += (classes.empty() ? "" : ", ") + sentence_html(t, one);
+      classes += (classes.empty() ? "" : ", ") + sentence_html(t, without_one_source(one));
     rows += street_row(
         {area_name(t, facts, i), classes.empty() ? t[Text::none] : classes,
          format_metres(t, area.area->to_y_m - area.area->from_y_m), format_fixed(t, area.m2, 1),

@@ -228,7 +228,7 @@ void ClientWriter::finish(const DocumentEnd& end, Sink& sink) {
              (has_cover() ? "</div>\n" : "") + html_contents(t_, entries, numbers_) +
              "</header>\n<main id=\"main\">\n" + revision);
   body_.copy_to(sink);
-  sink.write(html_method(t_, end.provenance.confidence, footnotes_, &method_) + "<section>\n" +
+  sink.write(html_method(t_, end, footnotes_, &method_) + "<section>\n" +
              paragraph(provenance_remarks(end.provenance, t_)) + paragraph(t_[Text::client_more]) +
              notes_ +
              (messages_.empty() ? "" : "<div id=\"messages\">\n" + messages_ + "</div>\n") +

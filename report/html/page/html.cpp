@@ -455,7 +455,7 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   sink.write(html_summary_end(is_folded));
   (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
   RegionNames regions = regions_;
-  sink.write(html_method(t_, end.provenance.confidence, footnotes_) +
+  sink.write(html_method(t_, end, footnotes_) +
              regions.with_unique_regions(html_provenance(t_, end.provenance)) +
              page_end(t_, end.provenance));
 }

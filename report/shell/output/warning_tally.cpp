@@ -67,8 +67,11 @@ std::string add_id(const std::string& name, StrictWarnings& target) {
 }  // namespace
 
 bool StrictWarnings::has(calc::DiagnosticId id) const {
-  return all || id == calc::DiagnosticId::policy_not_met ||
-         std::find(ids.begin(), ids.end(), id) != ids.end();
+  return all || id == calc::DiagnosticId::policy_not_met || names(id);
+}
+
+bool StrictWarnings::names(calc::DiagnosticId id) const {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 Option strict_option(StrictWarnings& target) {
@@ -86,10 +89,12 @@ Option strict_option(StrictWarnings& target) {
     }
     return "";
   };
-  Option option{"--strict", "",
-                "Count warnings as errors: exit code 2. --strict=ID,ID counts only warnings with "
-                "these ids, as light-leaves-room in warning[light-leaves-room]",
-                ValueParser(parse, warning_names()), true};
+  Option option{
+      "--strict", "",
+      "Count warnings as errors: exit code 2. --strict=ID,ID counts only warnings with "
+      "these ids, as light-leaves-room in warning[light-leaves-room]. Numbers of standards that "
+      "rest on one public source count only by their id, one-source",
+      ValueParser(parse, warning_names()), true};
   option.may_have_value = true;
   return option;
 }

@@ -19,6 +19,9 @@ struct StrictWarnings {
 
   // A policy that is not met always counts.
   bool has(calc::DiagnosticId id) const;
+  // Somebody has named it: --strict without ids does not. Some doubts are warnings for them alone,
+  // and a note in reports for all others.
+  bool names(calc::DiagnosticId id) const;
 };
 
 // --strict: all; --strict=ID,ID: these.

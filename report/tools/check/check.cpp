@@ -25,6 +25,7 @@
 #include "report/shell/output/progress.h"
 #include "report/shell/process/interrupt.h"
 #include "report/shell/process/print.h"
+#include "report/text/one_source_note.h"
 #include "report/text/words.h"
 #include "report/tools/check/advice_checks.h"
 #include "report/tools/check/against.h"
@@ -467,6 +468,8 @@ class CheckCommand {
     const auto deliver = [&](std::size_t p) {
       if (interrupted()) return;
       report::ProjectPart& project = checked[p]->part;
+      if (options_.strict.names(calc::DiagnosticId::one_source))
+        report::warn_of_one_source(project);
       project.strict_warnings = warnings.add(project.diagnostics);
       progress_.aside([&] {
         print_messages(project, options_.output, context_.environment);

@@ -8,6 +8,7 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/ifc_guid.h"
 #include "report/text/number_format.h"
+#include "report/text/one_source_note.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 #include "report/tools/import/ifc_design.h"
@@ -627,6 +628,7 @@ class ResultsWriter {
     all.words("Spaces without results", without_);
     all.words("Requirements", report::summary_words(totals));
     all.words("Remarks", report::provenance_remarks(result_.provenance));
+    all.words("One public source", report::one_source_note({}, totals.one_source_rows));
     all.words("Confidence of intervals", report::format_percent(result_.provenance.confidence));
     all.each_words("Without a place in the model", missing_);
     std::vector<std::string> warnings;

@@ -1,5 +1,6 @@
 #include "report/tools/plan/plan.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "report/check/set_values.h"
 #include "report/check/settings.h"
@@ -31,9 +32,10 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
   WarningTally warnings(options.strict);
-  const std::vector<check::ProjectPlan> plans = check::plan_projects(
-      options.input.projects, files, *packs, options.radiosity,
-      check::day_or_today(day_of_moment(options.date)), options.budget, options.selection);
+  const std::vector<check::ProjectPlan> plans =
+      check::plan_projects(options.input.projects, files, *packs, options.radiosity,
+                           check::day_or_today(day_of_moment(options.date)), options.budget,
+                           options.selection, options.strict.names(calc::DiagnosticId::one_source));
   bool has_chosen = options.selection.is_all();
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);

@@ -517,6 +517,13 @@ constexpr std::string_view meaning_of(calc::DiagnosticId id) {
       return "'luxgate validate' warns of a requirement of a building that 'luxgate check' will "
              "not judge. The message gives the reason. If it counts, the exit code of 'check' will "
              "be 2. That of 'validate' changes only with --strict.";
+    case calc::DiagnosticId::one_source:
+      return "Requirements are judged by numbers of a standard that one public source has, and no "
+             "second one confirms. Compare the named rows with your copy of the standard. Reports "
+             "say the same in a note. There is a warning only where --strict=one-source or a "
+             "policy "
+             "names its id. It then counts: the exit code is 2. --strict without ids does not "
+             "count it.";
     case calc::DiagnosticId::part_selected:
       return "--space, --plane, --tag or --require chose a part of what a project requires. The "
              "rest was neither calculated nor judged, and does not count as met. The exit code is "

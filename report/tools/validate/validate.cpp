@@ -1,5 +1,6 @@
 #include "report/tools/validate/validate.h"
 
+#include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_reader.h"
 #include "calc/base/utf8.h"
 #include "report/check/check_project.h"
@@ -43,7 +44,8 @@ ExitCode run_validate(const ValidateOptions& options, const Environment& environ
   WarningTally warnings(options.strict);
   for (const std::string& path : options.input.projects) {
     const report::ProjectPart part =
-        check::validate_project(path, files, *packs, day, options.budget);
+        check::validate_project(path, files, *packs, day, options.budget,
+                                options.strict.names(calc::DiagnosticId::one_source));
     print_diagnostics(part.diagnostics, options.quiet);
     warnings.add(part.diagnostics);
     if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
