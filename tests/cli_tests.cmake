@@ -123,7 +123,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script completions tutorial selection config datasheets streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf import_dxf levels xlsx readme_pictures)
+foreach(script completions tutorial selection config datasheets streams revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep policy_attacks attacks budgets kills sandbox pdf dxf import_dxf levels xlsx readme_pictures one_source)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

@@ -49,6 +49,7 @@ luxgate_test(report_tests
     unit/report/html/page/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/text/notices_test.cpp
+    unit/report/text/one_source_note_test.cpp
     unit/report/text/plane_names_test.cpp
     unit/report/text/sentences_test.cpp
     unit/report/html/drawings/plan_layout_test.cpp

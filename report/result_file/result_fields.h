@@ -619,7 +619,8 @@ void describe(auto& v, Is<Document> auto& document) {
   v.written("one_source", [&] { return one_source; },
             {.words = "Clauses whose numbers rest on one public source, each once. Clauses and "
                       "notes of requirements have the mark, too.",
-             .presence = only_if(!one_source.empty())});
+             .presence = only_if(!one_source.empty()),
+             .holds = Holds::prose});
   const std::vector<calc::Diagnostic> errors = document_errors(end_of(document));
   v.written("errors", [&] { return errors; },
             {.words = "Of no single project, as that options chose nothing in any of them.",

@@ -14,17 +14,18 @@
 namespace report {
 namespace {
 
-// Rows of one standard: "EN 12464-1:2021" and "34.2", "36.1"; without rows a name by itself.
+// Rows of one standard: "EN 12464-1:2021" and "34.2", "36.1". Without rows: a whole name.
 struct StandardRows {
   std::string standard;
   std::vector<std::string> rows;
 };
 
-// Of "TITLE:EDITION ROW", as clauses of rule packs are. What is not like that stays a name.
+// Of "TITLE:EDITION ROW", as clauses of rule packs are. Rows of several words stay whole names: a
+// list of them with commas could be read in two ways.
 StandardRows split_clause(const std::string& name) {
   const std::size_t edition = name.find(':');
   const std::size_t end = edition == std::string::npos ? edition : name.find(' ', edition);
-  if (end == std::string::npos) return {name, {}};
+  if (end == std::string::npos || name.find(' ', end + 1) != std::string::npos) return {name, {}};
   return {name.substr(0, end), {name.substr(end + 1)}};
 }
 

@@ -126,23 +126,13 @@ std::vector<NoteItem> source_items(const Texts& t, const calc::Message& message)
 }
 
 void Footnotes::use(const NoteItem& item, const std::string& place, Uses& uses,
-                    std::vector<std::string>& order, const std::string& quantity) const {
+                    std::vector<std::string>& order) const {
   Use& known = uses[item.html];
   if (known.times++ == 0) {
     known.note.item = item;
     order.push_back(item.html);
   }
   add_new(known.note.places, place);
-  if (!quantity.empty()) add_new(known.note.quantities[place], quantity);
-}
-
-std::string Footnotes::place_words(const Note& note, const std::string& place) const {
-  const auto own = note.quantities.find(place);
-  if (own == note.quantities.end()) return place;
-  const bool has_others = std::any_of(notes_.begin(), notes_.end(), [&](const Note& other) {
-    return other.item.html != note.item.html && other.quantities.contains(place);
-  });
-  return has_others ? fmt::format("{} ({})", place, fmt::join(own->second, ", ")) : place;
 }
 
 void Footnotes::add(const std::vector<RoomPlane>& planes) {
@@ -153,13 +143,8 @@ void Footnotes::add(const std::vector<RoomPlane>& planes) {
     for (const rules::Finding& finding : of.plane->findings) {
       const std::string clause =
           escape_html(sentence(t_, without_source(finding.requirement.clause)));
-      const std::string quantity =
-          escape_html(quantity_words(t_, finding.requirement, of.plane->kernel));
       for (const NoteItem& item : note_items(t_, finding)) {
-        if (item.source)
-          use(item, clause, uses, order, quantity);
-        else
-          use(item, room, uses, order);
+        use(item, item.source ? clause : room, uses, order);
       }
     }
     for (const calc::Message& remark : of.plane->remarks) {
@@ -180,9 +165,6 @@ void Footnotes::add(const std::vector<RoomPlane>& planes) {
     } else {
       Note& note = notes_[known->second];
       for (const std::string& place : one.note.places) add_new(note.places, place);
-      for (const auto& [place, quantities] : one.note.quantities) {
-        for (const std::string& quantity : quantities) add_new(note.quantities[place], quantity);
-      }
     }
   }
 }
@@ -216,9 +198,7 @@ std::string Footnotes::list() const {
     const Note& note = notes_[i];
     std::string words = note.item.html;
     if (note.item.source) {
-      std::string places;
-      for (const std::string& place : note.places)
-        places += (places.empty() ? "" : ", ") + place_words(note, place);
+      const std::string places = fmt::format("{}", fmt::join(note.places, ", "));
       words = *note.item.source == calc::Sentence::one_source ? t_.say<Text::one_source_is>(places)
                                                               : t_.say<Text::unverified_is>(places);
     } else if (note.places.size() <= kMostRooms) {

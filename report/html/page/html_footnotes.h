@@ -24,7 +24,8 @@ std::vector<RoomPlane> planes_of(const ProjectPart& project);
 // One thing that must be read with a value. html: finished, of a sentence part.
 struct NoteItem {
   std::string html;
-  // How well a number of a standard is founded: one_source or unverified.
+  // How well a number of a standard is founded: one_source, of grids alone, since the report says
+  // it once of requirements, or unverified.
   std::optional<calc::Sentence> source = {};
 };
 // Those of a finding: what note_parts() has, one by one, a mask without the number of its points.
@@ -59,8 +60,6 @@ class Footnotes {
   struct Note {
     NoteItem item;
     std::vector<std::string> places;  // rooms; of a source the rows of the standard; escaped
-    // Of a source: the quantities of such a row whose numbers come from it; escaped.
-    std::map<std::string, std::vector<std::string>> quantities;
   };
   struct Use {
     std::size_t times = 0;
@@ -69,9 +68,7 @@ class Footnotes {
   using Uses = std::map<std::string, Use>;
 
   void use(const NoteItem& item, const std::string& place, Uses& uses,
-           std::vector<std::string>& order, const std::string& quantity = {}) const;
-  // The place; with its quantities where other numbers of the row are of another source.
-  std::string place_words(const Note& note, const std::string& place) const;
+           std::vector<std::string>& order) const;
 
   Texts t_;
   std::map<std::string, std::size_t> numbers_;  // index in notes_, by HTML

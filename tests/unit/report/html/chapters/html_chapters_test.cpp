@@ -354,7 +354,9 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
 }
 
 TEST(HtmlMethod, NamesTheConfidence) {
-  EXPECT_THAT(html_method({}, 0.99, Footnotes{Texts()}), HasSubstr("with a confidence of 99 %"));
+  DocumentEnd end;
+  end.provenance.confidence = 0.99;
+  EXPECT_THAT(html_method({}, end, Footnotes{Texts()}), HasSubstr("with a confidence of 99 %"));
 }
 
 std::string annex_of(const Document& document, Annex annex) {

@@ -25,7 +25,7 @@ PlanePart plane_with(std::vector<Message> notes) {
   plane.id = "desk";
   for (const Message& note : notes) {
     rules::Finding finding;
-    finding.requirement.clause = calc::say<Sentence::one_source_of>(kRow);
+    finding.requirement.clause = calc::say<Sentence::unverified_of>(kRow);
     finding.requirement.note = note;
     plane.findings.push_back(finding);
   }
@@ -40,7 +40,7 @@ SpacePart room(const std::string& name) {
 
 TEST(Footnotes, TellOnceWhatSeveralFindingsHaveToBeReadWith) {
   const SpacePart office = room("Office <1>");
-  const Message often = calc::say<Sentence::one_source>() + "; " + Message::words("by table");
+  const Message often = calc::say<Sentence::unverified>() + "; " + Message::words("by table");
   const PlanePart plane = plane_with({often, often + "; " + Message::words("lane 2")});
   Footnotes footnotes{Texts()};
   footnotes.add({{&office, &plane}});
@@ -49,28 +49,27 @@ TEST(Footnotes, TellOnceWhatSeveralFindingsHaveToBeReadWith) {
   EXPECT_EQ(footnotes.marks(items),
             "<sup class=\"marks\"><a href=\"#note1\">1</a> <a href=\"#note2\">2</a></sup>");
   // The rows of the standard, and the rooms.
-  EXPECT_THAT(footnotes.list(), AllOf(HasSubstr("It concerns: EN 12464-1:2021 34.2."),
+  EXPECT_THAT(footnotes.list(), AllOf(HasSubstr("Affected: EN 12464-1:2021 34.2."),
                                       HasSubstr("by table <span class=\"quiet\">(Office "
                                                 "&lt;1&gt;)</span>"),
                                       Not(HasSubstr("lane 2"))));
 }
 
-// A row may have one number of a public source and another of none.
-TEST(Footnotes, TellWhichNumberOfARowIsOfWhichSource) {
+// The report says of requirements once that a number rests on one public source, and not here; of
+// grids it is told here.
+TEST(Footnotes, TellOfOneSourceWhereItIsOfAGrid) {
   const SpacePart hall = room("Hall");
-  const Message one = calc::say<Sentence::one_source>(), none = calc::say<Sentence::unverified>();
-  PlanePart plane = plane_with({one, one, none, none});
-  for (std::size_t i = 2; i < 4; ++i)
-    plane.findings[i].requirement.metric = rules::Metric::uniformity_min_avg;
+  PlanePart plane = plane_with({calc::say<Sentence::one_source>(), {}});
+  for (rules::Finding& finding : plane.findings)
+    finding.requirement.clause = calc::say<Sentence::one_source_of>(kRow);
+  PlanePart other = plane;
   Footnotes footnotes{Texts()};
-  footnotes.add({{&hall, &plane}});
-  const auto words = [&](std::size_t i) {
-    const rules::Finding& finding = plane.findings[i];
-    return "It concerns: EN 12464-1:2021 34.2 (" +
-           quantity_words({}, finding.requirement, plane.kernel) + ").";
-  };
-  EXPECT_THAT(footnotes.list(), AllOf(HasSubstr(words(0)), HasSubstr(words(2))));
-  EXPECT_NE(words(0), words(2));
+  footnotes.add({{&hall, &plane}, {&hall, &other}});
+  EXPECT_EQ(footnotes.list(), "");
+  EXPECT_EQ(footnotes.marks(note_items({}, plane.findings[0])), "");
+  plane.grid.rule = other.grid.rule = calc::say<Sentence::one_source_of>(kRow);
+  footnotes.add({{&hall, &plane}, {&hall, &other}});
+  EXPECT_THAT(footnotes.list(), HasSubstr("Affected: EN 12464-1:2021 34.2 (grid)."));
 }
 
 TEST(Footnotes, LeaveWhatIsThereOnceWhereItIs) {

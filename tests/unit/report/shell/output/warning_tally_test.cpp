@@ -29,6 +29,16 @@ TEST(WarningTally, QuietNamesThemInOneLineAndOtherwiseTheyWerePrinted) {
             "unaffected, --strict makes them count\n");
 }
 
+// --strict alone does not ask for what is a note where nobody names it.
+TEST(WarningTally, NamesAreThoseThatSomebodyGave) {
+  EXPECT_FALSE((StrictWarnings{true, {}}.names(DiagnosticId::one_source)));
+  EXPECT_TRUE((StrictWarnings{true, {}}.has(DiagnosticId::one_source)));
+  const StrictWarnings named{false, {DiagnosticId::one_source}};
+  EXPECT_TRUE(named.names(DiagnosticId::one_source));
+  EXPECT_TRUE(named.has(DiagnosticId::one_source));
+  EXPECT_FALSE(named.names(DiagnosticId::luminaires_coincide));
+}
+
 TEST(WarningTally, NothingToSayIsNothing) {
   WarningTally tally({true, {}});
   EXPECT_THAT(tally.add({}), IsEmpty());

@@ -1,6 +1,7 @@
 #include "report/tools/export/ifc_results.h"
 
 #include "calc/base/diagnostic_ids.h"
+#include "calc/base/sentences.h"
 #include "report/tools/import/step_text.h"
 #include "tests/support/sample_document.h"
 #include "tests/unit/report/tools/import/ifc_text.h"
@@ -105,6 +106,22 @@ TEST(IfcResults, VerdictsAndValuesWithIntervals) {
   EXPECT_EQ(w.words("Luxgate_Run", "Verdict"), "fail, of a part only");
   EXPECT_THAT(w.with->notes, Contains(HasSubstr("without results: 1 of 2 spaces of the model: "
                                                 "'102 Hall'")));
+}
+
+// Once, with the run; beside no requirement.
+TEST(IfcResults, SayOnceThatNumbersRestOnOnePublicSource) {
+  report::Document document = result();
+  rules::Requirement& requirement =
+      document.projects[0].spaces[0].planes[0].findings[0].requirement;
+  requirement.clause =
+      calc::say<calc::Sentence::one_source_of>(calc::Message::words("EN 1:2021 7.1"));
+  requirement.note = calc::say<calc::Sentence::one_source>();
+  const Written w(model(), document);
+  ASSERT_TRUE(w.with) << w.problem;
+  EXPECT_THAT(w.words("Luxgate_Run", "One public source"),
+              HasSubstr("rest on one public source: EN 1:2021 7.1."));
+  EXPECT_THAT(w.words(kPlane, "average: result"), HasSubstr("[EN 1:2021 7.1]"));
+  EXPECT_THAT(w.words(kPlane, "average: result"), Not(HasSubstr("public source")));
 }
 
 // The space and its sets are tied together, with the space's own owner history.
