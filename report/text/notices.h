@@ -1,6 +1,7 @@
 #pragma once
 // What must be read with a project's numbers, beside its findings: one list, so that no format
 // leaves anything out. A new kind is a line here, one in notices_of() and one in notice_words().
+// What a report says once of all its projects is in one_source_note.h.
 
 #include "calc/base/names.h"
 #include "report/document/document.h"

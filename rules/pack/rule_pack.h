@@ -28,7 +28,8 @@ enum class Trust {
   single_source,  // one public source
   unverified,     // from memory, or doubtful
 };
-// For reports: "", "one public source", "unverified requirement"; and behind a name, in brackets.
+// For results: "", "one public source", "unverified requirement"; and behind a name, in brackets.
+// Reports say the first once, see report/text/one_source_note.h, and the other at each requirement.
 calc::Message trust_remark(Trust trust);
 calc::Message with_trust(const calc::Message& name, Trust trust);
 
