@@ -368,7 +368,7 @@ def turns(luxgate, examples, work):
     expect(read(written).count("<luminaire ") == 2 and read(written).count('group="g"') == 2, "nothing else is changed")
     path = write(os.path.join(work, "never-turns.xml"), both.replace("LIMIT", f"{50 * now:.5g}"))
     done = run(luxgate, "advise", path, "--turns", "--write", os.path.join(work, "never.xml"))
-    expect(done.returncode == 2 and "no turns were found" in done.stderr
+    expect(done.returncode == 2 and "no sufficient turns were found" in done.stderr
            and not os.path.exists(os.path.join(work, "never.xml")), f"what is not enough is not written: {done.stderr}")
     done = run(luxgate, "advise", path, "--turns", "--places", "--write", os.path.join(work, "never.xml"))
     expect(done.returncode == 2 and "one after the other" in done.stderr, f"one of them: {done.stderr}")
@@ -429,10 +429,10 @@ def cases(luxgate, examples, work):
     expect(all(one["group"] == "g" for one in found["places"]), "it is switched with what hangs next to it")
     # What it does not cover is said, and is no advice.
     for name, luminaires, types, words in (
-            ("aimed", '<luminaire id="L" type="t" position="1 2 2.79" aim="3 3 0"/>', "", "would be mounted"),
+            ("aimed", '<luminaire id="L" type="t" position="1 2 2.79" aim="3 3 0"/>', "", "a model for mounting"),
             ("housing", '<luminaire id="L" type="h" position="1 2 2.7"/>',
              '<luminaire-type id="h" photometry="batwing_1200.ies" power-w="36"><housing material="m" depth="0.05"/>'
-             "</luminaire-type>", "would be mounted")):
+             "</luminaire-type>", "a model for mounting")):
         found = places(name, room(luminaires, types, 'size="6 4 2.8"').replace("PLANE", metres))[0]
         expect(words in found.get("problem", "") and not found["best"] and found["left_out"], f"{name}: {found}")
     text = room('<luminaire id="L" type="t" position="1 2 2.79"/>', more='size="6 4 2.8"',

@@ -211,7 +211,7 @@ def not_closed(slurm):
     slurm.wait(lambda: slurm.run("squeue", "--noheader", "--name=luxgate-close", "--format=%i").stdout, 20)
     slurm.run("scancel", "--name=luxgate-close")
     out, messages = process.communicate(timeout=PATIENCE_S)
-    expect(process.returncode == 2 and not out and "did not come to its end" in messages, f"slurm, not closed: {process.returncode}, {out}, {messages}")
+    expect(process.returncode == 2 and not out and "did not finish" in messages, f"slurm, not closed: {process.returncode}, {out}, {messages}")
 
 
 def two_batches(engine, rounds):

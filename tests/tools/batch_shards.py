@@ -129,9 +129,9 @@ def bad_words():
             ([*good, "--resume"], 2, "--resume needs --output"),
             ([*good, "--resume", "--output", "o", "--stored-only"], 2, "exclude each other"),
             ([*good, "--units", "units.json"], 2, "--units needs --shard"),
-            ([*good, "--store", "s", "--shard", "0/2"], 2, "is no share of a batch"),
-            ([*good, "--store", "s", "--shard", "3/2"], 2, "is no share of a batch"),
-            ([*good, "--store", "s", "--shard", "1"], 2, "is no share of a batch"),
+            ([*good, "--store", "s", "--shard", "0/2"], 2, "is not a share of a batch"),
+            ([*good, "--store", "s", "--shard", "3/2"], 2, "is not a share of a batch"),
+            ([*good, "--store", "s", "--shard", "1"], 2, "is not a share of a batch"),
             ([*good, "--store", "s", "--shard", "1/2", "--stored-only"], 2, "exclude each other"),
             ([*good, "--store", "s", "--shard", "1/2", "--format", "json"], 2, "writes no report"),
             ([*good, "--store", "s", "--shard", "1/2", "--time-limit", "5"], 2, "exclude each other"),
@@ -163,7 +163,7 @@ def listed():
 def unwritable():
     """The light of a shard that cannot be kept is no success."""
     run = luxgate("check", PROJECTS[0], "--store", "/dev/full/store", "--shard", "1/1")
-    expect("error[output-not-possible]" in run.stderr and " of 1 units" not in run.stderr, f"a store that cannot be: {run.stderr}")
+    expect("error[output-not-possible]" in run.stderr and " of 1 jobs" not in run.stderr, f"a store that cannot be: {run.stderr}")
     expect(run.returncode == 2, f"a store that cannot be: {run.returncode}, {run.stderr}")
 
 

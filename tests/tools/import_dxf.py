@@ -107,7 +107,7 @@ def refusals():
     for name, text, words in (("cut", drawing({})[:-40], "it was cut"), ("dwg", "AC1027\0\0\0", "cannot import 'bad.dxf': it is an AutoCAD drawing (DWG); import reads DXF and IFC. Save it as DXF"),
                               ("obj", "v 0 0 0\nv 1 0 0\n", "it is an OBJ mesh; import reads DXF and IFC. Use it as <room file="),
                               ("words", "words\n", "it is neither DXF nor IFC (line 1: "),
-                              ("no unit", drawing({}, 0), "24 m2 in mm"), ("wrong unit", drawing({}, 1), "hardly true")):
+                              ("no unit", drawing({}, 0), "24 m2 in mm"), ("wrong unit", drawing({}, 1), "unlikely")):
         (WORK / "bad.dxf").write_text(text)
         done = run("import", "bad.dxf", "--map", "map.toml", "-o", "bad")
         expect(done.returncode == 2 and words in done.stderr, f"{name}: {done.returncode} {done.stderr}")

@@ -127,7 +127,7 @@ def drawing():
         insert("PANEL", "E-LITE", x, 925, HEIGHT="2590", GROUP="corridor")
     for x in (1400, 3850, 6300, 8750):
         insert("EMERGENCY", "E-LITE", x, 925, HEIGHT="2500", GROUP="emergency")
-    # Under the canopy, before the door: it stands in no room.
+    # Under the canopy, before the door: it is not in a room.
     insert("PANEL", "E-LITE", 11200, 925, HEIGHT="2590", GROUP="outside")
     for x in (1400, 4200):
         insert("DESK", "A-FURN", x, 4000)

@@ -106,7 +106,7 @@ for name in ("v1", first, first[:9], "HEAD", "main...", "topic~0"):
 expect("from elsewhere", check(WORK, "team/designs/d2/project.xml", "--against", "main", *GATE), 1, "≥ 80 lx")
 expect("absolute", check(WORK, DESIGNS[4], "--against", "main", *GATE), 0, "is compared with main:designs/d4/project.xml")
 done = check(team.folder, *NAMES, "--against", "main", "-q", "--explain-cost")
-read, computed = map(int, re.search(r"--against: (\d+) looks of planes taken from it, (\d+) computed", done.stderr).groups())
+read, computed = map(int, re.search(r"--against: (\d+) sampling rounds of planes read from it, (\d+) computed", done.stderr).groups())
 if read < computed:
     problems.append(f"what did not change is calculated twice: {read} looks taken, {computed} computed")
 result = json.loads(check(team.folder, NAMES[0], "--against", "main", "--format", "json", "-q").stdout)
@@ -390,7 +390,7 @@ site.commit("back")
 site.git("rm", "-q", "-f", "designs/annex")
 site.git("rm", "-q", "luxgate.toml")
 site.commit("no annex")
-expect("a submodule that is gone", check(site.folder, "designs", "--against", "HEAD~1", *GATE), 2, "the submodule 'designs/annex' of this revision cannot be looked into")
+expect("a submodule that is gone", check(site.folder, "designs", "--against", "HEAD~1", *GATE), 2, "the submodule 'designs/annex' of this revision cannot be read")
 
 # A design that was a link, settings that a move leaves behind, a folder that is a link.
 odds = git_repository.Repository(WORK / "odds", VARIABLES)
@@ -411,7 +411,7 @@ expect("a link to a design is deleted", check(odds.folder, "v7", "--no-config", 
 odds.git("checkout", "-q", "HEAD", "--", "v7/b.xml")
 (odds.folder / "v7/west").mkdir()
 odds.git("mv", "v7/east/x.xml", "v7/east/spot.ies", "v7/west/")
-expect("moved out of its settings", check(odds.folder, "v7/west/x.xml", "--against", "HEAD", *GATE), 2, "settings of 'v7/east/x.xml' were other ones", "luxgate.toml")
+expect("moved out of its settings", check(odds.folder, "v7/west/x.xml", "--against", "HEAD", *GATE), 2, "settings of 'v7/east/x.xml' have changed", "luxgate.toml")
 text = (odds.folder / "v7/west/x.xml").read_text()
 (odds.folder / "v7/west/x.xml").write_text(text.replace(">\n", ">\n<!-- " + "other " * 4000 + " -->\n", 1))
 expect("moved out of its settings, and not known", check(odds.folder, "v7/west", "v7/east", "--against", "HEAD", *GATE), 2)

@@ -122,16 +122,16 @@ if beside.stdout != check(lowered, *GATE).stdout:
     problems.append("report --baseline: another text than check --baseline")
 expect("report without gate", luxgate("report", other, "--baseline", BASELINE), 0, "▼ requires less")
 expect("report without baseline", luxgate("report", other, *GATE), 2, "--gate regression needs a --baseline")
-expect("compare", luxgate("compare", other, BASELINE), 1, "▼ requires less", "ASKED OR JUDGED OTHERWISE: 0 of")
+expect("compare", luxgate("compare", other, BASELINE), 1, "▼ requires less", "REQUIREMENTS OR VERDICTS DIFFER: 0 of")
 expect("compare itself", luxgate("compare", other, other), 0, "Alike: 0 of", without=["requires less"])
 expect("compare values only", luxgate("compare", other, BASELINE, "--partial"), 0, "Alike: 0 of", without=["requires less"])
 expect("compare markdown", luxgate("compare", other, BASELINE, "--format", "markdown"), 1,
-       "### luxgate compare: ASKED OR JUDGED OTHERWISE", "| ▼ requires less |", "| desk |")
+       "### luxgate compare: REQUIREMENTS OR VERDICTS DIFFER", "| ▼ requires less |", "| desk |")
 expect("compare json", luxgate("compare", other, BASELINE, "--format", "json"), 1, '"alike": false', '"weaker"')
 expect("compare html", luxgate("compare", other, BASELINE, "--format", "html"), 1, '<section id="revision">')
 gone = WORK / "gone.json"
 luxgate("check", write("a-plane-deleted", far=False), "--pictures", "off", "-q", "--format", f"json={gone}")
-expect("compare what is gone", luxgate("compare", gone, BASELINE), 1, "– no longer required", "only one has some values")
+expect("compare what is gone", luxgate("compare", gone, BASELINE), 1, "– no longer required", "some values are on one side only")
 
 # Twelve designs, one of them changed: a few lines, whatever the others are.
 designs = [write(f"design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]

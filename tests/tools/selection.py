@@ -140,7 +140,7 @@ for edit in (lambda result: result["provenance"].pop("selection"), lambda result
     (WORK / "edited.json").write_text(json.dumps(edited))
     done = subprocess.run([PROGRAM, "report", "edited.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == 2 and "provenance/selection" in done.stderr, f"report of an edited part: {done.returncode}, {done.stderr}")
-for more, code, says in (([], 2, "A was judged of the part of --plane desk, B of all"), (["--partial"], 0, "")):
+for more, code, says in (([], 2, "A is a result of the part of --plane desk, B of all"), (["--partial"], 0, "")):
     done = subprocess.run([PROGRAM, "compare", "desk.json", "whole.json", *more], cwd=WORK, capture_output=True, text=True, check=False)
     expect(done.returncode == code and says in done.stderr, f"compare {more}: {done.returncode}, {done.stderr}{done.stdout}")
 again = subprocess.run([PROGRAM, "report", "desk.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)

@@ -77,7 +77,7 @@ def in_store_only(words, whole, is_whole):
     """Nothing is calculated; what is not in the store is named, and all else as it would be."""
     before = sorted((WORK / "store").rglob("*"))
     done = run(*words, "--store", "store", "--stored-only", "--format", "csv=only.csv", "--format", "json=only.json", code=0 if is_whole else 2)
-    expect(" 0 looks of planes computed" in done.stderr, f"--stored-only has calculated: {done.stderr}")
+    expect(" 0 sampling rounds of planes computed" in done.stderr, f"--stored-only has calculated: {done.stderr}")
     expect(sorted((WORK / "store").rglob("*")) == before, "--stored-only has changed the store")
     if is_whole:
         expect([(WORK / f"only.{kind}").read_bytes() for kind in ("csv", "json")] == whole[:2], "the bytes depend on --stored-only")
@@ -106,7 +106,7 @@ def swept():
         return [(WORK / f"{name}.{kind}").read_bytes() for kind in ("csv", "json", "html")] + [done.stdout], done.stderr
 
     first, told = files("one", "--jobs", "1")
-    found = re.search(r"8 variants; (\d+) looks of planes computed, (\d+) taken from memory", told)
+    found = re.search(r"8 variants; (\d+) sampling rounds of planes computed, (\d+) read from memory", told)
     expect(found and 0 < int(found[1]) <= int(found[2]), f"maintenance factors share no looks: {told}")
     expect(files("two", "--jobs", "2")[0] == first, "the bytes depend on --jobs")
     for shard in ("1/4", "2/4", "3/4"):
@@ -116,7 +116,7 @@ def swept():
     in_store_only(words, first, is_whole=True)
     stored, told = files("stored", "--store", "store")
     expect(stored == first, "the bytes depend on the store")
-    expect(" 0 looks of planes computed" in told, f"shards left something to compute: {told}")
+    expect(" 0 sampling rounds of planes computed" in told, f"shards left something to compute: {told}")
     rows = list(csv.DictReader(first[0].decode().splitlines()))
     expect(len(rows) == 8 and {row["verdict"] for row in rows} == {"pass", "fail"}, f"{rows} are no sweep")
     expect(any(row["front"] == "on" for row in rows), "nothing is on the front")
@@ -144,7 +144,7 @@ def shards_share_no_light():
     vary = [["--vary", words] for words in ("spot.flux-lm=1000:1500:500", "luxgate.maintenance-factor=0.6,0.7,0.8", "L.columns=2,4")]
 
     def looks(*words):
-        found = re.search(r"(\d+) variants; (\d+) looks of planes computed", run(*words, "--jobs", "1").stderr)
+        found = re.search(r"(\d+) variants; (\d+) sampling rounds of planes computed", run(*words, "--jobs", "1").stderr)
         return int(found[1]), int(found[2])
 
     for name, order in (("a", (0, 1, 2)), ("b", (1, 0, 2)), ("c", (2, 0, 1))):
@@ -164,7 +164,7 @@ def prices():
     expect(all(row["price"] == "" and int(row["luminaires_without_price"]) == 2 * int(row["L.columns"])
                for row in csv.DictReader(done.stdout.splitlines())), f"prices that nobody stated: {done.stdout}")
     done = run(*words, "--front", "price", *(word for kind in ("csv", "json", "html") for word in ("--format", f"{kind}=price.{kind}")))
-    expect(" 0 looks of planes computed" in done.stderr, f"a price has changed light: {done.stderr}")
+    expect(" 0 sampling rounds of planes computed" in done.stderr, f"a price has changed light: {done.stderr}")
     rows = list(csv.DictReader((WORK / "price.csv").read_text().splitlines()))
     for row in rows:
         expect(float(row["price"]) == round(float(row["spot.price"]) * 2 * int(row["L.columns"]), 6) and row["luminaires_without_price"] == "0",
@@ -178,7 +178,7 @@ def prices():
     text = run(*words).stdout
     expect("front of power" in text and "40.4" in text and text.count("  on\n") == 6, f"the usual front is not of power: {text}")
     done = run("sweep", "d/a.xml", "--vary", "L.columns=2,4", *FAST, "--front", "price", "--store", "prices")
-    expect("variants that pass and cannot be on the front, since the price of luminaires is not known: 2" in done.stdout, done.stdout)
+    expect("variants that pass and cannot be on the front, because the price of luminaires is not known: 2" in done.stdout, done.stdout)
     told = run(*words, "--front", "cost", code=2).stderr
     expect("--front: 'cost': power or price is needed" in told, f"--front cost: {told}")
 
@@ -212,8 +212,8 @@ def messages():
         done = run(*words, code=2)
         expect(done.stderr == expected and not done.stdout, f"{words}: {done.stderr}")
     for words, expected in (
-            (["sweep", "d/a.xml"], "--vary is missing: what is to have several values?"),
-            (["sweep", "d/a.xml", "--vary", "a.b=1:1000:1", "--vary", "c.d=1:1000:1"], "--vary: these are more than 100000 variants"),
+            (["sweep", "d/a.xml"], "--vary is missing: name an attribute and its values"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1:1000:1", "--vary", "c.d=1:1000:1"], "--vary: more than 100000 variants"),
             (["sweep", "d/a.xml", "--vary", "a.b=1:2:0"], "in '1:2:0', which is from:to:step, the step is 0"),
             (["sweep", "d/a.xml", "--vary", "a.b=1", "--shard", "1/2"], "--shard needs --store"),
             (["sweep", "d/a.xml", "--vary", "a.b=1", "--stored-only"], "--stored-only needs --store"),
@@ -240,7 +240,7 @@ def interrupted():
     process.send_signal(signal.SIGINT)
     printed, told = process.communicate()
     expect(process.returncode == 130 and not printed and not (WORK / "half.csv").exists()
-           and "interrupted; nothing was written, what was finished is in the store" in told, f"{process.returncode}: {told}")
+           and "interrupted; nothing was written, finished light is in the result cache" in told, f"{process.returncode}: {told}")
 
 
 shutil.rmtree(WORK, ignore_errors=True)

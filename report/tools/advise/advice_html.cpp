@@ -64,7 +64,7 @@ std::string requirements_table(const SceneAdvice& advice) {
                         words(requirement_words(one)),
                         one.not_searched.empty()
                             ? ""
-                            : fmt::format("<span class=\"note\">no part of the search: {}</span>",
+                            : fmt::format("<span class=\"note\">not part of the search: {}</span>",
                                           words(one.not_searched.english())),
                         words(value_words(one.before)), badge(one.before.verdict));
     if (has_levels) {
@@ -96,7 +96,7 @@ std::string limits_list(const SceneAdvice& advice) {
         limit.place_m ? "; least room at " + report::format_position(*limit.place_m) : "",
         shares.empty() ? "" : "; " + shares));
   }
-  return "<h3>What limits, and what a limit looser by 1 % would save</h3>\n" + list_of(items);
+  return "<h3>Limits that decide, and what each would save if 1 % looser</h3>\n" + list_of(items);
 }
 
 std::string scene_html(const SceneAdvice& advice) {
@@ -162,19 +162,20 @@ std::string maps_of(const RoomPlaces& room) {
               ceiling_map(room, r, type);
     }
   }
-  if (!is_all) html += "<p class=\"quiet\">Further requirements and types are in the JSON.</p>\n";
+  if (!is_all)
+    html += "<p class=\"quiet\">Further requirements and types are in the JSON output.</p>\n";
   return html;
 }
 
 std::string places_html(const RoomPlaces& room) {
-  std::string html = fmt::format("<h2>{}, {}: where a luminaire more helps</h2>\n",
+  std::string html = fmt::format("<h2>{}, {}: where one more luminaire helps</h2>\n",
                                  words(scene_words(room.scene)), words(room.space));
   if (room.problem.empty() && !room.places.empty()) {
     html +=
-        "<p class=\"quiet\">Every square is a free place. Crosses are luminaires that are there, "
-        "numbers the best places for one more, diamonds those that were found to do it together. "
-        "Gains are values without their intervals, which stand in the title of each square; what "
-        "checks said is below.</p>\n" +
+        "<p class=\"quiet\">Every square is a free place. Crosses are existing luminaires, numbers "
+        "the best places for one more, diamonds places that are sufficient together. Gains are "
+        "values without their intervals; the title of each square has those. The results of checks "
+        "are below.</p>\n" +
         maps_of(room);
   }
   return html;
@@ -191,9 +192,8 @@ std::string render_advice_html(const Advice& advice) {
   page.foot = name;
   std::string html =
       report::tool_page_start(report::Texts(), page) + "<p class=\"quiet\">" + words(name) +
-      "</p>\n<p class=\"quiet\">What would make it pass, with the least power. What is said to be "
-      "checked was checked with other random numbers than those that found "
-      "it.</p>\n</header>\n<main id=\"main\">\n";
+      "</p>\n<p class=\"quiet\">Changes that would make it pass, with the least power. Checks use "
+      "other random numbers than the search.</p>\n</header>\n<main id=\"main\">\n";
   for (const SceneAdvice& one : advice.scenes) html += scene_html(one);
   if (!advice.not_met_besides.empty()) {
     html += "<h2>Not met, whatever the levels</h2>\n" + list_of(advice.not_met_besides);
@@ -206,7 +206,7 @@ std::string render_advice_html(const Advice& advice) {
     for (const RoomPlaces& room : *advice.rooms.places) html += places_html(room);
   }
   if (const std::string text = render_room_advice_text(advice.rooms); !text.empty()) {
-    html += "<h2>Places, turns and surfaces in words</h2>\n" + same_text(text);
+    html += "<h2>Places, turns and surfaces as text</h2>\n" + same_text(text);
   }
   return html + report::tool_page_end("luxgate advise");
 }

@@ -40,7 +40,7 @@ std::string requirements(const SceneAdvice& advice) {
 
 std::string limits(const SceneAdvice& advice) {
   if (advice.limits.empty()) return "";
-  std::string text = "\nWhat limits, and what a limit looser by 1 % would save:\n\n";
+  std::string text = "\nLimits that decide, and what each would save if 1 % looser:\n\n";
   for (const AdvisedLimit& limit : advice.limits) {
     const AdvisedRequirement& one = advice.requirements[limit.requirement];
     const std::string shares = share_words(advice, limit);

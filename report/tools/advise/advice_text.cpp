@@ -68,7 +68,7 @@ std::string what_limits(const SceneAdvice& advice) {
       text += "      " + shares + "\n";
     }
   }
-  return "  What limits, and what a limit looser by 1 % would save:\n" + text;
+  return "  Limits that decide, and what each would save if 1 % looser:\n" + text;
 }
 
 std::string not_met(const SceneAdvice& advice) {

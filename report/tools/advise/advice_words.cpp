@@ -94,7 +94,7 @@ std::string share_words(const SceneAdvice& advice, const AdvisedLimit& limit) {
     if (!(limit.lx[i] > 0.0)) continue;
     shares.emplace_back(-limit.lx[i], i < advice.groups.size()
                                           ? name_of_group(advice.groups[i].group)
-                                          : "what no level changes");
+                                          : "light that no level changes");
   }
   std::stable_sort(shares.begin(), shares.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -121,15 +121,14 @@ std::string left_alone_words(const SceneAdvice& advice) {
   for (const std::string& one : advice.left_alone) {
     names += (names.empty() ? "" : ", ") + name_of_group(one);
   }
-  return names.empty() ? ""
-                       : "Nothing is asked where these are, and they stay as they are: " + names;
+  return names.empty() ? "" : "These light no requirement and keep their levels: " + names;
 }
 
 std::string contradiction_words(const SceneAdvice& advice) {
   return advice.contradicting.size() == 1
-             ? "No dimming meets this one; there may be others that it does not meet"
-             : "No dimming meets all of these, but without any one of them it does the rest of "
-               "them; there may be others that exclude each other";
+             ? "No dimming levels meet this requirement; there may be others"
+             : "No dimming levels meet all of these together, but they do without any one of them; "
+               "there may be other such sets";
 }
 
 std::string outcome_words(const SceneAdvice& advice) {
@@ -143,12 +142,11 @@ std::string outcome_words(const SceneAdvice& advice) {
           advice.requirements.size());
     }
     case AdviceOutcome::more_light:
-      return "no levels up to full output meet all conditions; with more light these would, by "
-             "the same light as calculated (100 % is what the luminaires have)";
+      return "no levels up to full output meet all conditions; with more light these would (100 % "
+             "is the light that the luminaires have)";
     case AdviceOutcome::contradiction:
-      return fmt::format(
-          "no levels meet all conditions; none up to {:g} times the light were found either",
-          kMostAdvisedLight);
+      return fmt::format("no levels meet all conditions, even with up to {:g} times the light",
+                         kMostAdvisedLight);
     case AdviceOutcome::too_uncertain:
       return "the intervals are too wide to find levels; a smaller --tolerance helps";
     case AdviceOutcome::none_found:

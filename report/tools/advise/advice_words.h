@@ -14,7 +14,7 @@ std::string cost_words(double cost, bool is_by_flux);
 // What the levels need, what is needed now, and what no levels undercut.
 std::string cost_sentence(const SceneAdvice& advice);
 inline constexpr const char* kByFlux =
-    "The power of a luminaire is not known: the least light was looked for instead.";
+    "The power of a luminaire is not known: the levels minimise light instead.";
 inline constexpr const char* kByEnergy =
     "Energy is that of a year in which these levels hold in all hours of use.";
 // What is to be said of the unit of costs; "" = nothing.

@@ -89,8 +89,8 @@ std::string energy_problem(const report::ProjectPart& part) {
   for (const report::SpacePart& space : part.spaces) {
     if (space.luminaires.empty() || (space.energy && space.energy->problem.empty())) continue;
     return fmt::format(
-        "of '{}' the energy of a year is not known: {}", report::title_of(space.name, space.id),
-        space.energy ? space.energy->problem.english() : "it states no use (<energy>)");
+        "the energy of a year is not known for '{}': {}", report::title_of(space.name, space.id),
+        space.energy ? space.energy->problem.english() : "its use is not stated (<energy>)");
   }
   return "";
 }
@@ -115,12 +115,12 @@ std::string write_problem(const AdviseOptions& options) {
   };
   const fs::path own = folder_of(options.project), its = folder_of(options.write_file);
   if (fs::path(options.write_file).filename() == "luxgate.toml") {
-    return "--write: luxgate.toml holds settings, and is not written over";
+    return "--write: luxgate.toml has settings, and is not overwritten";
   }
   if (own != its) {
     return fmt::format(
-        "--write: '{}' must lie in the folder of the project, which names its files "
-        "from there",
+        "--write: '{}' must be in the folder of the project, because its file names are relative "
+        "to that folder",
         options.write_file);
   }
   if (path_identity(options.project) == path_identity(options.write_file)) {
@@ -139,7 +139,7 @@ std::string overwritten_input(const AdviseOptions& options, const RecordingReade
   for (const DataOutput& output : options.outputs) outputs.push_back(output.file);
   for (const std::string& file : outputs) {
     if (!file.empty() && read.contains(path_identity(file))) {
-      return fmt::format("'{}' is not written: it was read", file);
+      return fmt::format("'{}' is not written: it is an input", file);
     }
   }
   return "";
@@ -176,7 +176,7 @@ bool write_changed(const AdviseOptions& options, Advice& advice, const report::P
   };
   if (advice.packages) {
     if (!advice.packages->problem.empty()) return refused(advice.packages->problem);
-    if (advice.packages->is_as_now()) return refused("its packages are the least already");
+    if (advice.packages->is_as_now()) return refused("its packages already need the least");
     const PackageAdvice& found = *advice.packages;
     return written(found.text, {"", "packages", found.passing, found.asked, found.not_met});
   }
@@ -260,8 +260,8 @@ ExitCode run_advise(const AdviseOptions& asked, const RunContext& context) {
   if (advice.scenes.empty()) {
     print_error(
         options.has_scene
-            ? fmt::format("scene '{}' has no requirement that hangs on its levels", options.scene)
-            : "the project has no requirement that hangs on the levels of luminaires");
+            ? fmt::format("scene '{}' has no requirement that depends on its levels", options.scene)
+            : "the project has no requirement that depends on the levels of luminaires");
     return kNotJudged;
   }
   if (!options.has_scene) advice.not_met_besides = not_met_besides(advice, part);
@@ -422,11 +422,11 @@ Command advise_command() {
   command.examples = {{"luxgate advise office.xml --write dimmed.xml",
                        "Levels for every scene, and a project that has them"},
                       {"luxgate advise office.xml --places --surfaces",
-                       "Also where luminaires more help, and what lighter surfaces add"}};
+                       "Also where more luminaires help, and what lighter surfaces add"}};
   command.exit_codes = {
-      {kAllMet,
-       "levels were found for every scene, or packages, and everything asked passes with them"},
-      {kNotMet, "for a scene there are none, or something that they cannot mend is not met"},
+      {kAllMet, "levels or packages were found, and all requirements pass with them"},
+      {kNotMet,
+       "a scene has no such levels, or a requirement that does not depend on them is not met"},
       {kNotJudged, "usage, input or file error, or the project could not be judged"},
       {kInterrupted, "interrupted"}};
   command.most_used = {"--scene",    "--write",     "--packages", "--places",

@@ -206,7 +206,7 @@ std::string ceiling_map(const RoomPlaces& room, std::size_t requirement, const s
              "width=\"{0}\" height=\"{1}\" aria-label=\"{2}\">\n",
              svg_number(size_px.x), svg_number(size_px.y),
              escape_html(fmt::format(
-                 "Plan of the ceiling: what a luminaire of type {} more adds, at most {} at {}",
+                 "Plan of the ceiling: what one more luminaire of type {} adds, at most {} at {}",
                  report::printable(type),
                  report::format_measured((*most)->gain_lx[requirement], "lx"),
                  report::format_position((*most)->position_m)))) +

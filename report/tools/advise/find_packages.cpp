@@ -77,9 +77,8 @@ class PackageSearch {
       if (settings_.is_stopped()) return std::move(found_);
       if (checked_ == 2 * kMostTried) {
         found_.problem = fmt::format(
-            "{} combinations that may be enough by the same light do not pass the check; the last: "
-            "{}",
-            checked_, why_not_checked_);
+            "{} combinations that may be sufficient do not pass the check; the last: {}", checked_,
+            why_not_checked_);
         return std::move(found_);
       }
       take(one);
@@ -95,14 +94,13 @@ class PackageSearch {
     }
     found_.problem =
         checked_ > 0
-            ? "what may be enough by the same light does not pass the check: " + why_not_checked_
-            : "no combination of the packages was found that meets all that is judged from light; "
-              "with the dearest one " +
+            ? "the combination that may be sufficient does not pass the check: " + why_not_checked_
+            : "no combination of packages meets all requirements on light; with the one that needs "
+              "most " +
                   found_.next_below;
     if (found_.not_excluded > 0) {
-      found_.problem +=
-          fmt::format("; {} of {} are not surely too little, and a smaller --tolerance may help",
-                      found_.not_excluded, found_.combinations);
+      found_.problem += fmt::format("; {} of {} are undecided, and a smaller --tolerance may help",
+                                    found_.not_excluded, found_.combinations);
     }
     found_.next_below.clear();
     return std::move(found_);
@@ -169,8 +167,7 @@ class PackageSearch {
 
   std::string why_none() {
     if (types_.empty()) {
-      return "no luminaire type that hangs where light is asked for has a <package>, which says "
-             "what it can be had with";
+      return "no luminaire type in a room with requirements has a <package>";
     }
     for (const FindingPlace& where : counted_findings(questions_.part)) {
       const rules::Finding& finding = finding_at(questions_.part, where);

@@ -60,7 +60,8 @@ class PlaceSearch {
     asked_ = asked_of_room(questions_, part_index_, found_.scene, true, found_.left_out);
     if (asked_.empty() && found_.left_out.empty()) return std::nullopt;
     if (asked_.empty()) {
-      found_.problem = "nothing that lacks here is an average, a least value or a value at a point";
+      found_.problem =
+          "no unmet requirement here is an average, a least value or a value at a point";
       return std::move(found_);
     }
     const PassCount before = count_passes(questions_.part, found_.scene);
@@ -110,7 +111,7 @@ class PlaceSearch {
 
   void find_mountings() {
     if (!space_.shell) {
-      found_.problem = "places are looked for only in rooms that the project's file gives walls";
+      found_.problem = "places are found only in rooms whose walls are in the project file";
       return;
     }
     std::set<std::string> refused;
@@ -138,12 +139,12 @@ class PlaceSearch {
         [](const Mounting& a, const Mounting& b) { return a.luminaires > b.luminaires; });
     add_other_types();
     if (mountings_.size() > kMostMountings) {
-      found_.left_out.push_back(fmt::format("{} ways of mounting that are rarer in this room",
+      found_.left_out.push_back(fmt::format("{} less frequent ways of mounting in this room",
                                             mountings_.size() - kMostMountings));
       mountings_.resize(kMostMountings);
     }
     if (mountings_.empty()) {
-      found_.problem = "no luminaire of this room shows how another one would be mounted";
+      found_.problem = "no luminaire of this room can serve as a model for mounting another";
     }
   }
 
@@ -216,7 +217,7 @@ class PlaceSearch {
         }
       }
     }
-    if (candidates_.empty()) found_.problem = "no place is free";
+    if (candidates_.empty()) found_.problem = "there is no free place";
   }
 
   // It is switched with what hangs next to it, of its type if there is any.

@@ -66,8 +66,8 @@ class SpareSearch {
     std::vector<std::size_t> gone = all_that_can_go();
     if (gone.empty()) {
       found_.problem =
-          "without any one of them something would not be met, by the same light; those of "
-          "assemblies and lists were not looked at";
+          "no luminaire can be removed: a requirement would not be met; luminaires of assemblies "
+          "and lists were not considered";
     }
     // All of them, one fewer, then half as many again and again.
     for (std::size_t count = gone.size(); count > 0;) {
@@ -98,16 +98,16 @@ class SpareSearch {
   }
 
   std::string why_none() const {
-    if (!space_.shell) return "only rooms that the project's file gives walls are looked at";
+    if (!space_.shell) return "only rooms whose walls are in the project file are considered";
     if (space_.luminaires.size() > kMostLuminairesTried) {
-      return fmt::format("only rooms of up to {} luminaires are looked at", kMostLuminairesTried);
+      return fmt::format("only rooms of up to {} luminaires are considered", kMostLuminairesTried);
     }
     for (const calc::Luminaire& one : space_.luminaires) {
       const calc::LuminaireType& type = type_of(one);
       if (type.is_further_emitter || !type.emitters.empty()) {
-        return "rooms with luminaires of several emitters are not looked at";
+        return "rooms with luminaires of several emitters are not considered";
       }
-      if (type.housing) return "rooms with luminaires that have housings are not looked at";
+      if (type.housing) return "rooms with luminaires that have housings are not considered";
     }
     if (planes_.empty()) return "the light of single luminaires is not known";
     return "";
@@ -186,10 +186,10 @@ class SpareSearch {
     const auto part = questions_.check(*changed.text, found_.problem);
     if (!part) return false;
     if (part->spaces[part_index_].luminaires.size() + gone.size() != space_.luminaires.size()) {
-      found_.problem = "the changed project does not have the luminaires that were meant";
+      found_.problem = "the changed project does not have the expected luminaires";
       return false;
     }
-    found_.problem = "without them something is not met, as the check says";
+    found_.problem = "the check finds a requirement that is not met without them";
     if (!broken_findings(questions_.part, *part).empty()) return false;
     const PassCount count = count_all(*part);
     found_.passing = count.passing;

@@ -55,14 +55,14 @@ class SurfaceSearch {
     if (asked_.empty()) return std::nullopt;
     for (const AskedOfRoom& one : asked_) found_.requirements.push_back(one.told);
     if (!space_.shell) {
-      found_.problem = "surfaces have names only in rooms that the project's file gives walls";
+      found_.problem = "surfaces have names only in rooms whose walls are in the project file";
       return std::move(found_);
     }
     find_surfaces();
     std::vector<std::string> names;
     for (const LighterSurface& one : found_.surfaces) names.push_back(one.surface);
     if (names.empty()) {
-      found_.problem = "no surface can be so much lighter";
+      found_.problem = "no surface can be that much lighter";
       return std::move(found_);
     }
     const RoomLight light(questions_, space_, found_.scene, asked_, space_.luminaires, names);
@@ -90,7 +90,7 @@ class SurfaceSearch {
       LighterSurface surface;
       surface.surface = name;
       surface.reflectance = finish.weighted / finish.area_m2;
-      if (finish.largest != finish.smallest) surface.problem = "it is of several materials";
+      if (finish.largest != finish.smallest) surface.problem = "it has several materials";
       found_.surfaces.push_back(std::move(surface));
     }
   }

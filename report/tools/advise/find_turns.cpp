@@ -70,7 +70,8 @@ class TurnSearch {
     asked_ = asked_of_room(questions_, part_index_, found_.scene, true, found_.left_out);
     if (asked_.empty()) {
       if (found_.left_out.empty()) return std::nullopt;
-      found_.problem = "nothing that lacks here is an average, a least value or a value at a point";
+      found_.problem =
+          "no unmet requirement here is an average, a least value or a value at a point";
       return std::move(found_);
     }
     const PassCount before = count_passes(questions_.part, found_.scene);
@@ -83,7 +84,7 @@ class TurnSearch {
     if (!found_.problem.empty()) return told();
     found_.turns = ranked(light);
     if (found_.turns.empty()) {
-      found_.problem = "no other way of hanging one of them surely mends a hundredth of what lacks";
+      found_.problem = "no turn of one of them surely adds a hundredth of the missing light";
       return told();
     }
     for (std::size_t t = 0; t < std::min(kMostTriedByRun, found_.turns.size()); ++t) {
@@ -113,7 +114,7 @@ class TurnSearch {
     const calc::LuminaireType& type = type_of(luminaire);
     if (type.is_further_emitter || !type.emitters.empty()) return "it has several emitters";
     if (type.photometry_file.empty()) return "it is a luminous area";
-    if (type.housing) return "its housing would shade another way";
+    if (type.housing) return "its housing would shade differently";
     const check::ChangedText left_out = check::with_luminaires_instead(
         questions_.bytes, questions_.file, space_.id, {luminaire.where}, {});
     return left_out.problem;
@@ -121,11 +122,11 @@ class TurnSearch {
 
   void find_candidates() {
     if (!space_.shell) {
-      found_.problem = "only rooms that the project's file gives walls are looked at";
+      found_.problem = "only rooms whose walls are in the project file are considered";
       return;
     }
     if (space_.luminaires.size() > kMostTurned) {
-      found_.problem = fmt::format("only rooms of up to {} luminaires are looked at", kMostTurned);
+      found_.problem = fmt::format("only rooms of up to {} luminaires are considered", kMostTurned);
       return;
     }
     const calc::PointFilter filter(space_, calc::ReceiverKernel::planar, box_of(space_));
@@ -154,7 +155,7 @@ class TurnSearch {
         now_.push_back(as_it_is);
       }
     }
-    if (found_.tried == 0) found_.problem = "no luminaire of this room has room to be turned";
+    if (found_.tried == 0) found_.problem = "no luminaire of this room can be turned";
   }
 
   AdvisedTurn turn_of(const RoomLight& light, std::size_t candidate) const {

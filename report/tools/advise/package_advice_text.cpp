@@ -20,7 +20,7 @@ std::string type_words(const AdvisedPackage& type) {
   const std::string elsewhere =
       type.where_nothing_is_asked == 0 || stays
           ? ""
-          : fmt::format(" ({} of them where nothing is asked)", type.where_nothing_is_asked);
+          : fmt::format(" ({} of them in rooms without requirements)", type.where_nothing_is_asked);
   return fmt::format("    {}, {} luminaire{}{}: {}{}\n", report::printable(type.type),
                      type.luminaires, type.luminaires == 1 ? "" : "s", elsewhere,
                      light_words(type.advised),
@@ -30,11 +30,12 @@ std::string type_words(const AdvisedPackage& type) {
 // What is known of the combinations that take less.
 std::string others_words(const PackageAdvice& advice) {
   if (advice.not_excluded == 0) {
-    return fmt::format("Of {} combinations none that takes less is enough.", advice.combinations);
+    return fmt::format("{} combinations were compared; none that needs less is sufficient.",
+                       advice.combinations);
   }
   return fmt::format(
-      "Of {} combinations {} that take less were not found to be enough, but are not surely too "
-      "little: a smaller --tolerance or other levels may show more.",
+      "{} combinations were compared; {} that need less are undecided. A smaller --tolerance or "
+      "other levels may decide.",
       advice.combinations, advice.not_excluded);
 }
 
@@ -50,7 +51,7 @@ std::string scene_levels(const SceneAdvice& scene) {
 }  // namespace
 
 std::string render_package_advice_text(const PackageAdvice& advice) {
-  std::string text = "Lamp packages that are enough\n";
+  std::string text = "Lamp packages that are sufficient\n";
   if (!advice.problem.empty()) {
     return text + fmt::format("  No advice: {}\n", report::printable(advice.problem));
   }
@@ -58,7 +59,7 @@ std::string render_package_advice_text(const PackageAdvice& advice) {
   text += fmt::format(
       "  {}{} installed, now {}; checked with other random numbers, {} of {} requirements of all\n"
       "  rooms and scenes pass, now {}.\n  {}\n",
-      advice.is_as_now() ? "Those of now: " : "", cost(advice.advised), cost(advice.now),
+      advice.is_as_now() ? "The current ones: " : "", cost(advice.advised), cost(advice.now),
       advice.passing, advice.asked, advice.passing_now, others_words(advice));
   for (const std::string& one : advice.not_met) {
     text += fmt::format("  Not met with them: {}\n", report::printable(one));
@@ -68,7 +69,7 @@ std::string render_package_advice_text(const PackageAdvice& advice) {
   if (!advice.scenes.empty()) text += "  With these levels:\n";
   for (const SceneAdvice& scene : advice.scenes) text += scene_levels(scene);
   if (!advice.next_below.empty()) {
-    text += fmt::format("  The next one below, with the levels of now: {}\n",
+    text += fmt::format("  The next one below, with the current levels: {}\n",
                         report::printable(advice.next_below));
   }
   return text;

@@ -61,20 +61,20 @@ std::string place_check_words(const CheckedPlaces& checked,
 std::string left_out_words(const std::vector<std::string>& left_out) {
   std::string text;
   for (const std::string& one : left_out) {
-    text += fmt::format("  Not looked at: {}\n", report::printable(one));
+    text += fmt::format("  Not considered: {}\n", report::printable(one));
   }
   return text;
 }
 
 std::string places_text(const RoomPlaces& room) {
-  std::string text = room_heading(room.scene, room.space, "where a luminaire more helps most");
+  std::string text = room_heading(room.scene, room.space, "where one more luminaire helps most");
   if (!room.problem.empty()) {
     return text + fmt::format("  No advice: {}\n", report::printable(room.problem)) +
            left_out_words(room.left_out);
   }
   text += fmt::format(
-      "  {} free places of {}, every {:.2f} x {:.2f} m, mounted as others in this room and at\n"
-      "  least {:.2f} m from any of them; the best by what each mends for its {}:\n",
+      "  {} free places of {}, every {:.2f} x {:.2f} m, mounted as others in this room and at\n  "
+      "least {:.2f} m from any of them; the best by the light that each adds for its {}:\n",
       room.places.size(), room.cells, room.step_m.x, room.step_m.y, room.least_distance_m,
       room.is_by_flux ? "lumens (the power of a luminaire is not known)" : "watts");
   for (const CheckedPlaces& one : room.best) {
@@ -84,9 +84,9 @@ std::string places_text(const RoomPlaces& room) {
   if (room.together) {
     double cost = 0.0;
     for (const AdvisedPlace& place : room.together->places) cost += place.cost;
-    text += fmt::format("    {} together, {}{}:\n", room.together->places.size(),
-                        cost_words(cost, room.is_by_flux),
-                        room.together->broken.empty() ? "" : ", but not all stays met");
+    text += fmt::format(
+        "    {} together, {}{}:\n", room.together->places.size(), cost_words(cost, room.is_by_flux),
+        room.together->broken.empty() ? "" : ", but another requirement is no longer met");
     for (const AdvisedPlace& place : room.together->places) {
       text += fmt::format("      {}\n", place_words(place, room.is_by_flux));
     }
@@ -112,15 +112,17 @@ std::string turns_text(const RoomTurns& room) {
     return text + fmt::format("  None: {}\n", report::printable(room.problem)) +
            left_out_words(room.left_out);
   }
-  text += fmt::format("  {} luminaires in {} other ways; the best by what each surely mends:\n",
-                      room.luminaires, room.tried);
+  text += fmt::format(
+      "  {} luminaires in {} other ways; the best by the light that each surely adds:\n",
+      room.luminaires, room.tried);
   for (const CheckedTurns& one : room.best) {
     text += fmt::format("    {}\n", turn_words(one.turns.front())) +
             place_check_words(one.check, room.requirements, room.passing);
   }
   if (room.together) {
-    text += fmt::format("    {} together{}:\n", room.together->turns.size(),
-                        room.together->check.broken.empty() ? "" : ", but not all stays met");
+    text += fmt::format(
+        "    {} together{}:\n", room.together->turns.size(),
+        room.together->check.broken.empty() ? "" : ", but another requirement is no longer met");
     for (const AdvisedTurn& turn : room.together->turns) {
       text += fmt::format("      {}\n", turn_words(turn));
     }
@@ -130,7 +132,8 @@ std::string turns_text(const RoomTurns& room) {
 }
 
 std::string spare_text(const RoomSpare& room) {
-  std::string text = fmt::format("{}: which luminaires can go\n", report::printable(room.space));
+  std::string text =
+      fmt::format("{}: which luminaires can be removed\n", report::printable(room.space));
   if (!room.problem.empty()) {
     return text + fmt::format("  None: {}\n", report::printable(room.problem));
   }
@@ -148,8 +151,8 @@ std::string spare_text(const RoomSpare& room) {
 }
 
 std::string surfaces_text(const RoomSurfaces& room) {
-  std::string text =
-      room_heading(room.scene, room.space, "what 0.1 more of reflectance adds, other things equal");
+  std::string text = room_heading(room.scene, room.space,
+                                  "what 0.1 more reflectance adds, with nothing else changed");
   if (!room.problem.empty()) {
     return text + fmt::format("  No advice: {}\n", report::printable(room.problem));
   }
@@ -181,7 +184,7 @@ std::string render_room_advice_text(const RoomAdvice& advice) {
   std::string text;
   if (advice.places) {
     if (advice.places->empty()) {
-      text += "\nNo place was looked for: no requirement lacks light that levels do not give.\n";
+      text += "\nNo place was considered: no requirement lacks light that levels cannot give.\n";
     }
     for (const RoomPlaces& room : *advice.places) text += "\n" + places_text(room);
   }
@@ -190,13 +193,13 @@ std::string render_room_advice_text(const RoomAdvice& advice) {
   }
   if (advice.turns) {
     if (advice.turns->empty()) {
-      text += "\nNo luminaire was turned: no requirement lacks light that levels do not give.\n";
+      text += "\nNo luminaire was turned: no requirement lacks light that levels cannot give.\n";
     }
     for (const RoomTurns& room : *advice.turns) text += "\n" + turns_text(room);
   }
   if (advice.surfaces) {
     if (advice.surfaces->empty()) {
-      text += "\nNo requirement is a lower limit of illuminance: no surface was looked at.\n";
+      text += "\nNo surface was considered: no requirement is a lower limit of illuminance.\n";
     }
     for (const RoomSurfaces& room : *advice.surfaces) text += "\n" + surfaces_text(room);
   }

@@ -113,7 +113,7 @@ void check_in_room(const RoomQuestions& questions, std::size_t part_index, const
   if (!part) return;
   const report::SpacePart& room = part->spaces[part_index];
   if (!has_them(room, added)) {
-    result.problem = "the changed project does not have them where they were meant to be";
+    result.problem = "the changed project does not have them at the expected places";
     return;
   }
   for (const AskedOfRoom& one : asked) {

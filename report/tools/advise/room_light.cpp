@@ -40,18 +40,19 @@ const calc::LightScene* light_scene_of(const calc::Project& project, const std::
 // Empty: it is about to be followed.
 std::string why_not_followed(const rules::Requirement& requirement, const calc::SensorGrid& grid) {
   if (grid.derived != calc::DerivedQuantity::none || grid.kernel != calc::ReceiverKernel::planar) {
-    return "no illuminance of a flat plane";
+    return "not an illuminance of a flat plane";
   }
-  if (requirement.direct_only) return "of direct light alone";
+  if (requirement.direct_only) return "only direct light";
   if (requirement.any_one_unit_out) return "with any one luminaire out";
-  if (requirement.state == rules::LightState::end_of_duration) return "of a battery at its end";
+  if (requirement.state == rules::LightState::end_of_duration)
+    return "end of the battery's duration";
   switch (requirement.metric) {
     case rules::Metric::average:
     case rules::Metric::minimum:
     case rules::Metric::value_at_point:
       return "";
     default:
-      return "no average, least value or value at a point";
+      return "not an average, a least value or a value at a point";
   }
 }
 

@@ -128,8 +128,7 @@ RoomsText with_places(const RoomQuestions& questions, const std::vector<RoomPlac
   for (const RoomPlaces& room : rooms) {
     const CheckedPlaces* found = cheapest(room);
     if (found == nullptr) {
-      return {std::nullopt,
-              fmt::format("no places were found that are enough in '{}'", room.space)};
+      return {std::nullopt, fmt::format("no sufficient places were found in '{}'", room.space)};
     }
     const CheckedPlaces*& known = of_room[room.space_id];
     if (known == nullptr || cost_of(*found) > cost_of(*known)) known = found;
@@ -158,7 +157,7 @@ RoomsText with_turns(const RoomQuestions& questions, const std::vector<RoomTurns
   for (const RoomTurns& room : rooms) {
     const CheckedTurns* found = fewest(room);
     if (found == nullptr) {
-      return {std::nullopt, fmt::format("no turns were found that are enough in '{}'", room.space)};
+      return {std::nullopt, fmt::format("no sufficient turns were found in '{}'", room.space)};
     }
     const CheckedTurns*& known = of_room[room.space_id];
     if (known == nullptr || found->turns.size() > known->turns.size()) known = found;

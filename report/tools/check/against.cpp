@@ -199,8 +199,7 @@ std::string OldState::problem_with_settings(const ConfigChoice& choice) const {
     if (now == then) continue;
     const auto named = [](const std::string& file) { return file.empty() ? "none" : file; };
     return fmt::format(
-        "the settings of '{}' were other ones than hold now ({} then, {} now): give "
-        "--config FILE or --no-config",
+        "the settings of '{}' have changed ({} then, {} now): give --config FILE or --no-config",
         project.path_then, named(then), named(now));
   }
   return "";
@@ -260,8 +259,8 @@ std::string OldState::open_submodules(const std::vector<std::string>& folders) {
         auto reader = git::GitTreeReader::open_alone(path + "/-", commit, {}, why);
         if (reader == nullptr || reader->root() != path) {
           return fmt::format(
-              "the submodule '{}' of this revision cannot be looked into, and may "
-              "have had projects: bring it back, or check without --against",
+              "the submodule '{}' of this revision cannot be read, and may have had projects: "
+              "restore it, or check without --against",
               inside);
         }
         repositories_.push_back(std::move(reader));
@@ -359,7 +358,7 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
   if (!go_on()) return parts;
   if (failures() == failures_before) return parts;
   print_error(calc::DiagnosticId::revision_not_available, revision_,
-              "what stands above is in this revision and cannot be read: nothing was compared");
+              "the files named above cannot be read in this revision: nothing was compared");
   return std::nullopt;
 }
 

@@ -183,8 +183,8 @@ struct CheckedProject {
 
 std::string looks_line(const calc::LookCounts& looks, const CheckOptions& options) {
   const char* from = options.store.empty() ? "--against" : "store";
-  return fmt::format("{}: {} looks of planes taken from it, {} computed\n", from, looks.read,
-                     looks.computed);
+  return fmt::format("{}: {} sampling rounds of planes read from it, {} computed\n", from,
+                     looks.read, looks.computed);
 }
 
 // Spaces whose light, or that of some of their planes, is not in the store.
@@ -220,7 +220,7 @@ ExitCode told_of_interrupt(const CheckOptions& options) {
   const OutputOptions& output = options.output;
   tell("luxgate: interrupted; {}{}\n",
        output.images || output.html_split ? "no report was written" : "nothing was written",
-       options.store.empty() ? "" : "; finished light is kept, and the same command goes on there");
+       options.store.empty() ? "" : "; finished light is kept, and the same command continues");
   return kInterrupted;
 }
 
@@ -236,9 +236,9 @@ bool remove_resume_store(const std::string& folder) {
   }
   if (!failure) std::filesystem::remove_all(folder, failure);
   if (!failure) return true;
-  print_error(calc::DiagnosticId::output_not_possible,
-              fmt::format("cannot remove '{}', which is not needed any more: {}", folder,
-                          failure.message()));
+  print_error(
+      calc::DiagnosticId::output_not_possible,
+      fmt::format("cannot remove '{}', which is no longer needed: {}", folder, failure.message()));
   return false;
 }
 

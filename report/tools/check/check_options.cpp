@@ -84,7 +84,7 @@ ValueParser share_of_batch(BatchShare& target) {
     const auto count = parse_count(slash < text.size() ? text.substr(slash + 1) : "");
     if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
       return fmt::format(
-          "'{}' is no share of a batch; allowed are I/N with whole numbers, I from 1 to N and N up "
+          "'{}' is not a share of a batch; give I/N with whole numbers, I from 1 to N and N up "
           "to {}",
           text, kMostShards);
     }
@@ -212,7 +212,7 @@ Option shard_option(BatchShare& share, const std::string& help) {
 
 Option stored_only_option(bool& is_stored_only) {
   return {"--stored-only", "",
-          "Take all light from --store and calculate nothing. What is not in the store is named, "
+          "Take all light from --store and calculate nothing. What is not in the cache is named, "
           "and not judged",
           &is_stored_only};
 }

@@ -57,7 +57,7 @@ bool is_allowed_or_print(const report::Policy& policy, const CheckOptions& optio
   const bool wants_accuracy =
       policy.confidence || policy.tolerance || policy.replicates || policy.max_paths;
   if (wants_accuracy && settings.radiosity.clamp_per_m2 > 0.0) {
-    forbid(fmt::format("--clamp {}; what it cuts off is in no interval",
+    forbid(fmt::format("--clamp {}; intervals do not include the light that it cuts off",
                        settings.radiosity.clamp_per_m2));
   }
   const std::vector<std::string>& given = options.input.projects;

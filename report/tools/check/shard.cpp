@@ -126,12 +126,12 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   print_troubles(options.store, troubles);
   if (interrupted()) {
     tell(
-        "luxgate: interrupted; what was finished is in the store, and the same command goes "
-        "on from there\n");
+        "luxgate: interrupted; finished light is in the result cache, and the same command "
+        "continues\n");
     return kInterrupted;
   }
   if (!options.output.quiet && is_kept) {
-    tell("luxgate: shard {}/{}: {} of {} units; {} looks computed, {} were there\n",
+    tell("luxgate: shard {}/{}: {} of {} jobs; {} sampling rounds computed, {} in the cache\n",
          options.batch.share.number, options.batch.share.count, done, units->size(), looks.computed,
          looks.read);
   }

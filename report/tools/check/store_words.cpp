@@ -29,8 +29,8 @@ void print_troubles(const std::string& folder, const calc::StoreTroubles& troubl
 bool is_light_kept_or_print(const std::string& folder, const calc::StoreTroubles& troubles) {
   if (troubles.not_written.empty()) return true;
   print_error(calc::DiagnosticId::output_not_possible,
-              fmt::format("light is not in the store '{}', as it cannot be written: {}", folder,
-                          troubles.not_written));
+              fmt::format("light is not in the result cache '{}', because it cannot be written: {}",
+                          folder, troubles.not_written));
   return false;
 }
 

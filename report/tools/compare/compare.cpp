@@ -47,7 +47,7 @@ class Comparer {
     }
     // Two results of nothing are not alike: nobody knows.
     if (b_ && !is_anything_judged(*a) && !is_anything_judged(*b_)) {
-      fail("neither result holds a project that could be judged: there is nothing to compare");
+      fail("no project could be judged in either result: there is nothing to compare");
       return std::nullopt;
     }
     comparison_.name_a = options_.a;
@@ -60,7 +60,7 @@ class Comparer {
       const auto part = [](const std::string& selection) {
         return selection.empty() ? std::string("all") : "the part of " + selection;
       };
-      fail(fmt::format("A was judged of {}, B of {} (--partial compares values that both have)",
+      fail(fmt::format("A is a result of {}, B of {} (--partial compares values that both have)",
                        part(a->provenance.selection), part(b_->provenance.selection)));
       return std::nullopt;
     }
@@ -128,7 +128,8 @@ class Comparer {
   void leave_out(const std::string& id, const report::PlanePart& plane, std::string_view side) {
     const std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
     comparison_.notes.push_back(fmt::format(
-        "plane '{}' of {} is of quantity '{}', no illuminance: not compared", id, side, quantity));
+        "plane '{}' of {} has the quantity '{}', which is not an illuminance: not compared", id,
+        side, quantity));
     (side == "A" ? ratings_a_ : ratings_b_)[id] = quantity;
   }
 
@@ -162,7 +163,7 @@ class Comparer {
         names.insert(item);
       } else {
         comparison_.notes.push_back(fmt::format(
-            "--plane {}: under two names what is asked of it is not compared, only values", item));
+            "--plane {}: with two names only values are compared, not requirements", item));
       }
     }
     std::size_t findings = 0;
@@ -209,9 +210,9 @@ class Comparer {
                                : rating != ratings_a_.end() ? rating->second
                                                             : quantity;
       if (in_a == quantity || !is_chosen(id)) continue;
-      const std::string words =
-          fmt::format("plane '{}' is of quantity '{}' in A and '{}' in B: they are not comparable",
-                      id, in_a, quantity);
+      const std::string words = fmt::format(
+          "plane '{}' has the quantity '{}' in A and '{}' in B: they are not comparable", id, in_a,
+          quantity);
       // Whoever has chosen the plane has asked for what there is not.
       if (comparison_.revised && options_.planes.empty()) {
         lack(words);
@@ -325,7 +326,7 @@ class Comparer {
     rows_ = std::move(table->rows);
     if (table->ratings > 0) {
       comparison_.notes.push_back(fmt::format(
-          "{} values of B are ratings or ratios, no illuminances: not compared", table->ratings));
+          "{} values of B are ratings or ratios, not illuminances: not compared", table->ratings));
     }
     if (!table->unused_columns.empty()) {
       comparison_.notes.push_back(fmt::format("columns of B that were not used: {}",
@@ -346,10 +347,8 @@ class Comparer {
       const auto found = std::find_if(comparison_.planes.begin(), comparison_.planes.end(),
                                       [&](const auto& plane) { return plane.id == in_a; });
       if (const auto rating = ratings_a_.find(in_a); rating != ratings_a_.end()) {
-        fail(
-            fmt::format("plane '{}' of A is of quantity '{}', no illuminance: only illuminances "
-                        "are compared",
-                        in_a, rating->second));
+        fail(fmt::format("plane '{}' of A has the quantity '{}'; only illuminances are compared",
+                         in_a, rating->second));
         return false;
       }
       if (found == comparison_.planes.end()) {
@@ -382,7 +381,7 @@ class Comparer {
     }
     for (const std::string& what : pairs.drop_unpaired(rows_.size())) lack(what);
     if (comparison_.planes.empty() && !comparison_.revised) {
-      fail("there is no point that both have");
+      fail("A and B have no common point");
     }
   }
 

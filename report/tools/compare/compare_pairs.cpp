@@ -58,10 +58,10 @@ std::string PointPairs::place(const TableRow& row) {
     return "";
   }
   if (planes > 1) {
-    return where(row) + fmt::format(
-                            ": points of {} planes are there; a column 'plane' or "
-                            "--plane ID is needed",
-                            planes);
+    return where(row) +
+           fmt::format(
+               ": the table has points of {} planes: a column 'plane' or --plane ID is needed",
+               planes);
   }
   if (has_b_[at_plane][at_point]) {
     return where(row) +

@@ -27,16 +27,17 @@ std::string average_words(const ComparedPlane& plane) {
   const std::optional<double> interval = plane.average_interval_lx();
   if (!interval)
     return "not judged: its interval is not known, and points do not show a common bias";
-  return fmt::format("combined interval ±{:.2g} lx, {}", *interval,
-                     plane.is_average_beyond ? "BEYOND what is allowed" : "within what is allowed");
+  return fmt::format(
+      "combined interval ±{:.2g} lx, {}", *interval,
+      plane.is_average_beyond ? "BEYOND the allowed difference" : "within the allowed difference");
 }
 
 }  // namespace
 
 std::string comparison_headline(const Comparison& comparison) {
   if (comparison.is_alike()) return "Alike";
-  if (comparison.are_values_alike()) return "ASKED OR JUDGED OTHERWISE";
-  return comparison.lacks > 0 ? "DIFFERENT, and only one has some values" : "DIFFERENT";
+  if (comparison.are_values_alike()) return "REQUIREMENTS OR VERDICTS DIFFER";
+  return comparison.lacks > 0 ? "DIFFERENT; some values are on one side only" : "DIFFERENT";
 }
 
 std::string signed_percent(double share) {
@@ -54,7 +55,7 @@ std::string render_comparison_text(const Comparison& comparison, std::size_t wor
         "           {}\n"
         "  Uo       A {:.3f}, B {:.3f}\n"
         "  RMS      {} of B's average\n"
-        "  within the combined {} interval: {} of {} points; beyond what is allowed: {}\n",
+        "  within the combined {} interval: {} of {} points; beyond the allowed difference: {}\n",
         printable(plane.id), plane.points.size(), plane.average_a_lx, plane.average_b_lx,
         signed_percent(plane.bias), average_words(plane), plane.uo_a, plane.uo_b,
         signed_percent(plane.rms).substr(1), format_percent(comparison.confidence), plane.held,
@@ -80,7 +81,7 @@ std::string render_comparison_text(const Comparison& comparison, std::size_t wor
 std::string render_comparison_markdown(const Comparison& comparison, std::size_t worst) {
   std::string text = fmt::format(
       "### luxgate compare: {}\n\n{} beside {}: {} of {} points and {} of {} averages are beyond "
-      "what is allowed\n",
+      "the allowed difference\n",
       comparison_headline(comparison), escape_markdown(comparison.name_a),
       escape_markdown(comparison.name_b), comparison.beyond(), comparison.points(),
       comparison.averages_beyond(), comparison.averages_judged());

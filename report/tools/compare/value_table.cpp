@@ -85,7 +85,7 @@ class TableReader {
     columns_ = calc::CsvColumns(header, kNames, plain_name);
     table_.unused_columns = columns_.unknown();
     if (!columns_.doubled().empty()) {
-      return fail(fmt::format("the column '{}' is there twice", columns_.doubled()));
+      return fail(fmt::format("the column '{}' is given twice", columns_.doubled()));
     }
     const bool by_cell = has(kPlane) && has(kColumn) && has(kRow);
     const bool by_place = has(kX) && has(kY) && has(kZ);
@@ -96,7 +96,8 @@ class TableReader {
     const int errors =
         (has(kErrorLx) ? 1 : 0) + (has(kErrorFc) ? 1 : 0) + (has(kLow) || has(kHigh) ? 1 : 0);
     if (errors > 1 || has(kLow) != has(kHigh)) {
-      return fail("errors are wanted as 'error_lx', as 'error_fc' or as 'low_lx' and 'high_lx'");
+      return fail(
+          "errors must be in the columns 'error_lx', 'error_fc', or 'low_lx' and 'high_lx'");
     }
   }
 

@@ -57,8 +57,8 @@ bool choose_planes(const ConvergeOptions& options, Subject& subject,
     if (plane.derived != calc::DerivedQuantity::none) {
       if (options.planes.empty()) continue;
       diagnostics.report(calc::DiagnosticId::converge_not_possible, plane.where,
-                         fmt::format("plane '{}' is of quantity '{}', which is made of several "
-                                     "illuminances; only those are compared",
+                         fmt::format("plane '{}' has the quantity '{}', which is computed from "
+                                     "several illuminances; only illuminances are compared",
                                      plane.id, calc::quantity_name(plane.kernel, plane.derived)));
       continue;
     }

@@ -31,7 +31,7 @@ ValueParser method_list(std::vector<std::string>& target) {
       if (std::string problem = estimator_problem(list[i]); !problem.empty()) return problem;
       if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i), list[i]) !=
           list.begin() + static_cast<std::ptrdiff_t>(i)) {
-        return fmt::format("'{}' is named twice", list[i]);
+        return fmt::format("'{}' is given twice", list[i]);
       }
     }
     target = std::move(list);

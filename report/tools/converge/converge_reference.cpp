@@ -94,7 +94,7 @@ class ReferenceReader {
   void read_head(const calc::CsvRecord& header) {
     columns_ = calc::CsvColumns(header, kReferenceColumns, without_unit);
     if (!columns_.doubled().empty()) {
-      return fail(fmt::format("the column '{}' is there twice", columns_.doubled()));
+      return fail(fmt::format("the column '{}' is given twice", columns_.doubled()));
     }
     const bool by_cell = columns_.has(kPlane) && columns_.has(kColumn) && columns_.has(kRow);
     by_place_ = columns_.has(kX) && columns_.has(kY) && columns_.has(kZ);

@@ -114,7 +114,8 @@ std::string render_converge_text(const ConvergeDocument& document) {
     text += targets_text(document, plane);
   }
   return text + "\n" + phases_text(document) +
-         "\n< drowned in the reference's error   ~ extrapolated   – not known or not applicable\n";
+         "\n< smaller than the reference's error   ~ extrapolated   – not known or not "
+         "applicable\n";
 }
 
 }  // namespace report

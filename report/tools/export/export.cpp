@@ -40,7 +40,7 @@ std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std
   for (const calc::CalcPlane& plane : space.planes) {
     if (!radiance::is_sum_of_sensors(plane.derived)) {
       changed.push_back(fmt::format(
-          "plane '{}' is of quantity '{}', which is no sum of illuminances: it is missing",
+          "plane '{}' has the quantity '{}', which is not a sum of illuminances: it is omitted",
           plane.id, calc::quantity_name(plane.kernel, plane.derived)));
       continue;
     }
@@ -133,7 +133,7 @@ std::string obstacle(const ExportOptions& options, const std::string& path,
   }
   std::error_code ignored;
   if (!options.overwrites && fs::exists(path, ignored)) {
-    return fmt::format("'{}' is there already; --force replaces files of an earlier export", path);
+    return fmt::format("'{}' exists already; --force replaces files of an earlier export", path);
   }
   return writability(path);
 }

@@ -15,9 +15,9 @@ std::string export_contradiction(const ExportOptions& options) {
     if (options.output.empty()) return "-o NEW.ifc is needed";
     const bool is_plain = options.scene.empty() && options.space.empty() &&
                           options.rule_files.empty() && options.allowed.empty();
-    return is_plain ? "" : "ifc takes --results, -o and --force alone: nothing is calculated";
+    return is_plain ? "" : "ifc takes only --results, -o and --force: it calculates nothing";
   }
-  if (!options.results.empty()) return "--results is for ifc: all else is made from a project";
+  if (!options.results.empty()) return "--results is for ifc; the other formats need a project";
   if (options.target == kGltf && !options.scene.empty()) {
     return "--scene is for radiance: a model has the light of full output";
   }

@@ -278,12 +278,12 @@ class ResultsWriter {
       return false;
     }
     if (text_.of_name("IFCPROJECT").size() != 1) {
-      fail(
-          fmt::format("it has {} IFCPROJECT; a model has one", text_.of_name("IFCPROJECT").size()));
+      fail(fmt::format("it has {} IFCPROJECT; exactly one is needed",
+                       text_.of_name("IFCPROJECT").size()));
       return false;
     }
     if (text_.of_name("IFCSPACE").empty()) {
-      fail("it has no IfcSpace, so no place for results of rooms");
+      fail("it has no IfcSpace to write results of rooms into");
       return false;
     }
     for (const std::uint32_t set : text_.of_name("IFCPROPERTYSET")) {
@@ -316,7 +316,7 @@ class ResultsWriter {
     for (const report::ProjectPart& project : result_.projects) {
       if (!project.is_judged) {
         missing(
-            fmt::format("project '{}' could not be judged: nothing of its rooms is in the "
+            fmt::format("project '{}' could not be judged: the model gets none of its rooms "
                         "model",
                         printable(project_title(project))));
       }
@@ -346,12 +346,11 @@ class ResultsWriter {
       }
     }
     if (!foreign.empty()) {
-      missing("without a place in the model, since their ids are not of an import: " +
-              named(foreign));
+      missing("without a place in the model: their ids are not from an import: " + named(foreign));
     }
     if (!absent.empty()) missing("not in this model: " + named(absent));
     if (!twice.empty()) {
-      missing("left out, since the model has two spaces with this GlobalId: " + named(twice));
+      missing("omitted, because the model has two spaces with this GlobalId:  " + named(twice));
     }
     if (rooms_.empty()) {
       fail(asked == 0 ? "the result has no room"
@@ -398,7 +397,7 @@ class ResultsWriter {
       const auto found = room_of.find(text_at(placed.instance, 0));
       const std::string name = "'" + space_words(placed.instance) + "'";
       if (found == room_of.end() || placed.space->footprint_m.empty()) {
-        placed.doubt = "whether the room of the model is that of the result is not known";
+        placed.doubt = "the room of the model may not be that of the result";
         unknown.push_back(name);
         continue;
       }
@@ -413,8 +412,7 @@ class ResultsWriter {
             report::format_fixed(was_m2, 2), report::format_metres(placed.space->height_m));
         other.push_back(name);
       } else if (share_apart(found->second->outline_m, placed.space->footprint_m) > kSameShape) {
-        placed.doubt =
-            "the room of the model has another outline than that of the result, with the same area";
+        placed.doubt = "the rooms of model and result have the same area and different outlines";
         other.push_back(name);
       } else if (!found->second->hole_m.empty()) {
         // A result has what stands in them as solids, and nobody says which these were.
@@ -424,7 +422,7 @@ class ResultsWriter {
             found->second->hole_m.size());
         unknown.push_back(name);
       } else if (!found->second->doubt.empty()) {
-        placed.doubt = fmt::format("the shape of the model's room is not read for certain: {}",
+        placed.doubt = fmt::format("the shape of the model's room is uncertain: {}",
                                    fmt::join(found->second->doubt, "; "));
         unknown.push_back(name);
       }
@@ -437,8 +435,8 @@ class ResultsWriter {
       with_.is_all = false;
     }
     if (!unknown.empty()) {
-      with_.notes.push_back("whether rooms are those that were calculated is not known: " +
-                            named(unknown) + "; their verdicts say so");
+      with_.notes.push_back("the rooms may not be those that were calculated:  " + named(unknown) +
+                            "; their verdicts say so");
       with_.is_all = false;
     }
   }
@@ -505,7 +503,7 @@ class ResultsWriter {
     const std::optional<std::string> owner = owner_of(room.instance);
     if (!owner) {
       missing(
-          fmt::format("left out: '{}', since IFC 2x3 wants an owner history and the model has "
+          fmt::format("omitted: '{}', because IFC 2x3 needs an owner history and the model has "
                       "none",
                       printable(space_words(room.instance))));
       return;

@@ -279,7 +279,7 @@ std::string one_light(LightWriter& writer, const calc::PlacedLuminaire& luminair
     case calc::OpeningShape::disk:
       if (x == y) return writer.disk(0.5 * x, below, above);
       changed.emplace_back(
-          "a flat elliptical opening is written as eight rectangles of its area together");
+          "a flat elliptical opening is written as eight rectangles with the same total area");
       return writer.flat(strips(0.5 * x, 0.5 * y, false), below, above);
     case calc::OpeningShape::cylinder:
     case calc::OpeningShape::cylinder_c0:
@@ -300,8 +300,8 @@ std::string one_light(LightWriter& writer, const calc::PlacedLuminaire& luminair
         return writer.sphere(0.5 * o.along_c0_m);
       }
       changed.emplace_back(
-          "a luminous ellipsoid that is no sphere is written as the box around it: its intensities "
-          "are the same, but near by its light differs");
+          "a luminous ellipsoid that is not a sphere is written as the box around it: its "
+          "intensities are the same, but its light differs nearby");
       [[fallthrough]];
     case calc::OpeningShape::box:
       break;

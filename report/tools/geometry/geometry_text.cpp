@@ -32,7 +32,7 @@ std::string percent(double share) { return report::format_fixed(100.0 * share, 2
 
 std::string light_text(const SurfaceReport& surface) {
   const Escape& escape = surface.escape;
-  if (escape.points == 0) return "no inside: from everywhere most directions lead out";
+  if (escape.points == 0) return "no interior: most directions lead outside from every point";
   return fmt::format(
       "{} % of the light from inside leaves (95 %: {} to {} %); inside: {} % of the box",
       percent(escape.share.value), percent(escape.share.low), percent(escape.share.high),
@@ -54,7 +54,7 @@ std::string shells_text(const calc::SurfaceFindings& found) {
       found.closed.begin(), found.closed.end(),
       [](const calc::MeshShell& a, const calc::MeshShell& b) { return a.volume < b.volume; });
   const std::size_t inward = largest->triangle.size() - largest->outward;
-  text += fmt::format("    shells     {} closed; the largest around {} m3, its faces look {}\n",
+  text += fmt::format("    shells     {} closed; the largest around {} m3, its faces point {}\n",
                       found.closed.size(), f(largest->volume),
                       inward == 0 ? std::string("outward")
                       : largest->outward == 0
@@ -82,7 +82,7 @@ std::string surface_text(const SurfaceReport& surface) {
       "    triangles  {}, area {} m2; {} duplicate, {} without area, {} not finite\n",
       found.triangles, f(found.area_m2), found.duplicates, found.degenerate, found.not_finite);
   if (found.polygons_mended + found.polygons_left_out > 0) {
-    text += fmt::format("    polygons   {} mended, {} left out: {} m2 are missing\n",
+    text += fmt::format("    polygons   {} mended, {} omitted: {} m2 are missing\n",
                         found.polygons_mended, found.polygons_left_out, f(found.area_left_out_m2));
   }
   text += fmt::format("    edges      {}: {} open, {} of more than two triangles\n", found.edges,

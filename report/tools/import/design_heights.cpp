@@ -38,7 +38,7 @@ std::optional<double> height_of_attribute(const DesignLuminaire& luminaire,
     const std::optional<double> height_m = length_of_text(value, metres_per_unit);
     if (height_m && *height_m > 0.0 && *height_m <= kHighest_m) return height_m;
     notes.doubt(fmt::format("luminaire {}", luminaire.type),
-                fmt::format("its attribute {} is no height", name), luminaire.source.place);
+                fmt::format("its attribute {} is not a height", name), luminaire.source.place);
     break;
   }
   return std::nullopt;

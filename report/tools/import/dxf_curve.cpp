@@ -125,12 +125,13 @@ std::string spline_problem(const DxfSpline& spline) {
   }
   const auto degree = static_cast<std::size_t>(spline.degree);
   if (spline.control.size() <= degree || spline.knot.size() != spline.control.size() + degree + 1) {
-    return "the counts of its knots and control points do not belong together";
+    return "its numbers of knots and control points do not match";
   }
-  if (!std::is_sorted(spline.knot.begin(), spline.knot.end())) return "its knots go back";
-  if (!(spline.knot[degree] < spline.knot[spline.control.size()])) return "its knots are all one";
+  if (!std::is_sorted(spline.knot.begin(), spline.knot.end()))
+    return "its knots are not in ascending order";
+  if (!(spline.knot[degree] < spline.knot[spline.control.size()])) return "its knots are all equal";
   for (std::size_t i = degree + 1; i + degree < spline.control.size(); ++i) {
-    if (spline.knot[i] == spline.knot[i + degree]) return "a knot that it repeats tears it apart";
+    if (spline.knot[i] == spline.knot[i + degree]) return "a repeated knot splits it";
   }
   if (!spline.weight.empty() && spline.weight.size() != spline.control.size()) {
     return "the counts of its weights and control points differ";
@@ -138,7 +139,7 @@ std::string spline_problem(const DxfSpline& spline) {
   constexpr double kLeast = 1.0e-9, kMost = 1.0e9;
   if (!std::all_of(spline.weight.begin(), spline.weight.end(),
                    [&](double weight) { return weight >= kLeast && weight <= kMost; })) {
-    return "a weight of it is not above 0";
+    return "one of its weights is not above 0";
   }
   return "";
 }

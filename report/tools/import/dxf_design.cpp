@@ -149,7 +149,7 @@ class Builder {
         {text_.size(), "names of rooms"}};
     for (const auto& [count, what] : counts) {
       if (count > kMostThings) {
-        problem_ = fmt::format("more than {} {} are in this drawing", kMostThings, what);
+        problem_ = fmt::format("this drawing has more than {} {}", kMostThings, what);
       }
     }
   }
@@ -164,8 +164,8 @@ class Builder {
     const std::size_t things = luminaire_.size() + furniture_.size() + text_.size();
     if (problem_.empty() && corners * static_cast<double>(things) > kMostLooks) {
       problem_ = fmt::format(
-          "{} luminaires, pieces of furniture and texts stand among rooms of {:.0f} corners: to "
-          "find the room of each takes too long",
+          "finding the room of {} luminaires, pieces of furniture and texts among rooms of {:.0f} "
+          "corners takes too long",
           things, corners);
     }
   }
@@ -265,7 +265,7 @@ class Builder {
     if (is_taken) return true;
     if (entity.kind == Kind::face && is_furniture_layer(placed.layer)) {
       ++skipped_[{"3DFACE, SOLID or TRACE", placed.layer,
-                  "loose faces are no piece of furniture; make a block of them"}];
+                  "loose faces are not furniture; make a block of them"}];
       return true;
     }
     if (entity.kind == Kind::polyline && matches_name("DLX_*LUM*", placed.layer)) ++loose_;
@@ -334,7 +334,7 @@ class Builder {
     if (placed.entity->vertex.empty() || !problem_.empty()) return true;
     work_ += corner_work(*placed.entity);
     if (work_ > kMostCurveWork) {
-      problem_ = "to follow the lines and curves that may be outlines takes too long";
+      problem_ = "following the lines and curves that may be outlines takes too long";
       return true;
     }
     const std::vector<glm::dvec3> points = placed.corners(error, reached);
@@ -365,8 +365,8 @@ class Builder {
         notes_.left_out(what, "it is too far away", place_of(placed));
       } else if (reached > error) {
         notes_.doubt(what,
-                     fmt::format("an arc or curve of it is so large that its chords are up to {:g} "
-                                 "m from it, not {:g} m",
+                     fmt::format("one of its arcs or curves is so large that its chords are up to "
+                                 "{:g} m from it, not {:g} m",
                                  one_digit_up(reached * metres_), kChordError_m),
                      place_of(placed));
       }
@@ -387,7 +387,7 @@ class Builder {
       const bool has_outlines = !room_[i].outline.empty();
       if (has_outlines && !room_[i].surface.empty()) {
         notes_.add(DesignNote::Kind::not_asked, fmt::format("surfaces on {}", rule.layer),
-                   "lines are there, which count", "", room_[i].surface.size());
+                   "layers with lines, which count", "", room_[i].surface.size());
       }
       const std::vector<DxfPlaced>& list = has_outlines ? room_[i].outline : room_[i].surface;
       const PlanOutlines found = find_outlines(pieces_of(list, what), kSamePlace_m, rule.closes);
@@ -417,7 +417,7 @@ class Builder {
         for (const std::size_t k : list) {
           comparisons += outlines[k].corner.size();
           if (comparisons > kMostComparisons) {
-            problem_ = "to compare the loops of hatches with each other takes too long";
+            problem_ = "comparing the loops of hatches with each other takes too long";
             return;
           }
           if (i == k || !is_within(outlines[i].corner, outlines[k].corner, comparisons)) continue;
@@ -457,7 +457,7 @@ class Builder {
   void add_room(const PlanOutline& outline, std::size_t rule) {
     const MapRoom& map = map_.room[rule];
     if (design_.room.size() == kMostRooms) {
-      problem_ = fmt::format("more than {} rooms are in this drawing", kMostRooms);
+      problem_ = fmt::format("this drawing has more than {} rooms", kMostRooms);
       return;
     }
     DesignRoom room;
@@ -475,7 +475,7 @@ class Builder {
         !outline.key.empty() ? outline.key
                              : fmt::format("at_{:.0f}_{:.0f}", middle.x * 100.0, middle.y * 100.0));
     if (!outline.mended.empty()) {
-      notes_.doubt("outline of a room", "it was mended: " + outline.mended, outline.place);
+      notes_.doubt("outline of a room", "it was repaired: " + outline.mended, outline.place);
     }
     if (!outline.is_level && !map.floor_z_m) {
       notes_.doubt("outline of a room", "it is not level: its lowest corner counts as the floor",
@@ -533,7 +533,7 @@ class Builder {
       if (close.size() == 1) {
         beside[close[0]].push_back({at.y, at.x, placed.entity->text});
       } else {
-        notes_.add(DesignNote::Kind::not_asked, "text of a room's name", "it is in no room",
+        notes_.add(DesignNote::Kind::not_asked, "text of a room's name", "it is not in a room",
                    place_of(placed));
       }
     }
@@ -554,7 +554,7 @@ class Builder {
       if (area >= kLowestArea_m2 && area <= kHighestArea_m2) continue;
       notes_.doubt(
           "room",
-          fmt::format("its area would be {:.3g} m2: is the unit {} right?", area, design_.unit),
+          fmt::format("its area would be {:.3g} m2: check the unit, {}", area, design_.unit),
           room.source.place);
     }
     say_rooms_in_rooms();
@@ -590,8 +590,8 @@ class Builder {
                                            });
         if (comparisons > kMostComparisons) {
           notes_.doubt("rooms",
-                       "not all of them were compared, because their outlines have too many "
-                       "corners: one may lie in another one",
+                       "not all were compared, because their outlines have too many corners: one "
+                       "may be inside another",
                        "");
           return;
         }
@@ -604,8 +604,8 @@ class Builder {
           continue;
         }
         notes_.doubt("room",
-                     "its outline lies in that of another room: both are written, and what "
-                     "stands in it belongs to it alone",
+                     "its outline is inside that of another room: both are written, and objects in "
+                     "it belong only to it",
                      other.source.place);
       }
     }
@@ -628,7 +628,7 @@ class Builder {
         continue;
       }
       if (!is_upright(placed.to_world)) {
-        notes_.left_out(what, "it stands tilted, which a plan's block does not say enough of",
+        notes_.left_out(what, "it is tilted, and the block of a plan does not define the tilt",
                         place_of(placed));
         continue;
       }
@@ -637,7 +637,7 @@ class Builder {
         ++parts_;
         if (std::fabs(design_.luminaire[*part].rotation_deg - rotation_of(placed.to_world)) >
             0.01) {
-          notes_.doubt(what, "several stand at one place, turned differently: the first counts",
+          notes_.doubt(what, "several are at the same place, turned differently: the first counts",
                        place_of(placed));
         }
         add_attributes(placed, design_.luminaire[*part]);
@@ -658,7 +658,7 @@ class Builder {
       add_attributes(placed, luminaire);
       set_height(rule, luminaire);
       if (luminaire.is_mirrored) {
-        notes_.doubt(what, "it is mirrored in the drawing: its light is turned, not mirrored",
+        notes_.doubt(what, "it is mirrored in the drawing; its light is turned but not mirrored",
                      place_of(placed));
       }
       design_.luminaire.push_back(std::move(luminaire));
@@ -668,17 +668,17 @@ class Builder {
       notes_.left_out(
           "luminaires",
           fmt::format(
-              "no block {}{} is in the drawing", map_.luminaire[i].type,
+              "the drawing has no block {}{}", map_.luminaire[i].type,
               map_.luminaire[i].layer.empty() ? "" : " on a layer " + map_.luminaire[i].layer),
           fmt::format("map line {}", map_.luminaire[i].line));
     }
     if (parts_ > 0) {
       notes_.add(DesignNote::Kind::taken, "block at the place of another one",
-                 "they are parts of one luminaire, or it was drawn twice", "", parts_);
+                 "they are parts of a luminaire, or it was drawn twice", "", parts_);
     }
     if (loose_ > 0) {
       notes_.left_out("lines of luminaires",
-                      "they are no blocks: export from DIALux with a 3-D view as the active one",
+                      "they are not blocks: export from DIALux while a 3-D view is active",
                       "layers DLX_*LUM*", loose_);
     }
   }
@@ -755,7 +755,7 @@ class Builder {
       box.name = is_block ? entity.block : placed.layer;
       const std::string what = "furniture " + box.name;
       if (!is_upright(placed.to_world)) {
-        notes_.left_out(what, "it stands tilted", place_of(placed));
+        notes_.left_out(what, "it is tilted", place_of(placed));
         continue;
       }
       glm::dvec3 centre;
@@ -763,10 +763,10 @@ class Builder {
         const auto [found, is_new] = extents.try_emplace(dxf_key(entity.block_in_file));
         if (is_new) found->second = extent_of_block(drawing_, entity.block_in_file, work);
         if (!found->second.is_any) {
-          notes_.left_out(what,
-                          found->second.problem.empty() ? "its block has nothing that takes room"
-                                                        : found->second.problem,
-                          place_of(placed));
+          notes_.left_out(
+              what,
+              found->second.problem.empty() ? "its block has no volume" : found->second.problem,
+              place_of(placed));
           continue;
         }
         const auto base = drawing_.block.find(dxf_key(entity.block_in_file));
@@ -780,8 +780,8 @@ class Builder {
       } else if (!take_rectangle(placed, centre, box)) {
         notes_.left_out(what,
                         entity.kind == Kind::mesh
-                            ? "a mesh that is in no block is not taken; make a block of it"
-                            : "its outline is no rectangle; draw it as a block",
+                            ? "a mesh outside a block is not taken; make a block of it"
+                            : "its outline is not a rectangle; draw it as a block",
                         place_of(placed));
         continue;
       }
@@ -794,7 +794,7 @@ class Builder {
       const std::optional<std::size_t> room =
           room_at(design_, box.centre_m, std::nullopt, storey_of(placed.layer));
       if (!room) {
-        notes_.left_out(what, "it stands in no room", place_of(placed));
+        notes_.left_out(what, "it is not in a room", place_of(placed));
         continue;
       }
       box.centre_m.z = design_.room[*room].floor_z_m;
@@ -808,7 +808,7 @@ class Builder {
       if (of_rule[i] != 0) continue;
       const MapFurniture& rule = map_.furniture[i];
       notes_.left_out("furniture",
-                      fmt::format("nothing of {} is in the drawing",
+                      fmt::format("the drawing has nothing for {}",
                                   rule.type.empty() ? "layer " + rule.layer : rule.type),
                       fmt::format("map line {}", rule.line));
     }
@@ -820,12 +820,13 @@ class Builder {
     if (extent.faces + extent.meshes == 0) return;
     const double drawn_m =
         metres_ * (extent.high.z - extent.low.z) * glm::length(glm::dvec3(placed.to_world[2]));
-    notes_.add(DesignNote::Kind::taken, what,
-               fmt::format("of {} 3DFACE, SOLID and TRACE and {} meshes in its block only the "
-                           "upright box around them is written, {:.4g} m high as the map says; "
-                           "drawn it is {:.4g} m high",
-                           extent.faces, extent.meshes, box.size_m.z, drawn_m),
-               place_of(placed));
+    notes_.add(
+        DesignNote::Kind::taken, what,
+        fmt::format(
+            "its block has {} 3DFACE, SOLID and TRACE and {} meshes; only the upright box around "
+            "them is written. It is {:.4g} m high as the map says, and {:.4g} m in the drawing",
+            extent.faces, extent.meshes, box.size_m.z, drawn_m),
+        place_of(placed));
   }
 
   bool take_rectangle(const DxfPlaced& placed, glm::dvec3& centre, DesignBox& box) const {
@@ -892,7 +893,7 @@ class Builder {
       }
       if (lines.size() == before) {
         notes_.left_out(what + "s",
-                        fmt::format("nothing that can be one is on a layer {}", rules[i].layer),
+                        fmt::format("no layer {} has an object that can be one", rules[i].layer),
                         fmt::format("map line {}", rules[i].line));
       }
     }
@@ -917,7 +918,7 @@ class Builder {
                  "the map does not name them", "", count);
     }
     if (clipped_ > 0) {
-      notes_.doubt("block reference", "part of it is hidden (XCLIP): all of it was looked at", "",
+      notes_.doubt("block reference", "part of it is hidden (XCLIP); all of it was read", "",
                    clipped_);
     }
     for (const std::string& doubt : {drawing_.text_doubt, drawing_.end_doubt}) {

@@ -120,11 +120,11 @@ class DrawingReader {
     }
     finish_record();
     if (problem_.empty() && pairs_.is_cut() && name_ == "ENDSEC" && has_entities_) {
-      drawing_.end_doubt = "the file's last pair, 0 EOF, is missing: it may have been cut";
+      drawing_.end_doubt = "the file's last pair, 0 EOF, is missing: it may be cut off";
     } else if (problem_.empty()) {
       problem_ = pairs_.problem();
     }
-    if (problem_.empty() && !has_section) problem_ = "line 1: no section is in this file";
+    if (problem_.empty() && !has_section) problem_ = "line 1: this file has no section";
     if (!problem_.empty()) {
       problem = problem_;
       return std::nullopt;
@@ -271,7 +271,7 @@ class DrawingReader {
     std::vector<DxfEntity>* list = entities();
     if (list == nullptr) return;
     if (++count_ > kMostDxfEntities) {
-      return fail(place_, fmt::format("more than {} entities are in this file", kMostDxfEntities));
+      return fail(place_, fmt::format("this file has more than {} entities", kMostDxfEntities));
     }
     DxfEntity entity;
     if (!take_common(entity)) {
@@ -282,7 +282,7 @@ class DrawingReader {
     if (is_broken_) {
       is_passing_ = true;
       open_polyline_ = open_insert_ = false;
-      return skip(name_, "a number of it cannot be read, or is beyond 1e15");
+      return skip(name_, "one of its numbers cannot be read, or is beyond 1e15");
     }
     list->push_back(std::move(entity));
   }
@@ -318,7 +318,7 @@ class DrawingReader {
       if (glm::length(entity.normal) == 0.0) is_broken_ = true;
     }
     if (whole(67) == 1 && section_ == "ENTITIES") {
-      skip(name_, "it is on paper, not in the model");
+      skip(name_, "it is in paper space, not in the model");
       return false;
     }
     if (whole(60) == 1) {
@@ -378,7 +378,7 @@ class DrawingReader {
     } else {
       is_passing_ = true;
       // Definitions of attributes are not drawn where the block stands.
-      if (name_ != "ATTDEF") skip(name_, "no kind that is read");
+      if (name_ != "ATTDEF") skip(name_, "not a supported kind");
       return false;
     }
     return true;
@@ -485,10 +485,10 @@ class DrawingReader {
     if (is_passing_) return;
     std::vector<DxfEntity>* list = entities();
     if (!open_polyline_ || list == nullptr || list->empty()) {
-      return skip("VERTEX", "it belongs to no POLYLINE");
+      return skip("VERTEX", "it does not belong to a POLYLINE");
     }
     if (++count_ > kMostDxfEntities) {
-      return fail(place_, fmt::format("more than {} entities are in this file", kMostDxfEntities));
+      return fail(place_, fmt::format("this file has more than {} entities", kMostDxfEntities));
     }
     DxfEntity& entity = list->back();
     const int flags = whole(70);
@@ -504,7 +504,7 @@ class DrawingReader {
     list->pop_back();
     open_polyline_ = false;
     is_passing_ = true;
-    skip("POLYLINE", "a number of it cannot be read, or is beyond 1e15");
+    skip("POLYLINE", "one of its numbers cannot be read, or is beyond 1e15");
   }
 
   void take_insert(DxfEntity& entity) {
@@ -530,14 +530,14 @@ class DrawingReader {
     if (is_passing_) return;
     std::vector<DxfEntity>* list = entities();
     if (!open_insert_ || list == nullptr || list->empty()) {
-      return skip("ATTRIB", "it belongs to no INSERT");
+      return skip("ATTRIB", "it does not belong to an INSERT");
     }
     // Of an attribute of several lines the first value is the one that counts.
     const DxfPair* tag = find(2);
     const DxfPair* value = find(1);
     if (tag == nullptr) return skip("ATTRIB", "it has no tag");
     if (++count_ > kMostDxfEntities) {
-      return fail(place_, fmt::format("more than {} entities are in this file", kMostDxfEntities));
+      return fail(place_, fmt::format("this file has more than {} entities", kMostDxfEntities));
     }
     list->back().attribute.emplace_back(
         name_of(*tag), value == nullptr ? "" : calc::printable(plain_dxf_mtext(text_of(*value))));
@@ -575,8 +575,7 @@ class DrawingReader {
       const std::optional<double> flags = next(92);
       if (!flags) return skip("HATCH", "its loops cannot be read");
       if (++count_ > kMostDxfEntities) {
-        return fail(place_,
-                    fmt::format("more than {} entities are in this file", kMostDxfEntities));
+        return fail(place_, fmt::format("this file has more than {} entities", kMostDxfEntities));
       }
       DxfEntity outline = start;
       outline.kind = DxfEntity::Kind::outline;
@@ -668,7 +667,7 @@ class DrawingReader {
         }
         if (!curve) return unreadable;
         if (const std::string why = curve_problem(*curve); !why.empty()) {
-          return "of a curve of its loops: " + why;
+          return "a curve of its loops: " + why;
         }
         from = glm::dvec2(curve_start(*curve));
         to = glm::dvec2(curve_end(*curve));
@@ -813,8 +812,8 @@ class Visitor {
  private:
   bool count() {
     if (++count_ > kMostDxfPlaced) {
-      problem_ = fmt::format("with all blocks, more than {} entities stand in this drawing",
-                             kMostDxfPlaced);
+      problem_ =
+          fmt::format("with all blocks, this drawing has more than {} entities", kMostDxfPlaced);
     }
     return problem_.empty();
   }
@@ -822,8 +821,8 @@ class Visitor {
   // parent: the reference whose block these are of, with the matrix of their coordinates.
   void go(const std::vector<DxfEntity>& entities, const DxfPlaced& parent, std::size_t depth) {
     if (depth > kDeepestDxfBlock) {
-      problem_ =
-          fmt::format("blocks stand in blocks more than {} deep, or in a circle", kDeepestDxfBlock);
+      problem_ = fmt::format("blocks are nested more than {} deep, or contain themselves",
+                             kDeepestDxfBlock);
       return;
     }
     for (const DxfEntity& entity : entities) {
@@ -970,7 +969,7 @@ DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in
   Visitor* visitor = nullptr;
   const auto take = [&](std::size_t amount) {
     work -= std::min(work, amount);
-    if (work == 0) visitor->stop("to measure the blocks of this drawing takes too long");
+    if (work == 0) visitor->stop("measuring the blocks of this drawing takes too long");
     return work > 0;
   };
   const std::function<bool(const DxfPlaced&)> visit = [&](const DxfPlaced& placed) {
@@ -988,7 +987,8 @@ DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in
     size *= largest_stretch(placed.to_world);
     double reached = 0.0;
     const std::vector<glm::dvec3> corners = placed.corners(kFine * size, &reached);
-    if (reached > kFine * size) visitor->stop("an arc or curve in it is far larger than its ends");
+    if (reached > kFine * size)
+      visitor->stop("one of its arcs or curves is far larger than the distance of its ends");
     take(corners.size());
     for (const glm::dvec3& point : corners) {
       extent.low = extent.is_any ? glm::min(extent.low, point) : point;

@@ -75,8 +75,8 @@ void take_ring(std::vector<glm::dvec3> ring, const PlanPiece& first, double same
     mending -= sides * sides;
     if (mending < 0.0) {
       found.failure.push_back(
-          {"its sides cross or touch each other, as those of so many others that this one was not "
-           "looked at",
+          {"its sides may cross or touch each other; this was not checked, because so many others "
+           "do",
            first.place});
       return;
     }

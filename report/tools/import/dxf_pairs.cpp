@@ -151,9 +151,9 @@ DxfPairs::DxfPairs(std::string_view bytes) : bytes_(calc::without_byte_order_mar
   if (starts_like_dwg(bytes_)) {
     fail(1, "this is a DWG file; have the CAD program save it as DXF");
   } else if (calc::has_utf16_mark(bytes_)) {
-    fail(1, "this is text in UTF-16, which no DXF file is");
+    fail(1, "this is text in UTF-16; DXF files are not");
   } else if (calc::trim(bytes_.substr(0, 4096)).empty()) {
-    fail(1, bytes_.empty() ? "the file is empty" : "no group code is here");
+    fail(1, bytes_.empty() ? "the file is empty" : "there is no group code here");
   }
 }
 
@@ -195,7 +195,7 @@ std::optional<std::string_view> DxfPairs::line() {
 
 bool DxfPairs::next_of_text(DxfPair& pair) {
   constexpr const char* kCut =
-      "the file ends here without its last pair, 0 EOF: it was cut, save it again";
+      "the file ends here without its last pair, 0 EOF: it is cut off; save it again";
   const std::optional<std::string_view> code = line();
   pair.place = line_;
   if (!code) {
@@ -204,9 +204,8 @@ bool DxfPairs::next_of_text(DxfPair& pair) {
   }
   const std::optional<int> number = calc::parse_integer(calc::trim(*code));
   if (!number || *number < -5 || *number > kHighestCode) {
-    return fail(line_,
-                fmt::format("a group code from 0 to {} is needed, '{}' is none", kHighestCode,
-                            calc::printable(calc::shorten_utf8(calc::trim(*code), 40))));
+    return fail(line_, fmt::format("a group code from 0 to {} is needed, not '{}'", kHighestCode,
+                                   calc::printable(calc::shorten_utf8(calc::trim(*code), 40))));
   }
   const std::optional<std::string_view> value = line();
   if (!value) return fail(line_, kCut);
@@ -238,7 +237,7 @@ bool DxfPairs::next_of_binary(DxfPair& pair) {
   pair.place = at_;
   pair.text = {};
   pair.number.reset();
-  const auto is_cut = [&] { return fail(pair.place, "the file ends here: it was cut"); };
+  const auto is_cut = [&] { return fail(pair.place, "the file ends here: it is cut off"); };
   if (!read_code(pair.code)) return is_cut();
   const auto whole = [&](std::size_t bytes) {
     const std::optional<std::uint64_t> read = read_unsigned(bytes);
@@ -278,7 +277,7 @@ bool DxfPairs::next_of_binary(DxfPair& pair) {
     case ValueKind::unknown:
       break;
   }
-  return fail(pair.place, fmt::format("{} is no group code of binary files", pair.code));
+  return fail(pair.place, fmt::format("{} is not a group code of binary files", pair.code));
 }
 
 std::optional<double> dxf_number(const DxfPair& pair) {
@@ -302,18 +301,19 @@ void DxfTexts::set(std::string_view version, std::string_view code_page) {
 std::string DxfTexts::of_code_page(std::string_view bytes) {
   if (code_page_ == "ansi_1252") return calc::utf8_from_windows_1252(bytes);
   if (code_page_.empty() && !calc::first_invalid_utf8(bytes)) {
-    doubt_ = "the file names no code page: its texts are taken for UTF-8, which they can be";
+    doubt_ =
+        "the file names no code page: its texts are read as UTF-8, because they are valid UTF-8";
     return std::string(bytes);
   }
   if (const std::string name = iconv_name(code_page_); !name.empty()) {
     if (const auto text = converted(bytes, name)) return *text;
   }
-  doubt_ = code_page_.empty()
-               ? "the file names no code page: its texts are taken for Windows-1252"
-               : fmt::format(
-                     "texts in the code page '{}' cannot be read here: they are taken for "
-                     "Windows-1252",
-                     calc::printable(code_page_));
+  doubt_ =
+      code_page_.empty()
+          ? "the file names no code page: its texts are read as Windows-1252"
+          : fmt::format(
+                "texts in the code page '{}' cannot be read here: they are read as Windows-1252",
+                calc::printable(code_page_));
   return calc::utf8_from_windows_1252(bytes);
 }
 
@@ -323,8 +323,7 @@ std::string DxfTexts::decoded(std::string_view bytes) {
   if (!calc::first_invalid_utf8(bytes)) return without_escapes(std::string(bytes));
   const std::string text = of_code_page(bytes);
   doubt_ =
-      "some texts are not UTF-8, as they must be in this version: they are taken for the "
-      "file's code page";
+      "some texts are not UTF-8, as this version requires: they are read in the file's code page";
   return without_escapes(text);
 }
 

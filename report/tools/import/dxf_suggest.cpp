@@ -103,10 +103,10 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
       skipped);
 
   std::string text = fmt::format(
-      "# A map for 'luxgate import {0}': take the # away where a part is wanted, and fill in\n"
+      "# A map for 'luxgate import {0}': remove the # from the parts that you need, and fill in\n"
       "# what no drawing knows. Patterns: * and ? stand for any characters.\n\n",
       calc::printable(std::filesystem::path(file).filename().string()));
-  if (!problem.empty()) text += fmt::format("# Not all of it was looked at: {}.\n", problem);
+  if (!problem.empty()) text += fmt::format("# Not all of it was read: {}.\n", problem);
   text += fmt::format("# The drawing's unit; its header ($INSUNITS) has {}.\n# unit = \"mm\"\n",
                       drawing.unit
                           ? fmt::format("number {} (1 in, 2 ft, 4 mm, 5 cm, 6 m)", *drawing.unit)

@@ -36,7 +36,7 @@ std::string header_words(std::optional<int> header) {
   const std::string unit = unit_of_header(header);
   if (!unit.empty()) return "the header says " + unit;
   if (!header || *header == 0) return "the header says none";
-  return fmt::format("the header says number {}, which is none of {}", *header,
+  return fmt::format("the header says number {}, which is not one of {}", *header,
                      calc::join_choices(kImportUnits));
 }
 
@@ -72,10 +72,10 @@ ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
   const std::string ask =
       "state it by --unit or 'unit' in the map: " + calc::join_choices(kImportUnits);
   const std::string sizes =
-      area_units.empty()
-          ? "no closed outline of a room is there to tell by (see 'close' of the map for open ones)"
-          : fmt::format("the {} of {} outlines of rooms would have {}", "median", area_units.size(),
-                        areas_in_units(median_of(area_units)));
+      area_units.empty() ? "there is no closed outline of a room to decide by (see 'close' of the "
+                           "map for open ones)"
+                         : fmt::format("the {} of {} outlines of rooms would have {}", "median",
+                                       area_units.size(), areas_in_units(median_of(area_units)));
   if (is_dialux) {
     unit.problem = fmt::format(
         "the unit is not known: {}, and DIALux says there what it does not mean; {}; {}",
@@ -87,8 +87,7 @@ ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
     const double metres = *metres_per_import_unit(by_header);
     const double area = median_of(area_units) * metres * metres;
     if (area < kLowestBelievedArea_m2 || area > kHighestBelievedArea_m2) {
-      unit.problem =
-          fmt::format("{}, which is hardly true: {}; {}", header_words(header), sizes, ask);
+      unit.problem = fmt::format("{}, which is unlikely: {}; {}", header_words(header), sizes, ask);
     } else {
       unit.name = by_header;
       unit.reason =

@@ -41,8 +41,7 @@ struct PassedOver {
   std::string_view name, why;
 };
 constexpr std::string_view kWalls =
-    "a room has its outline from its space; what stands in it "
-    "besides is not taken";
+    "the outline of a room is that of its space; other objects in it are not taken";
 constexpr PassedOver kPassedOver[] = {
     {"IFCWALL", kWalls},
     {"IFCWALLSTANDARDCASE", kWalls},
@@ -61,7 +60,7 @@ constexpr PassedOver kPassedOver[] = {
     {"IFCMEMBER", kWalls},
     {"IFCCOVERING", kWalls},
     {"IFCCURTAINWALL", kWalls},
-    {"IFCBUILDINGELEMENTPROXY", "nobody can tell what it is"},
+    {"IFCBUILDINGELEMENTPROXY", "its kind is not stated"},
     {"IFCDOOR", "doors are not taken"},
     {"IFCWINDOW", "windows are not taken: there is no daylight"},
     {"IFCLIGHTSOURCEGONIOMETRIC",
@@ -96,7 +95,7 @@ class DesignReader {
     }
     if (!text_.is_utf8()) {
       note(DesignNote::Kind::doubt, "text",
-           "some of it is no UTF-8; it is taken for Windows-1252, and letters may be wrong", "");
+           "some of it is not UTF-8; it is read as Windows-1252, and letters may be wrong", "");
     }
     relations();
     context();
@@ -155,8 +154,8 @@ class DesignReader {
     // Bytes that are no UTF-8 were said of the whole file.
     if (!is_sure && text_.is_utf8() && unsure_.insert(value.slice().data()).second) {
       note(DesignNote::Kind::doubt, "text",
-           "an escape in it means no letter, or is of an alphabet other than ISO 8859-1 to -9; "
-           "letters may be missing (U+FFFD) or wrong",
+           "an escape in it is not a letter, or is not from ISO 8859-1 to -9; letters may be "
+           "missing (U+FFFD) or wrong",
            fmt::format("'{}'", calc::shorten_utf8(calc::printable(text), kLongestExample)));
     }
     return calc::printable(text);
@@ -167,7 +166,7 @@ class DesignReader {
     if (source.key.empty() || !keys_.insert(source.key).second) {
       note(DesignNote::Kind::doubt, text_.name(instance),
            source.key.empty()
-               ? "it has no GlobalId; the number of its instance stands for it"
+               ? "it has no GlobalId; the number of its instance is used"
                : "its GlobalId is given twice in the file; the number of its instance is added",
            source.place);
       source.key += fmt::format("#{}", text_.number(instance));
@@ -305,19 +304,19 @@ class DesignReader {
     const std::string composition = a.size() > 8 ? a[8].enumeration() : "";
     const std::string predefined = a.size() > 9 ? a[9].enumeration() : "";
     if (composition == "COMPLEX") throw IfcLeftOut{"it is a group of spaces"};
-    if (predefined == "GFA") throw IfcLeftOut{"it is a gross area, no room"};
+    if (predefined == "GFA") throw IfcLeftOut{"it is a gross area, not a room"};
     if (predefined == "EXTERNAL" || predefined == "PARKING") {
-      throw IfcLeftOut{"it lies outside of the building"};
+      throw IfcLeftOut{"it is outside the building"};
     }
     if (a[6].is_null()) throw IfcLeftOut{"it has no shape"};
     IfcRoomShape shape = ifc_room_shape(file_, a[6], placements_.world_from(a[5]));
-    if (composition == "PARTIAL") shape.doubt.push_back("it is a part of another space");
+    if (composition == "PARTIAL") shape.doubt.push_back("it is part of another space");
     const double area_m2 = std::fabs(calc::signed_area(shape.outline));
     if (!(area_m2 >= kLeastArea_m2 && area_m2 <= kMostArea_m2 && shape.height_m >= kLeastHeight_m &&
           shape.height_m <= kMostHeight_m)) {
       shape.doubt.push_back(fmt::format(
-          "its size is unusual (area not within {:g} to {:g} m2, or height not within {:g} to "
-          "{:g} m); is the unit {} right?",
+          "its size is unusual (area not within {:g} to {:g} m2, or height not within {:g} to {:g} "
+          "m); check the unit, {}",
           kLeastArea_m2, kMostArea_m2, kLeastHeight_m, kMostHeight_m, file_.units().name));
     }
     DesignRoom room;
@@ -359,18 +358,18 @@ class DesignReader {
     }
     if (!design_.luminaire.empty()) {
       note(DesignNote::Kind::taken, "luminaires",
-           "each is taken to be at the origin of its type's body; where the light comes out is not "
-           "in the file",
+           "each is taken to be at the origin of its type's body; the file does not say where the "
+           "light comes out",
            design_.luminaire.front().source.place, design_.luminaire.size());
     }
     for (const std::uint32_t terminal : text_.of_name("IFCFLOWTERMINAL")) {
       if (lights_.contains(terminal)) continue;
       const auto type = type_.find(terminal);
       if (type == type_.end()) {
-        left_out(terminal, "it has no type, so nobody can tell whether it gives light");
+        left_out(terminal, "it has no type: it is not known whether it gives light");
       } else {
         note(DesignNote::Kind::not_asked, text_.name(terminal),
-             fmt::format("it is of an {}, no luminaire", text_.name(type->second)),
+             fmt::format("it is of an {}, not a luminaire", text_.name(type->second)),
              place(terminal));
       }
     }
@@ -428,7 +427,7 @@ class DesignReader {
           "its upright axis is tilted; only the turn of its x axis, seen from above, "
           "is taken");
     } else if (z.z < 0.0) {
-      doubt.push_back("it stands on its head; it is taken as mirrored, seen from above");
+      doubt.push_back("it is upside down; it is taken as mirrored, seen from above");
     }
     const std::string lower = calc::ascii_lowered(result.type + " " + text_of(a, 2));
     for (const std::string_view word : kSwitchWords) {
@@ -553,7 +552,7 @@ class DesignReader {
            place(all.front()), count);
     }
     if (text_.of_name("IFCSPACE").empty()) {
-      note(DesignNote::Kind::left_out, "rooms", "there is no IFCSPACE in this file", "");
+      note(DesignNote::Kind::left_out, "rooms", "this file has no IFCSPACE", "");
     }
   }
 
@@ -586,7 +585,7 @@ class DesignReader {
     for (DesignLuminaire& one : design_.luminaire) one.position_m -= origin;
     for (DesignBox& one : design_.box) one.centre_m -= origin;
     note(DesignNote::Kind::taken, "origin",
-         fmt::format("coordinates are far from zero; ({:.0f}, {:.0f}, {:.0f}) m is taken away",
+         fmt::format("coordinates are far from zero; ({:.0f}, {:.0f}, {:.0f}) m is subtracted",
                      origin.x, origin.y, origin.z),
          "");
   }
@@ -623,7 +622,7 @@ std::optional<Design> read_ifc(std::string_view bytes, const std::string& name,
   std::optional<IfcUnits> units = read_ifc_units(*text, problem);
   if (!units && !options.metres_per_unit) return std::nullopt;
   if (options.metres_per_unit) {
-    const std::string stated = units ? units->name : "nothing that is understood";
+    const std::string stated = units ? units->name : "nothing that import can read";
     if (!units) units.emplace();
     set_length_unit(*units, *options.metres_per_unit);
     units->name = fmt::format("{:g} m", *options.metres_per_unit);

@@ -28,7 +28,7 @@ void IfcFile::begin_product() { of_product_ = kWorkOfProduct; }
 void IfcFile::work(std::size_t amount) {
   if (amount > of_file_) {
     of_file_ = 0;
-    throw IfcLeftOut{"the shapes of the file before it took all the work that it may ask for"};
+    throw IfcLeftOut{"earlier shapes of the file have used up the work that is allowed"};
   }
   of_file_ -= amount;
   if (amount > of_product_) throw IfcLeftOut{"its shape is too large"};
@@ -56,14 +56,14 @@ std::vector<StepValue> IfcFile::arguments_of(const StepValue& reference, std::st
                                              std::size_t least) {
   const std::uint32_t instance = follow(reference, name);
   if (text_.name(instance) != name) {
-    throw IfcLeftOut{fmt::format("{} stands where {} is read", text_.name(instance), name)};
+    throw IfcLeftOut{fmt::format("{} is found where {} is needed", text_.name(instance), name)};
   }
   return arguments(instance, least);
 }
 
 double IfcFile::number(const StepValue& value, std::string_view what) const {
   const std::optional<double> number = value.untyped().number();
-  if (!number) throw IfcLeftOut{fmt::format("its {} is no number", what)};
+  if (!number) throw IfcLeftOut{fmt::format("its {} is not a number", what)};
   return *number;
 }
 
@@ -84,7 +84,7 @@ double IfcFile::positive_length_m(const StepValue& value, std::string_view what)
 glm::dvec3 IfcFile::coordinates_m(const StepValue& list) const {
   const std::vector<StepValue> items = list.items();
   if (items.size() < 2 || items.size() > 3) {
-    throw IfcLeftOut{"a point with other than two or three coordinates"};
+    throw IfcLeftOut{"a point without two or three coordinates"};
   }
   glm::dvec3 point(0.0);
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -34,7 +34,7 @@ class RuleFinder {
         if (fits_room(map_.room[i], room)) room.rule = i;
       }
       if (room.rule < map_.room.size() && map_.room[room.rule].floor_z_m) {
-        notes_.doubt("room", "its floor is as high as the IFC file says, not the map",
+        notes_.doubt("room", "its floor has the height of the IFC file, not that of the map",
                      room.source.place);
       }
     }

@@ -87,7 +87,7 @@ glm::dmat4 IfcPlacements::world_from(const StepValue& reference) {
       break;
     }
     if (chain.size() >= kLongestPlacementChain) {
-      throw IfcLeftOut{fmt::format("its placement is a chain of more than {}, or a circle",
+      throw IfcLeftOut{fmt::format("its placement is a chain of more than {}, or refers to itself",
                                    kLongestPlacementChain)};
     }
     if (file_.text().name(instance) != "IFCLOCALPLACEMENT") {

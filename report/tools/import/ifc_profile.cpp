@@ -83,7 +83,7 @@ class CurveReader {
 
   // Both ends included: those of a closed one are equal.
   Points curve(const StepValue& reference, int depth) {
-    if (depth > kDeepestCurve) throw IfcLeftOut{"curves of curves, too deep"};
+    if (depth > kDeepestCurve) throw IfcLeftOut{"its curves are nested too deep"};
     const std::uint32_t instance = file_.follow(reference, "curve");
     const std::string& name = file_.text().name(instance);
     if (name == "IFCPOLYLINE") return polyline(instance);
@@ -167,7 +167,7 @@ class CurveReader {
         for (const StepValue& i : index) add(line, at(i));
         go_on(points, line);
       } else {
-        throw IfcLeftOut{"a piece of an IFCINDEXEDPOLYCURVE that is not understood"};
+        throw IfcLeftOut{"a piece of an IFCINDEXEDPOLYCURVE that cannot be read"};
       }
     }
     return points;
@@ -260,7 +260,7 @@ class CurveReader {
   Points checked(Points points) const {
     for (const glm::dvec2& p : points) {
       if (!(std::fabs(p.x) <= kFarthestIfc && std::fabs(p.y) <= kFarthestIfc)) {
-        throw IfcLeftOut{"a point that is no building's"};
+        throw IfcLeftOut{"a point too far away for a building"};
       }
     }
     return points;

@@ -41,7 +41,7 @@ struct Solid {
 
 void check_near(const glm::dvec3& point) {
   for (const double x : {point.x, point.y, point.z}) {
-    if (!(std::fabs(x) <= kFarthestIfc)) throw IfcLeftOut{"a point of it is too far away"};
+    if (!(std::fabs(x) <= kFarthestIfc)) throw IfcLeftOut{"one of its points is too far away"};
   }
 }
 
@@ -98,7 +98,7 @@ class SolidReader {
 
  private:
   void read_item(const StepValue& item, const glm::dmat4& frame, int depth) {
-    if (depth > kDeepestShape) throw IfcLeftOut{"shapes of shapes, too deep"};
+    if (depth > kDeepestShape) throw IfcLeftOut{"its shapes are nested too deep"};
     const std::uint32_t instance = file_.follow(item, "shape");
     const std::string& name = file_.text().name(instance);
     if (name == "IFCEXTRUDEDAREASOLID") return extrusion(instance, frame);
@@ -108,12 +108,12 @@ class SolidReader {
       if (operation != "DIFFERENCE" && operation != "INTERSECTION") {
         throw IfcLeftOut{fmt::format("a shape by {} of {} is not read", name, operation)};
       }
-      doubt.push_back("something is cut off its body; it is taken as it was before that");
+      doubt.push_back("part of its body is cut off; it is read without the cut");
       return read_item(a[1], frame, depth + 1);
     }
     if (name == "IFCMAPPEDITEM") return mapped(instance, frame, depth);
     if (name == "IFCFACETEDBREP" || name == "IFCFACETEDBREPWITHVOIDS") {
-      if (name != "IFCFACETEDBREP") doubt.push_back("hollows within its body are left out");
+      if (name != "IFCFACETEDBREP") doubt.push_back("hollows within its body are omitted");
       Solid& brep = solid.emplace_back();
       return shell(file_.arguments(instance, 1)[0], frame, brep);
     }
@@ -441,7 +441,7 @@ IfcRoomShape ifc_room_shape(IfcFile& file, const StepValue& representation,
     file.work(hole.size() * body.prism.outer.size() / kComparisonsOfWork);
     for (const glm::dvec2& p : hole) {
       if (!calc::contains_point(body.prism.outer, p)) {
-        throw IfcLeftOut{"a hole of its outline lies outside of it"};
+        throw IfcLeftOut{"a hole of its outline is outside of it"};
       }
     }
   }

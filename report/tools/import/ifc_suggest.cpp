@@ -177,13 +177,13 @@ std::optional<std::string> suggest_ifc_map(std::string_view bytes, const std::st
   const std::optional<Design> design = ifc_without_map(bytes, file, unit, problem);
   if (!design) return std::nullopt;
   std::string text = fmt::format(
-      "# A map for 'luxgate import {}': take the # away where a part is wanted, and fill in\n"
+      "# A map for 'luxgate import {}': remove the # from the parts that you need, and fill in\n"
       "# what no model knows. Patterns: * and ? stand for any characters.\n\n"
       "# The model's unit is {} ({}).\n# unit = \"mm\"\n",
       calc::printable(std::filesystem::path(file).filename().string()),
       calc::printable(design->unit), calc::printable(design->unit_reason));
   text += rooms_text(*design) + luminaires_text(*design) + furniture_text(*design);
-  text += "\n# What an import will not take, or what is to be looked at\n";
+  text += "\n# Objects that an import will not take, or that you should check\n";
   for (const DesignNote& note : design->note) {
     if (note.kind == DesignNote::Kind::taken) continue;
     text += fmt::format("#   {} x {}: {}\n", note.count, calc::printable(note.what),

@@ -67,7 +67,7 @@ class UnitReader {
       }
     }
     if (!length) {
-      return fail(*assignment, "the project has no unit of length; luxgate takes none for granted");
+      return fail(*assignment, "the project has no unit of length; state it");
     }
     if (!(length->factor >= kSmallestLength && length->factor <= kLargestLength)) {
       return fail(*assignment,
@@ -91,7 +91,7 @@ class UnitReader {
 
   std::optional<std::uint32_t> find_assignment() {
     const auto projects = text_.of_name("IFCPROJECT");
-    if (projects.size() > 1) return fail(projects[1], "a second IFCPROJECT; one is read");
+    if (projects.size() > 1) return fail(projects[1], "a second IFCPROJECT; one is allowed");
     if (projects.size() == 1) {
       const std::vector<StepValue> arguments = text_.arguments(projects[0]);
       if (arguments.size() > 8) {
@@ -113,12 +113,12 @@ class UnitReader {
 
   std::optional<Unit> unit_of(std::uint32_t unit, const std::string& kind, int depth) {
     const std::vector<StepValue> a = text_.arguments(unit);
-    if (depth > kDeepestUnit) return fail(unit, "units that stand on one another too deep");
+    if (depth > kDeepestUnit) return fail(unit, "its units are nested too deep");
     if (text_.name(unit) == "IFCSIUNIT" && a.size() > 3) return si_unit(unit, kind, a);
     if (text_.name(unit) != "IFCCONVERSIONBASEDUNIT" || a.size() < 4) {
-      return fail(unit, fmt::format("{} is no unit that is read; IFCSIUNIT and "
-                                    "IFCCONVERSIONBASEDUNIT are",
-                                    text_.name(unit)));
+      return fail(
+          unit, fmt::format("{} is not a supported unit; IFCSIUNIT and IFCCONVERSIONBASEDUNIT are",
+                            text_.name(unit)));
     }
     const std::optional<std::uint32_t> measure = text_.find(a[3]);
     std::vector<StepValue> m;
@@ -141,7 +141,7 @@ class UnitReader {
                               const std::vector<StepValue>& a) {
     const std::string prefix = a[2].enumeration(), name = a[3].enumeration();
     if (name != (kind == "LENGTHUNIT" ? "METRE" : "RADIAN")) {
-      return fail(unit, fmt::format("a unit {} for {} is not understood", name, kind));
+      return fail(unit, fmt::format("the unit {} for {} is not supported", name, kind));
     }
     const std::string symbol = kind == "LENGTHUNIT" ? "m" : "rad";
     if (prefix.empty()) return Unit{1.0, symbol};

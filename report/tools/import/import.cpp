@@ -98,7 +98,7 @@ std::vector<std::string> plan_photometry(const ImportMap& map, const std::string
     names.push_back(name);
     if (is_other) {
       notes.left_out(fmt::format("photometry '{}'", rule.photometry),
-                     fmt::format("another '{}' is in the project: it is kept, and used", name),
+                     fmt::format("the project has another '{}': it is kept, and used", name),
                      place);
     } else if (planned == files.end() && !there.ok()) {
       files.push_back({target, std::move(content.bytes)});
@@ -159,11 +159,10 @@ bool plan_project(const std::string& folder, const std::string& imported,
     return false;
   }
   if (!has_last) {
-    diagnostics.report(
-        DiagnosticId::output_not_possible, {project, 0, 0},
-        fmt::format("it is there already, and no import made it ('{}' is missing): it is kept, and "
-                    "nothing was written; name another folder",
-                    last));
+    diagnostics.report(DiagnosticId::output_not_possible, {project, 0, 0},
+                       fmt::format("it exists already, and no import made it ('{}' is missing): "
+                                   "nothing was written; name another folder",
+                                   last));
     return false;
   }
   std::optional<MergedProject> merged =
@@ -224,7 +223,7 @@ ExitCode run_import(const ImportOptions& options) {
   if (!map) return failed();
   if (map->room.empty()) {
     diagnostics.report(DiagnosticId::config_value, {options.map, 0, 0}, "room",
-                       "at least one [[room]] is needed: everything else stands in one");
+                       "at least one [[room]] is needed: everything else is in a room");
     return failed();
   }
   std::optional<Design> design = read_design(plan.bytes, options, *map, diagnostics);
@@ -293,8 +292,8 @@ Command import_command() {
                       {"luxgate import plan.dxf --map map.toml -o project",
                        "Then: luxgate validate project/project.xml"}};
   command.exit_codes = {
-      {0, "all that the map asks for was taken"},
-      {1, "some of it was not, or was changed by hand, too; the report says what"},
+      {0, "everything that the map names was taken"},
+      {1, "something was not taken, or was also changed by hand; the report lists it"},
       {2, "an error; nothing was written"}};
   command.complete = [options](const Environment&) -> std::string {
     if (!options->suggests_map) return "";

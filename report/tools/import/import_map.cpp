@@ -35,7 +35,7 @@ constexpr std::array kKeys = {
     MapKey{"", "unit", MapValue::text, false, 0, 0,
            "m, cm, mm, in or ft: the unit of the drawing. Beats what the file says"},
     MapKey{"", "name", MapValue::text, false, 0, 0, "of the project"},
-    MapKey{"", "ignore", MapValue::texts, false, 0, 0, "layers that are not looked at"},
+    MapKey{"", "ignore", MapValue::texts, false, 0, 0, "layers that are not read"},
     MapKey{"room", "layer", MapValue::text, false, 0, 0,
            "of closed outlines; lines whose ends meet are joined. DLX_*CONT if not given"},
     MapKey{"room", "names", MapValue::text, false, 0, 0,
@@ -132,7 +132,7 @@ class MapReader {
     map.unit = top.text_or("unit");
     if (top.text.count("unit") != 0 && !metres_per_import_unit(map.unit)) {
       refuse(table.get("unit")->source().begin, "unit",
-             fmt::format("'{}' is none of {}", calc::printable(map.unit),
+             fmt::format("'{}' is not one of {}", calc::printable(map.unit),
                          calc::join_choices(kImportUnits)));
     }
     map.name = top.text_or("name");
@@ -144,8 +144,7 @@ class MapReader {
       if (node == nullptr) continue;
       const toml::array* list = node->as_array();
       if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
-        refuse(node->source().begin, name,
-               fmt::format("[[{}]] is needed, as often as wanted", name));
+        refuse(node->source().begin, name, fmt::format("[[{}]] is needed, once or more", name));
         continue;
       }
       for (const toml::node& one : *list) {

@@ -17,10 +17,10 @@ using NoteKind = DesignNote::Kind;
 constexpr std::size_t kMostLines = 30;  // of a part of the text
 
 constexpr std::pair<NoteKind, const char*> kParts[] = {
-    {NoteKind::left_out, "Left out, though the map asks for it"},
-    {NoteKind::doubt, "To be looked at"},
-    {NoteKind::taken, "Taken otherwise than it is drawn"},
-    {NoteKind::not_asked, "Not asked for"}};
+    {NoteKind::left_out, "Omitted, although the map names it"},
+    {NoteKind::doubt, "Please check"},
+    {NoteKind::taken, "Changed from the drawing"},
+    {NoteKind::not_asked, "Not named by the map"}};
 
 const char* json_name(NoteKind kind) {
   switch (kind) {
@@ -81,7 +81,7 @@ std::string import_as_text(const ImportReport& report) {
     add_list(head, lines, text);
   }
   add_list("Changed since the last import", report.changes, text);
-  add_list("Changed by hand, too, and kept as it is in the project", report.conflicts, text);
+  add_list("Also changed by hand, and kept as it is in the project", report.conflicts, text);
   return text;
 }
 

@@ -179,7 +179,7 @@ class Merger {
     const Element& parent = next_.all()[next.parent];
     if (base != nullptr) {
       if (mine_.find(parent.path) != nullptr && !same_attributes(*base, next)) {
-        conflict(next, "it was taken out by hand, and changed in the drawing: it stays out");
+        conflict(next, "it was removed by hand, and changed in the drawing: it stays removed");
       }
       return;
     }
@@ -188,7 +188,7 @@ class Merger {
       new_[home->begin].push_back(&next);
       result_.changes.push_back(fmt::format("came: {}", words_of(next)));
     } else if (base_.find(parent.path) != nullptr) {
-      conflict(next, fmt::format("it is new, but {} was taken out by hand", words_of(parent)));
+      conflict(next, fmt::format("it is new, but {} was removed by hand", words_of(parent)));
     }  // else it comes with its parent
   }
 
@@ -263,7 +263,7 @@ class Merger {
     const Element& parent = base_.all()[base.parent];
     if (!parent.path.empty() && next_.find(parent.path) == nullptr) return;
     if (!is_as_imported(*mine)) {
-      conflict(*mine, "it is gone from the drawing");
+      conflict(*mine, "it is no longer in the drawing");
       return;
     }
     result_.changes.push_back(fmt::format("went: {}", words_of(*mine)));
@@ -370,7 +370,7 @@ std::optional<MergedProject> merge_projects(const ProjectSource& base, const Pro
     if (!text || !calc::parse_xml(*text, source->name, diagnostics)) return std::nullopt;
     if (*text == source->xml) continue;
     diagnostics.report(calc::DiagnosticId::output_not_possible, {source->name, 0, 0},
-                       "an import changes projects in UTF-8 only: save it so");
+                       "an import only changes projects in UTF-8: save it in UTF-8");
     return std::nullopt;
   }
   const Places base_places(base.xml), mine_places(mine.xml), next_places(next);

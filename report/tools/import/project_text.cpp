@@ -138,7 +138,7 @@ class Writer {
       } else if (!room.height_m) {
         left_out("room", "its height is not known", room.source);
       } else if (!calc::is_simple_polygon(room.outline_m)) {
-        left_out("room", "rounded to 0.1 mm its outline is no longer one", room.source);
+        left_out("room", "its outline, rounded to 0.1 mm, is not valid", room.source);
       } else {
         is_fine_[i] = true;
         fine.push_back(i);
@@ -153,9 +153,9 @@ class Writer {
                                      const std::string& what, const DesignSource& source) {
     const std::optional<std::size_t> room = room_at(design_, at, at.z, storey);
     if (!room) {
-      left_out(what, "it is in no room", source);
+      left_out(what, "it is not in a room", source);
     } else if (!is_fine_[*room]) {
-      left_out(what, "its room is left out", source);
+      left_out(what, "its room is omitted", source);
       return std::nullopt;
     }
     return room;
@@ -180,7 +180,7 @@ class Writer {
       }
       if (photometry_[*rule].empty()) {
         left_out(what,
-                 fmt::format("its photometry '{}' could not be taken",
+                 fmt::format("its photometry '{}' could not be read",
                              calc::printable(map_.luminaire[*rule].photometry)),
                  luminaire.source);
         continue;
@@ -206,7 +206,7 @@ class Writer {
       if (at.z > ceiling - kBelowCeiling_m) {
         at.z = ceiling - kBelowCeiling_m;
         notes_.doubt("luminaire at the height of the ceiling",
-                     "it is written 1 cm below it: in the plane of the ceiling its light would not "
+                     "it is written 1 cm lower: in the plane of the ceiling its light would not "
                      "reach the room",
                      luminaire.source.place);
       }
@@ -310,7 +310,7 @@ class Writer {
       const std::string what = is_plane ? "plane" : "route";
       const bool has_rule = line.rule < (is_plane ? map_.plane.size() : map_.route.size());
       if (!has_rule) {
-        left_out(what, "the map says nothing of it", line.source);
+        left_out(what, "the map does not name it", line.source);
         continue;
       }
       glm::dvec3 middle(0.0);
@@ -345,7 +345,7 @@ class Writer {
     std::string text;
     for (const std::vector<glm::dvec2>& hole : room.hole_m) {
       if (hole.size() < 3 || !calc::is_simple_polygon(hole)) {
-        notes_.doubt("room", "a hole in its outline is filled: rounded to 0.1 mm it is none",
+        notes_.doubt("room", "a hole in its outline is filled: rounded to 0.1 mm it has no area",
                      room.source.place);
         continue;
       }
@@ -446,8 +446,8 @@ class Writer {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<!-- Begun by 'luxgate import' from " +
         file +
-        ". Change whatever you want: the next import keeps that.\n     An id is what a thing is "
-        "found by in the drawing: it must stay. -->\n";
+        ". Change whatever you want: the next import keeps that.\n     Ids connect objects with "
+        "the drawing: keep them. -->\n";
     Attributes root("luxgate");
     root.add("version", "1");
     if (!map_.name.empty()) root.add("name", map_.name);

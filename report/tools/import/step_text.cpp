@@ -72,7 +72,7 @@ class StepCursor {
       ++at_;
       return true;
     }
-    return fail(at_, fmt::format("'{}' is expected, {} stands there", c, here()));
+    return fail(at_, fmt::format("'{}' is expected, but {} found", c, here()));
   }
 
   // As far as it goes; "" if none is there.
@@ -127,13 +127,13 @@ class StepCursor {
       name();
       if (!skip()) return std::nullopt;
       if (front() != '(') {
-        fail(begin, fmt::format("a value is expected, {} stands there", in_quotes(from(begin))));
+        fail(begin, fmt::format("a value is expected, but {} found", in_quotes(from(begin))));
         return std::nullopt;
       }
       return list(depth) ? result(StepValue::Kind::typed) : std::nullopt;
     }
-    fail(at_, is_end() ? std::string("the file ends within an instance: it was cut")
-                       : fmt::format("a value is expected, {} stands there", here()));
+    fail(at_, is_end() ? std::string("the file ends within an instance: it is cut off")
+                       : fmt::format("a value is expected, but {} found", here()));
     return std::nullopt;
   }
 
@@ -154,8 +154,8 @@ class StepCursor {
       if (items != nullptr) items->push_back(*item);
       const char c = front();
       if (c != ',' && c != ')') {
-        return fail(at_, is_end() ? std::string("the file ends within an instance: it was cut")
-                                  : fmt::format("',' or ')' is expected, {} stands there", here()));
+        return fail(at_, is_end() ? std::string("the file ends within an instance: it is cut off")
+                                  : fmt::format("',' or ')' is expected, but {} found", here()));
       }
       ++at_;
       if (c == ')') return true;
@@ -192,7 +192,7 @@ class StepCursor {
     const std::size_t begin = at_++;
     while (!is_end() && is_name_part(text_[at_])) ++at_;
     if (front() != '.' || at_ == begin + 1) {
-      return fail(begin, fmt::format("{} is no enumeration such as .METRE.",
+      return fail(begin, fmt::format("{} is not an enumeration such as .METRE.",
                                      in_quotes(text_.substr(begin, at_ - begin + 1))));
     }
     ++at_;
@@ -213,7 +213,7 @@ class StepCursor {
       ++at_;
     }
     if (calc::parse_number(from(begin))) return true;
-    return fail(begin, fmt::format("{} is no finite number", in_quotes(from(begin))));
+    return fail(begin, fmt::format("{} is not a finite number", in_quotes(from(begin))));
   }
 
   std::string_view text_;
@@ -291,7 +291,7 @@ class StepText::Opener {
     const std::size_t begin = cursor_.at();
     const std::string found = upper(cursor_.name());
     if (found != word) {
-      return cursor_.fail(begin, fmt::format("{} is expected, {} stands there", word,
+      return cursor_.fail(begin, fmt::format("{} is expected, but {} found", word,
                                              found.empty() ? cursor_.here() : in_quotes(found)));
     }
     return cursor_.take(';');
@@ -317,11 +317,11 @@ class StepText::Opener {
       if (name == "END-ISO-10303-21") return cursor_.take(';');
       if (name != "DATA") {
         return cursor_.fail(
-            begin, name.empty()
-                       ? fmt::format("DATA or END-ISO-10303-21 is expected, {} stands there",
-                                     cursor_.here())
-                       : fmt::format("the section {} is not read; only HEADER and DATA are",
-                                     in_quotes(name)));
+            begin,
+            name.empty()
+                ? fmt::format("DATA or END-ISO-10303-21 is expected, but {} found", cursor_.here())
+                : fmt::format("the section {} is not read; only HEADER and DATA are",
+                              in_quotes(name)));
       }
       if (!cursor_.skip()) return false;
       if (cursor_.front() == '(' && !list_here()) return false;
@@ -332,7 +332,7 @@ class StepText::Opener {
   std::optional<StepValue> list_here() {
     if (!cursor_.skip()) return std::nullopt;
     if (cursor_.front() != '(') {
-      cursor_.fail(cursor_.at(), fmt::format("'(' is expected, {} stands there", cursor_.here()));
+      cursor_.fail(cursor_.at(), fmt::format("'(' is expected, but {} found", cursor_.here()));
       return std::nullopt;
     }
     return cursor_.value(0);
@@ -362,8 +362,8 @@ class StepText::Opener {
       }
       return cursor_.fail(
           begin, cursor_.is_end()
-                     ? std::string("the file ends before ENDSEC of its data: it was cut")
-                     : fmt::format("an instance (#12=...) or ENDSEC is expected, {} stands there",
+                     ? std::string("the file ends before ENDSEC of its data: it is cut off")
+                     : fmt::format("an instance (#12=...) or ENDSEC is expected, but {} found",
                                    name.empty() ? cursor_.here() : in_quotes(name)));
     }
   }
@@ -390,9 +390,9 @@ class StepText::Opener {
     }
     const std::uint32_t name_number = number_of(name);
     if (text_.name_.size() > kMostNames) {
-      return cursor_.fail(named, fmt::format("more than {} different names of instances; this is "
-                                             "no IFC file",
-                                             kMostNames));
+      return cursor_.fail(
+          named, fmt::format("more than {} different names of instances; this is not an IFC file",
+                             kMostNames));
     }
     text_.instance_.push_back({*number, name_number, static_cast<std::uint32_t>(begin),
                                static_cast<std::uint32_t>(end - begin)});
@@ -406,9 +406,9 @@ class StepText::Opener {
       if (!cursor_.skip()) return false;
       if (cursor_.front() == ')') return cursor_.take(')');
       if (cursor_.name().empty()) {
-        return cursor_.fail(cursor_.at(), fmt::format("the name of an instance is expected, {} "
-                                                      "stands there",
-                                                      cursor_.here()));
+        return cursor_.fail(
+            cursor_.at(),
+            fmt::format("the name of an instance is expected, but {} found", cursor_.here()));
       }
       if (!list_here()) return false;
     }

@@ -72,8 +72,7 @@ std::string prediction_table(const calc::ScenePlan& plan, const calc::RadiosityS
       fmt::format("    predicted on {} thread{}", plan.threads, plan.threads == 1 ? "" : "s");
   if (is_sampled) {
     text += fmt::format(
-        ": first look with {} light paths per replicate, and at most {} look{} "
-        "with {}",
+        ": first sampling round with {} light paths per replicate, and at most {} round{} with {}",
         settings.first_paths, plan.looks, plan.looks == 1 ? "" : "s", settings.max_paths);
   }
   text += "\n";
@@ -109,10 +108,11 @@ std::string space_text(const check::SpacePlan& space, const calc::RadiositySetti
     text += "    " + report::printable(note.english()) + "\n";
   }
   text += decisions(space, calc::SkipState::applies, "left out");
-  text += decisions(space, calc::SkipState::not_proved, "not left out: no proof");
-  text += decisions(space, calc::SkipState::while_calculating, "left out as the calculation finds");
-  text += decisions(space, calc::SkipState::not_needed, "nothing to leave out");
-  text += decisions(space, calc::SkipState::forbidden, "not left out: not allowed");
+  text += decisions(space, calc::SkipState::not_proved, "not omitted: no proof");
+  text +=
+      decisions(space, calc::SkipState::while_calculating, "omitted if the calculation proves it");
+  text += decisions(space, calc::SkipState::not_needed, "nothing to omit");
+  text += decisions(space, calc::SkipState::forbidden, "not omitted: not allowed");
   return text + prediction_table(space.plan, settings);
 }
 

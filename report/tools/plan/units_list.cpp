@@ -30,7 +30,7 @@ check::Unit unit_of(const Json& json) {
   unit.points = json.at("points").get<std::size_t>();
   unit.first_look_s = json.at("first_look_s").get<double>();
   if (unit.project.empty() || unit.planes.empty() || !(unit.first_look_s >= 0.0)) {
-    throw std::invalid_argument("a unit needs a project, planes and seconds that are not negative");
+    throw std::invalid_argument("a job needs a project, planes and seconds from 0");
   }
   return unit;
 }
@@ -52,8 +52,8 @@ std::string render_units_text(const std::vector<check::Unit>& units) {
   }
   return text +
          fmt::format(
-             "\n{} units, {} points; the first look takes {:.3g} s of one core in all, {:.3g} s of "
-             "the largest unit; what looks have to follow is not known before\n",
+             "\n{} jobs, {} points; the first sampling round takes {:.3g} s of one core in total "
+             "and {:.3g} s for the largest job; the number of further rounds is not known yet\n",
              units.size(), report::format_count(points), sum_s, largest_s);
 }
 
@@ -86,7 +86,7 @@ std::optional<std::vector<check::Unit>> read_units(const std::string& file,
           fmt::format("its format is not '{}' {}", kFormat, kFormatVersion));
     }
     std::vector<check::Unit> units;
-    if (!json.at("units").is_array()) throw std::invalid_argument("its units are no list");
+    if (!json.at("units").is_array()) throw std::invalid_argument("its 'units' is not a list");
     for (const Json& unit : json.at("units")) units.push_back(unit_of(unit));
     return units;
   } catch (const std::exception& error) {

@@ -108,8 +108,8 @@ CaseResult too_close(const Effort& effort) {
 
 std::vector<SelftestCase> refused_cases() {
   return {{"no-steady-state", "refused", "Closed room of reflectance 1 - 1e-6 and of 1",
-           "light that is not absorbed never comes to rest", no_steady_state},
-          {"bad-input", "refused", "Planes and photometry that cannot be meant",
+           "without absorption there is no steady state", no_steady_state},
+          {"bad-input", "refused", "Planes and photometry that cannot be intended",
            "no number is better than a wrong one", bad_input},
           {"too-close", "refused", "Points that rays cannot tell from a surface, and points in one",
            "no number is better than a wrong one", too_close}};

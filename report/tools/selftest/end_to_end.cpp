@@ -54,11 +54,11 @@ void add_from_files(CaseResult& result, const std::map<std::string, std::string>
         glm::distance(grid->position_m[i], points[i].position_m) < kSamePlace_m) {
       continue;
     }
-    result.problem = fmt::format("{}point {} is not where it was to be", label, i + 1);
+    result.problem = fmt::format("{}point {} is not at its expected place", label, i + 1);
     return;
   }
   if (grid->position_m.size() != known.size()) {
-    result.problem = label + "the plane has more points than are known";
+    result.problem = label + "the plane has more points than the reference";
     return;
   }
   const std::size_t before = result.measured.size();

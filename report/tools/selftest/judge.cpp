@@ -73,7 +73,7 @@ CaseResult joined(const std::vector<CaseResult>& of_seeds, std::vector<JudgedNum
     all.rays += of_seeds[s].rays;
     if (all.problem.empty()) all.problem = of_seeds[s].problem;
     if (all.problem.empty() && of_seeds[s].measured.size() != all.measured.size()) {
-      all.problem = "another seed gives another count of numbers";
+      all.problem = "another seed gives a different count of numbers";
     }
   }
   for (std::size_t i = 0; i < all.measured.size() && all.problem.empty(); ++i) {

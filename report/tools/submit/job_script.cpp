@@ -40,9 +40,9 @@ std::string list(std::string_view name, const std::vector<std::string>& quoted) 
 std::string head(const BatchJob& job) {
   std::string text = fmt::format(
       "#!/bin/bash\n"
-      "# A batch of luxgate with the engine '{}': units: {}, shards: {}.\n"
-      "# By prediction the first looks take {:.3g} s of one core; all of the work a few times "
-      "that.\n"
+      "# A batch of luxgate with the engine '{}': jobs: {}, shards: {}.\n"
+      "# The prediction for the first sampling rounds is {:.3g} s of one core; all work takes a "
+      "few times that.\n"
       "#   bash job.sh            starts the shards, then the closing job\n",
       engine_name(job.engine), job.units, job.shards, job.first_look_s);
   if (job.engine == Engine::slurm) {
@@ -51,7 +51,7 @@ std::string head(const BatchJob& job) {
   return text +
          "#   bash job.sh shard 3    calculates shard 3 into the store\n"
          "#   bash job.sh close      reports from the store; its exit code is the batch's\n"
-         "# What was cut off is run again by the same command: what is in the store is only "
+         "# The same command completes what was interrupted: light in the result cache is only "
          "read.\n";
 }
 
@@ -127,7 +127,7 @@ await() {{
   if [ -e "$folder/close-messages.log" ]; then cat -- "$folder/close-messages.log" >&2; fi
   if [ -e "$folder/close.log" ]; then cat -- "$folder/close.log"; fi
   if [ -e "$folder/close-code" ]; then exit "$(cat -- "$folder/close-code")"; fi
-  echo "luxgate: error: the closing job did not come to its end" >&2
+  echo "luxgate: error: the closing job did not finish" >&2
   exit 2
 }}
 

@@ -154,11 +154,11 @@ std::string without_end_slash(std::string path) {
 std::string complete(SubmitOptions& options, const Environment& environment) {
   if (!options.engine) return "--engine is needed: slurm, parallel or local";
   const std::string& store = options.check.store.empty() ? environment.store : options.check.store;
-  if (store.empty()) return "--store is needed: shards and the closing job meet there";
+  if (store.empty()) return "--store is needed: shards and the closing job share it";
   if (store == "off") return "--store: a batch needs one; 'off' is not allowed";
   if (options.waits && !options.sends) return "--wait needs --send";
   if (options.waits && options.engine != Engine::slurm) {
-    return "--wait is for --engine slurm; the others wait as it is";
+    return "--wait is for --engine slurm; the others always wait";
   }
   options.source_date_epoch = environment.source_date_epoch;
   if (options.job_folder.empty()) {
@@ -182,7 +182,7 @@ std::string own_path() {
 // "" or why an engine or the list of units cannot have these names.
 std::string path_problem(const BatchJob& job, const std::vector<std::string>& projects) {
   const auto refused = [&job](const char* who, const char* sign) {
-    return fmt::format("{} cannot have '{}' in the name of the job folder, '{}'", who, sign,
+    return fmt::format("{} does not allow '{}' in the name of the job folder, '{}'", who, sign,
                        job.job_folder);
   };
   if (job.engine == Engine::slurm && job.job_folder.find('\\') != std::string::npos) {
@@ -253,7 +253,8 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
     is_planned = is_planned && plan.is_planned;
   }
   if (!is_planned) {
-    return complain("no job is made: mend what has errors, or leave it out of the batch");
+    return complain(
+        "no job is made: correct the projects with errors, or omit them from the batch");
   }
   const std::vector<check::Unit> units = check::units_of(plans, radiosity);
 
@@ -292,8 +293,8 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   if (!problem.empty()) return complain(problem);
   if (!check.output.quiet) {
     tell(
-        "luxgate: units: {}, shards: {}; by prediction {:.3g} s of one core for the first "
-        "looks; {}'bash {}'\n",
+        "luxgate: jobs: {}, shards: {}; by prediction {:.3g} s of one core for the first sampling "
+        "rounds; {}'bash {}'\n",
         job.units, job.shards, job.first_look_s,
         options.sends ? "" : "to start: ", report::shell_quoted(job_file(job)));
   }

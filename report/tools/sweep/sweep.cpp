@@ -241,9 +241,9 @@ ExitCode write_sweep(const SweepOptions& options, const Sweep& sweep,
 std::string complete_sweep(SweepOptions& options, const Environment& environment) {
   CheckOptions& check = options.check;
   check.input.projects = {options.project};
-  if (options.vary.empty()) return "--vary is missing: what is to have several values?";
+  if (options.vary.empty()) return "--vary is missing: name an attribute and its values";
   if (const std::size_t count = count_variants(options.vary); count > kMostVariants) {
-    return fmt::format("--vary: these are more than {} variants", kMostVariants);
+    return fmt::format("--vary: more than {} variants", kMostVariants);
   }
   if (std::string problem = data_output_problem(options.outputs); !problem.empty()) return problem;
   if (std::string problem = take_store(environment.store, check.store); !problem.empty()) {
@@ -368,7 +368,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   progress.clear();
   if (!begin_to_write()) {
     tell("luxgate: interrupted; nothing was written{}\n",
-         folder ? ", what was finished is in the store" : "");
+         folder ? ", finished light is in the result cache" : "");
     return kInterrupted;
   }
   messages.print(own.size(), check.output.quiet);
@@ -378,8 +378,8 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
             [](const SweepRow& a, const SweepRow& b) { return a.variant < b.variant; });
   find_front(sweep.rows, sweep.front_of);
   if (!check.output.quiet) {
-    tell("luxgate: {} variants; {} looks of planes computed, {} taken from {}\n", own.size(),
-         looks.computed, looks.read, folder ? "the store" : "memory");
+    tell("luxgate: {} variants; {} sampling rounds of planes computed, {} read from {}\n",
+         own.size(), looks.computed, looks.read, folder ? "the store" : "memory");
     if (folder && share.count == 0) print_troubles(check.store, folder->troubles());
   }
   if (share.count > 0) {
@@ -432,7 +432,7 @@ Command sweep_command() {
       {kNotJudged,
        "usage, input or file error, or a variant that could not be judged (with --stored-only: "
        "whose light is not in the store)"},
-      {kInterrupted, "interrupted; what was finished is in the --store"}};
+      {kInterrupted, "interrupted; finished light is in --store"}};
   command.most_used = {"--vary", "--set",    "--rules", "--front", "--goal",
                        "--jobs", "--format", "--json",  "--store", "--quiet"};
   command.complete = [options](const Environment& environment) {

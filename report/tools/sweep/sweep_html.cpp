@@ -271,10 +271,11 @@ std::string chart_key(FrontOf front_of) {
     html += item(mark(outcome, 8, 8), report::outcome_words(outcome));
   }
   return html +
-         item("<circle class=\"ring\" cx=\"8\" cy=\"8\" r=\"6\"/>",
-              front_of == FrontOf::price
-                  ? "on the front: none that passes has a lower price for as large a margin"
-                  : "on the front: none that passes needs less power for as large a margin") +
+         item(
+             "<circle class=\"ring\" cx=\"8\" cy=\"8\" r=\"6\"/>",
+             front_of == FrontOf::price
+                 ? "on the front: no variant that passes has a lower price with as large a margin"
+                 : "on the front: no variant that passes needs less power with as large a margin") +
          item("<path class=\"m bar pass\" d=\"M8,1V15\"/>", "interval of the margin") + "</ul>\n";
 }
 

@@ -97,7 +97,7 @@ JsonKeys provenance_keys(const report::Provenance& provenance) {
       {"program_version", provenance.program_version, type_of("string")},
       {"command", provenance.command_line, type_of("string")},
       {"judged_on", provenance.judged_on,
-       described_key(type_of("string"), "YYYY-MM-DD; empty where no verdict hangs on the day.")},
+       described_key(type_of("string"), "YYYY-MM-DD; empty where no verdict depends on the day.")},
       {"seed", provenance.seed, at_least_type("integer", 0)},
       {"confidence", provenance.confidence, type_of("number")},
       {"goal", calc::name_of(provenance.goal), one_of_names<rules::Goal>()},
@@ -135,7 +135,7 @@ JsonKeys sweep_keys(const Sweep& sweep) {
            described_key(one_of_names<FrontOf>(), "What margins are held against on the front.")},
           object_key("counts", count_keys(sweep)),
           {"notes", sweep_notes(sweep),
-           described_key(list_of_keys(type_of("string")), "What is to be said of all variants.")},
+           described_key(list_of_keys(type_of("string")), "Notes about all variants.")},
           {"variants", std::move(variants),
            described_key(list_of_keys(schema_of_keys(row_keys({}, {}))),
                          "All combinations, the last of vary "

@@ -223,9 +223,9 @@ void OutcomeCounts::add(rules::Outcome outcome) {
 }
 
 std::string OutcomeCounts::words() const {
-  return fmt::format("{} pass, {} fail, {} undecided, {} not judged{}", pass, fail, undecided,
-                     not_judged,
-                     others > 0 ? fmt::format(", {} where nothing counts", others) : "");
+  return fmt::format(
+      "{} pass, {} fail, {} undecided, {} not judged{}", pass, fail, undecided, not_judged,
+      others > 0 ? fmt::format(", {} without a requirement that counts", others) : "");
 }
 
 OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows) {
@@ -269,7 +269,7 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) {
     if (!has_no_effect(sweep, v)) continue;
     notes.push_back(fmt::format(
-        "'{}' changes no verdict, margin, power or price: is it overridden where it would count?",
+        "'{}' changes no verdict, margin, power or price: it may be overridden elsewhere",
         sweep.vary[v].path));
   }
   const auto without_cost =
@@ -278,7 +278,7 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
       });
   if (without_cost > 0) {
     notes.push_back(fmt::format(
-        "variants that pass and cannot be on the front, since the {} of luminaires is not known: "
+        "variants that pass and cannot be on the front, because the {} of luminaires is not known: "
         "{}",
         calc::name_of(sweep.front_of), without_cost));
   }
@@ -287,25 +287,24 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
                          [&](const SweepRow& row) { return row.*member > 0; });
   };
   if (const auto variants = count(&SweepRow::warnings); variants > 0) {
-    notes.push_back(fmt::format(
-        "variants with warnings, which are on standard error and in a check of each: {}",
-        variants));
+    notes.push_back(
+        fmt::format("variants with warnings: {}; 'luxgate check' of each shows them", variants));
   }
   if (const auto variants = count(&SweepRow::rows_in_part); variants > 0) {
     notes.push_back(fmt::format(
-        "variants in which a row of a standard is judged in part only: {}; a pass is of what was "
+        "variants in which a row of a standard is judged only in part: {}; a pass covers what was "
         "asked",
         variants));
   }
   if (const auto variants = count(&SweepRow::waived); variants > 0) {
     notes.push_back(fmt::format(
-        "variants in which something is waived, and so not in the margin: {}", variants));
+        "variants with waived requirements, which are not in the margin: {}", variants));
   }
   if (const auto variants = count(&SweepRow::passed_beyond_limit); variants > 0) {
-    notes.push_back(fmt::format(
-        "variants in which a value beyond its limit passes, by a tolerance or rounding that its "
-        "rule pack states: {}",
-        variants));
+    notes.push_back(
+        fmt::format("variants in which a value beyond its limit passes by a tolerance or rounding "
+                    "of its rule pack: {}",
+                    variants));
   }
   return notes;
 }

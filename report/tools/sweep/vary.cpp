@@ -39,7 +39,7 @@ std::string add_range(std::string_view item, std::vector<std::string>& values) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto parsed = calc::parse_number(words[i]);
     if (!parsed)
-      return fmt::format("in '{}', which is from:to:step, '{}' is no number", item, words[i]);
+      return fmt::format("in '{}', which is from:to:step, '{}' is not a number", item, words[i]);
     number[i] = *parsed;
   }
   const auto [from, to, step] = number;
@@ -51,7 +51,7 @@ std::string add_range(std::string_view item, std::vector<std::string>& values) {
                        words[2], words[1]);
   }
   if (steps >= static_cast<double>(kMostVariants)) {
-    return fmt::format("'{}' are more than {} values", item, kMostVariants);
+    return fmt::format("'{}' has more than {} values", item, kMostVariants);
   }
   const int decimals = std::max(decimals_of(words[0]), decimals_of(words[2]));
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i) {
@@ -90,14 +90,14 @@ std::optional<Vary> parse_vary(const std::string& text, std::string& problem) {
       return std::nullopt;
     }
     if (vary.values.size() > kMostVariants) {
-      problem = fmt::format("'{}' are more than {} values", vary.path, kMostVariants);
+      problem = fmt::format("'{}' has more than {} values", vary.path, kMostVariants);
       return std::nullopt;
     }
   }
   std::set<std::string_view> known;
   for (const std::string& value : vary.values) {
     if (known.insert(value).second) continue;
-    problem = fmt::format("'{}' has the value '{}' twice", vary.path, value);
+    problem = fmt::format("'{}': the value '{}' is given twice", vary.path, value);
     return std::nullopt;
   }
   return vary;

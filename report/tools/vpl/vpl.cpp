@@ -123,11 +123,11 @@ class VertexWriter {
 
   bool write_cache(const calc::VertexCache& cache, std::string& text) {
     if (calc::vertex_ply_bytes(cache) > kLargestFileBytes) {
-      return fail(fmt::format(
-          "'{}' would have {:.0f} MB; at most {} MB can be read again: take fewer paths or "
-          "replicates",
-          options_.output, 1e-6 * static_cast<double>(calc::vertex_ply_bytes(cache)),
-          kLargestFileBytes / 1'000'000));
+      return fail(
+          fmt::format("'{}' would have {:.0f} MB; at most {} MB can be read: take fewer paths or "
+                      "replicates",
+                      options_.output, 1e-6 * static_cast<double>(calc::vertex_ply_bytes(cache)),
+                      kLargestFileBytes / 1'000'000));
     }
     const std::string bytes = calc::render_vertex_ply(cache);
     if (!write(options_.output, bytes)) return false;

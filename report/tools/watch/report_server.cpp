@@ -202,7 +202,7 @@ std::unique_ptr<ReportServer> ReportServer::start(std::string& problem) {
   Parts& parts = *server->parts_;
   parts.port = parts.server.bind_to_any_port(kHost);
   if (parts.port <= 0) {
-    problem = fmt::format("no port of {} can be had", kHost);
+    problem = fmt::format("no free port at {}", kHost);
     return nullptr;
   }
   parts.host = fmt::format("{}:{}", kHost, parts.port);

@@ -72,7 +72,7 @@ TEST(ValueTable, RefusesWhatItCannotMean) {
   EXPECT_NE(problem_with("x,y,z,lx,low_lx\n").find("error_lx"), std::string::npos);
   EXPECT_NE(problem_with("plane,column,row,lx\np,1.5,0,3\n").find("whole numbers"),
             std::string::npos);
-  EXPECT_NE(problem_with("x,y,z,lx,x_m\n").find("the column 'x_m' is there twice"),
+  EXPECT_NE(problem_with("x,y,z,lx,x_m\n").find("the column 'x_m' is given twice"),
             std::string::npos);
   EXPECT_NE(problem_with("# 5\" tubes\nx,y,z,lx\n1,2,3,\"4\n").find("t.csv:3:7: "),
             std::string::npos);

@@ -59,7 +59,7 @@ TEST_F(ConvergeReference, SaysWhatIsWrong) {
   EXPECT_THAT(problem(""), HasSubstr("no line of column names"));
   EXPECT_THAT(problem("plane,lx\n"), HasSubstr("r.csv:1: error[reference-unreadable]"));
   EXPECT_THAT(problem("x,y,z,error_lx\n"), HasSubstr("columns 'lx' and either"));
-  EXPECT_THAT(problem("x,y,z,lx,x_m\n"), HasSubstr("'x_m' is there twice"));
+  EXPECT_THAT(problem("x,y,z,lx,x_m\n"), HasSubstr("'x_m' is given twice"));
   EXPECT_THAT(problem("x,y,z,lx\n1,1,0.75\n"), HasSubstr("3 values in this line, 4 names"));
   EXPECT_THAT(problem("x,y,z,lx\n1,1,0.75,bright\n"), HasSubstr("'bright' in column 'lx'"));
   EXPECT_THAT(problem("x,y,z,lx\n1,1,0.75,-1\n"), HasSubstr("0 or more"));

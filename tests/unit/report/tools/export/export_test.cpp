@@ -492,8 +492,8 @@ TEST(RadianceExport, LeavesOutRatingsAndRatiosAndSaysSo) {
   const cli::CommandOutcome outcome = cli::run_export(options, calc::DiskFileReader());
   ASSERT_EQ(outcome.code, cli::kAllMet);
   for (const char* words :
-       {"plane 'towards' is of quantity 'ugr', which is no sum", "'away' is of quantity 'ugr'",
-        "plane 'modelling' is of quantity 'modelling'"}) {
+       {"plane 'towards' has the quantity 'ugr', which is not a sum",
+        "'away' has the quantity 'ugr'", "plane 'modelling' has the quantity 'modelling'"}) {
     EXPECT_NE(outcome.text.find(words), std::string::npos) << outcome.text;
   }
   const std::string points = text_of(folder / "points.csv");

@@ -356,7 +356,7 @@ TEST(IfcResults, RefusalsHaveReasons) {
     return w.problem;
   };
   EXPECT_THAT(problem(model(), report::small_document()),
-              HasSubstr("ids are not of an import: 'r1'"));
+              HasSubstr("ids are not from an import: 'r1'"));
   EXPECT_THAT(problem(model(), report::Document()), HasSubstr("has no room"));
   EXPECT_THAT(problem("0\nSECTION\n", result()), HasSubstr("ISO-10303-21 is expected"));
   EXPECT_THAT(problem("ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;", result()),

@@ -59,7 +59,7 @@ TEST(DxfDesign, OutlinesAreRoomsWithTheirNames) {
   EXPECT_EQ(made.room[0].name, "101 Office");
   EXPECT_EQ(made.room[0].source.key, "1F");
   EXPECT_DOUBLE_EQ(calc::signed_area(made.room[0].outline_m), 24.0);
-  EXPECT_TRUE(has_note(made, NoteKind::left_out, "no block LUM* is in the drawing"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "the drawing has no block LUM*"));
 }
 
 TEST(DxfDesign, LinesThatMeetAreAnOutline) {
@@ -107,7 +107,7 @@ TEST(DxfDesign, LoopsOfAHatchWithinItAreHoles) {
   ASSERT_EQ(made.room[1].hole_m.size(), 1u);
   EXPECT_EQ(calc::signed_area(made.room[1].hole_m[0]), -16.0);
   // Of another hatch: both are rooms.
-  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its outline lies in that of another room", 1));
+  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its outline is inside that of another room", 1));
 }
 
 TEST(DxfDesign, CrossingOutlinesAreLeftOut) {
@@ -154,7 +154,7 @@ TEST(DxfDesign, HeightsComeInTheOrderOfTheMap) {
   EXPECT_DOUBLE_EQ(made.luminaire[1].position_m.z, 2.5);
   EXPECT_FALSE(made.luminaire[2].has_height);
   EXPECT_DOUBLE_EQ(made.luminaire[3].position_m.z, 2.5);
-  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its attribute H is no height"));
+  EXPECT_TRUE(has_note(made, NoteKind::doubt, "its attribute H is not a height"));
 }
 
 TEST(DxfDesign, PartsAtOnePlaceAreOneLuminaire) {
@@ -176,7 +176,7 @@ TEST(DxfDesign, TurnsAndMirrorsAreKept) {
   EXPECT_NEAR(made.luminaire[0].rotation_deg, 269.73, 1.0e-9);
   EXPECT_TRUE(made.luminaire[1].is_mirrored);
   EXPECT_DOUBLE_EQ(made.luminaire[1].rotation_deg, 270.0);
-  EXPECT_TRUE(has_note(made, NoteKind::left_out, "it stands tilted"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "it is tilted"));
 }
 
 // Of faces and meshes only the box is written, and how high they are drawn is said.
@@ -197,10 +197,11 @@ TEST(DxfDesign, FacesOfFurnitureAreSaid) {
   const cli::Design made = design(text.whole(), map);
   ASSERT_EQ(made.box.size(), 1u);
   EXPECT_DOUBLE_EQ(made.box[0].size_m.z, 0.75);
-  EXPECT_TRUE(has_note(made, NoteKind::taken,
-                       "of 1 3DFACE, SOLID and TRACE and 1 meshes in its block only the upright "
-                       "box around them is written, 0.75 m high as the map says; drawn it is 1.8"));
-  EXPECT_TRUE(has_note(made, NoteKind::left_out, "loose faces are no piece of furniture"));
+  EXPECT_TRUE(
+      has_note(made, NoteKind::taken,
+               "its block has 1 3DFACE, SOLID and TRACE and 1 meshes; only the upright box around "
+               "them is written. It is 0.75 m high as the map says, and 1.8"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "loose faces are not furniture"));
 }
 
 // So that a small file cannot ask for days of work, or for all memory.
@@ -214,7 +215,7 @@ TEST(DxfDesign, BlocksThatMultiplyAreRefusedSoon) {
   };
   DxfText lamps = with_luminaires();
   lamps.insert("LUM_A", "L", 1, 1, 2500).add(70, 400).add(71, 400).end();
-  EXPECT_EQ(problem_of(lamps.whole(), a_map()), "more than 100000 luminaires are in this drawing");
+  EXPECT_EQ(problem_of(lamps.whole(), a_map()), "this drawing has more than 100000 luminaires");
   DxfText names = with_luminaires();
   names.insert("LUM_A", "L", 1, 1, 2500).add(70, 300).add(71, 300).add(44, 1.0).add(45, 1.0);
   names.add(66, 1).entity("ATTRIB", "0").add(1, std::string(5000, 'x')).add(2, "N");
@@ -230,7 +231,7 @@ TEST(DxfDesign, BlocksThatMultiplyAreRefusedSoon) {
   const auto made = cli::design_of_dxf(*drawing, "plan.dxf", a_map(), "mm", problem);
   ASSERT_TRUE(made) << problem;
   EXPECT_EQ(made->room.size(), 100u);
-  EXPECT_TRUE(has_note(*made, NoteKind::doubt, "not all of them were compared"));
+  EXPECT_TRUE(has_note(*made, NoteKind::doubt, "not all were compared"));
 }
 
 TEST(DxfDesign, SoManyCrossingOutlinesAreNotMended) {
@@ -245,7 +246,7 @@ TEST(DxfDesign, SoManyCrossingOutlinesAreNotMended) {
   EXPECT_TRUE(found.outline.empty());
   ASSERT_EQ(found.failure.size(), 2000u);
   EXPECT_EQ(found.failure.front().why, "its sides cross or touch each other");
-  EXPECT_THAT(found.failure.back().why, HasSubstr("was not looked at"));
+  EXPECT_THAT(found.failure.back().why, HasSubstr("was not checked"));
 }
 
 TEST(DxfDesign, BlocksThatAreTooMuchToMeasureAreLeftOut) {
@@ -265,7 +266,7 @@ TEST(DxfDesign, BlocksThatAreTooMuchToMeasureAreLeftOut) {
   EXPECT_LT(work, 1000u);
   const cli::DxfExtent large = cli::extent_of_block(*drawing, "B", work);
   EXPECT_FALSE(large.is_any);
-  EXPECT_EQ(large.problem, "to measure the blocks of this drawing takes too long");
+  EXPECT_EQ(large.problem, "measuring the blocks of this drawing takes too long");
   EXPECT_EQ(design(text.whole(), map).box.size(), 2u);
 }
 
@@ -301,7 +302,7 @@ TEST(DxfDesign, WhatIsAskedForAndHiddenIsSaid) {
   const cli::Design made = design(text.whole(), a_map());
   EXPECT_TRUE(made.room.empty());
   EXPECT_TRUE(has_note(made, NoteKind::left_out, "its layer is off or frozen"));
-  EXPECT_TRUE(has_note(made, NoteKind::left_out, "DIMENSION: no kind that is read"));
+  EXPECT_TRUE(has_note(made, NoteKind::left_out, "DIMENSION: not a supported kind"));
 }
 
 TEST(ImportUnit, StatedUnitsWin) {

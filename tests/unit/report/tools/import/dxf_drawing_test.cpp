@@ -78,9 +78,10 @@ TEST(DxfDrawing, HiddenThingsAreCountedNotRead) {
                                            .add(10, "x")
                                            .end()
                                            .whole());
-  EXPECT_EQ(read.skipped.at({"LINE", "a", "it is on paper, not in the model"}), 1u);
-  EXPECT_EQ(read.skipped.at({"DIMENSION", "a", "no kind that is read"}), 1u);
-  EXPECT_EQ(read.skipped.at({"LINE", "a", "a number of it cannot be read, or is beyond 1e15"}), 1u);
+  EXPECT_EQ(read.skipped.at({"LINE", "a", "it is in paper space, not in the model"}), 1u);
+  EXPECT_EQ(read.skipped.at({"DIMENSION", "a", "not a supported kind"}), 1u);
+  EXPECT_EQ(read.skipped.at({"LINE", "a", "one of its numbers cannot be read, or is beyond 1e15"}),
+            1u);
   EXPECT_TRUE(placed(read, Kind::line).empty());
 }
 
@@ -125,7 +126,7 @@ TEST(DxfDrawing, ReferencesHaveTheirAttributes) {
   ASSERT_EQ(read.entity.size(), 1u);
   ASSERT_EQ(read.entity[0].attribute.size(), 1u);
   EXPECT_EQ(read.entity[0].attribute[0], std::pair(std::string("HEIGHT"), std::string("2800")));
-  EXPECT_EQ(read.skipped.at({"ATTRIB", "0", "it belongs to no INSERT"}), 1u);
+  EXPECT_EQ(read.skipped.at({"ATTRIB", "0", "it does not belong to an INSERT"}), 1u);
 }
 
 TEST(DxfDrawing, ArcsAreChordsWithinTheError) {
@@ -264,10 +265,11 @@ TEST(DxfDrawing, SplinesThatAreNoneAreCountedWithTheirReason) {
   };
   DxfText back, weight, fit, degree;
   back.section("ENTITIES");
-  EXPECT_EQ(why(circle_as_spline(back, 2.5, 1.0).end().whole()), "its knots go back");
+  EXPECT_EQ(why(circle_as_spline(back, 2.5, 1.0).end().whole()),
+            "its knots are not in ascending order");
   weight.section("ENTITIES");
   EXPECT_EQ(why(circle_as_spline(weight, 4.0, -1.0).end().whole()),
-            "a weight of it is not above 0");
+            "one of its weights is not above 0");
   fit.section("ENTITIES").entity("SPLINE", "a").add(71, 3).add(11, 0.0).add(21, 1.0).end();
   EXPECT_EQ(why(fit.whole()), "it has no control points");
   degree.section("ENTITIES").entity("SPLINE", "a").add(71, 2000000).at(0, 0).end();

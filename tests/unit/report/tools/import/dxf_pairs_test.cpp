@@ -51,7 +51,7 @@ TEST(DxfPairs, PassesOverCommentsAndWhatFollowsTheEnd) {
 
 TEST(DxfPairs, SaysWhereAndWhyItStops) {
   EXPECT_THAT(read("0\nSECTION\nx\n1\n").problem, HasSubstr("line 3: a group code from 0 to 1071"));
-  EXPECT_THAT(read("0\nSECTION\n").problem, HasSubstr("0 EOF: it was cut"));
+  EXPECT_THAT(read("0\nSECTION\n").problem, HasSubstr("0 EOF: it is cut off"));
   EXPECT_THAT(read("").problem, HasSubstr("the file is empty"));
   EXPECT_THAT(read(std::string("AC1027\0\0\0", 9)).problem, HasSubstr("a DWG file"));
   EXPECT_THAT(read("\xFF\xFE"

@@ -129,7 +129,7 @@ TEST(IfcDesign, FarOriginsAreTakenAway) {
   EXPECT_EQ(design.origin_m, glm::dvec3(3499998, 5599997, 0));
   EXPECT_EQ(design.room[0].outline_m[0], glm::dvec2(0.25, 0.5));
   EXPECT_EQ(design.room[0].floor_z_m, 120.0);
-  EXPECT_THAT(notes(design, "is taken away"), ElementsAre("taken: 1 x origin"));
+  EXPECT_THAT(notes(design, "is subtracted"), ElementsAre("taken: 1 x origin"));
 }
 
 TEST(IfcDesign, RoomsThatAreNoneAreLeftOut) {
@@ -203,7 +203,7 @@ TEST(IfcDesign, FlowTerminalsOfIfc2x3AreLuminairesByTheirType) {
   ASSERT_EQ(design.luminaire.size(), 2u);
   EXPECT_EQ(design.luminaire[0].type, "Panel");
   EXPECT_THAT(notes(design, "IFCOUTLETTYPE"), ElementsAre("not asked: 1 x IFCFLOWTERMINAL"));
-  EXPECT_THAT(notes(design, "nobody can tell whether it gives light"),
+  EXPECT_THAT(notes(design, "it has no type: it is not known whether it gives light"),
               ElementsAre("left out: 1 x IFCFLOWTERMINAL"));
   EXPECT_THAT(notes(design, "says 'switch'"), ElementsAre("doubt: 1 x IFCFLOWTERMINAL"));
 }
@@ -230,7 +230,7 @@ TEST(IfcDesign, LuminairesThatHangOtherwiseAreDoubts) {
            "'2',$);");
   ASSERT_EQ(design.luminaire.size(), 2u);
   EXPECT_TRUE(design.luminaire[0].is_mirrored);
-  EXPECT_EQ(notes(design, "on its head").size(), 1u);
+  EXPECT_EQ(notes(design, "it is upside down").size(), 1u);
   EXPECT_EQ(notes(design, "tilted").size(), 1u);
 }
 

@@ -71,7 +71,7 @@ TEST(ImportMap, SaysWhereAndWhatIsAllowed) {
   EXPECT_THAT(messages, HasSubstr("did you mean 'unit'?"));
   messages.clear();
   EXPECT_FALSE(read("unit = \"km\"\n[[room]]\nheight = 0\n", &messages));
-  EXPECT_THAT(messages, HasSubstr("'km' is none of m, cm, mm, in or ft"));
+  EXPECT_THAT(messages, HasSubstr("'km' is not one of m, cm, mm, in or ft"));
   EXPECT_THAT(messages, HasSubstr("a number from 1 to 100 is needed"));
   EXPECT_THAT(messages, HasSubstr("setting 'reflectances': it is needed in each [[room]]"));
   messages.clear();

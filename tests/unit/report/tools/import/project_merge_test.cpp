@@ -73,8 +73,8 @@ TEST(ProjectMerge, WhatWasChangedByHandIsKeptAndSaid) {
   EXPECT_EQ(result.xml, mine);
   EXPECT_THAT(result.conflicts,
               ElementsAre(HasSubstr("luminaire A, x: 1 -> 3 in the drawing, 7 by hand"),
-                          HasSubstr("luminaire D, it was taken out by hand"),
-                          HasSubstr("luminaire B, it is gone from the drawing")));
+                          HasSubstr("luminaire D, it was removed by hand"),
+                          HasSubstr("luminaire B, it is no longer in the drawing")));
 }
 
 TEST(ProjectMerge, RoomsComeAndGoAsAWhole) {
@@ -90,7 +90,7 @@ TEST(ProjectMerge, RoomsComeAndGoAsAWhole) {
   const std::string mine = project(room(lamp("A", "1") + "    <plane id=\"p\"/>\n"));
   const cli::MergedProject kept = merged(base, mine, none);
   EXPECT_EQ(kept.xml, mine);
-  EXPECT_THAT(kept.conflicts, ElementsAre(HasSubstr("room r, it is gone from the drawing")));
+  EXPECT_THAT(kept.conflicts, ElementsAre(HasSubstr("room r, it is no longer in the drawing")));
 }
 
 TEST(ProjectMerge, EmptyRoomsAreOpenedForWhatComes) {

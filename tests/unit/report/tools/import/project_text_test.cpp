@@ -85,11 +85,11 @@ TEST(ProjectText, WhatCannotBeWrittenIsSaid) {
   design.luminaire[3].type = "OTHER";
   const cli::ProjectText text = cli::project_text(design, a_map(), {"photometry/panel.ies"});
   EXPECT_EQ(text.luminaires, 1u);
-  EXPECT_EQ(count(design, Kind::left_out, "it is in no room"), 1u);
+  EXPECT_EQ(count(design, Kind::left_out, "it is not in a room"), 1u);
   EXPECT_EQ(count(design, Kind::left_out, "it is above the ceiling"), 1u);
   EXPECT_EQ(count(design, Kind::left_out, "its height is not known"), 1u);
   EXPECT_EQ(count(design, Kind::left_out, "the map gives it no photometry"), 1u);
-  EXPECT_EQ(count(design, Kind::doubt, "it is written 1 cm below it"), 1u);
+  EXPECT_EQ(count(design, Kind::doubt, "it is written 1 cm lower"), 1u);
   EXPECT_THAT(text.xml, HasSubstr("id=\"L-5\" type=\"panel\" position=\"1 1 2.79\""));
 }
 
@@ -99,7 +99,7 @@ TEST(ProjectText, WithoutPhotometryThereIsNoLuminaire) {
   const cli::ProjectText text = cli::project_text(design, a_map(), {""});
   EXPECT_EQ(text.luminaires, 0u);
   EXPECT_THAT(text.xml, Not(HasSubstr("luminaire-type")));
-  EXPECT_EQ(count(design, Kind::left_out, "could not be taken"), 1u);
+  EXPECT_EQ(count(design, Kind::left_out, "could not be read"), 1u);
 }
 
 TEST(ProjectText, RoomsWithTheSameLayerAndOtherReflectancesHaveMaterialsOfTheirOwn) {

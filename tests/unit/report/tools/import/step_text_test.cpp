@@ -158,19 +158,19 @@ TEST(StepText, BrokenFilesAreRefusedWithTheirLine) {
   EXPECT_THAT(problem_of("<?xml?>"), HasSubstr("XML"));
   EXPECT_THAT(problem_of("solid a"), HasSubstr("ISO-10303-21"));
   EXPECT_EQ(problem_of(file("#1=A('x);")), "8: a string that is never closed");
-  EXPECT_EQ(problem_of(file("\n#1=A(1;")), "9: ',' or ')' is expected, ';' stands there");
-  EXPECT_EQ(problem_of(file("#1=A(1,);")), "8: a value is expected, ')' stands there");
-  EXPECT_EQ(problem_of(file("#1=A(1..2);")), "8: '1..2' is no finite number");
-  EXPECT_EQ(problem_of(file("#1=A(1.E999);")), "8: '1.E999' is no finite number");
-  EXPECT_EQ(problem_of(file("#1=A(.B);")), "8: '.B)' is no enumeration such as .METRE.");
+  EXPECT_EQ(problem_of(file("\n#1=A(1;")), "9: ',' or ')' is expected, but ';' found");
+  EXPECT_EQ(problem_of(file("#1=A(1,);")), "8: a value is expected, but ')' found");
+  EXPECT_EQ(problem_of(file("#1=A(1..2);")), "8: '1..2' is not a finite number");
+  EXPECT_EQ(problem_of(file("#1=A(1.E999);")), "8: '1.E999' is not a finite number");
+  EXPECT_EQ(problem_of(file("#1=A(.B);")), "8: '.B)' is not an enumeration such as .METRE.");
   EXPECT_EQ(problem_of(file("#1=A(#);")), "8: '#' without a number");
   EXPECT_EQ(problem_of(file("#1=A(#1234567890123456789);")),
             "8: the number of an instance has more than 18 digits");
   EXPECT_EQ(problem_of(file("#1=A();\n#1=B();")), "9: #1 is given twice, first in line 8");
-  EXPECT_EQ(problem_of(file("#1=A(NAN);")), "8: a value is expected, 'NAN' stands there");
+  EXPECT_EQ(problem_of(file("#1=A(NAN);")), "8: a value is expected, but 'NAN' found");
   EXPECT_EQ(problem_of(file("#1=A();/*")), "8: a comment that is never closed");
   EXPECT_EQ(problem_of(file("WALL();")),
-            "8: an instance (#12=...) or ENDSEC is expected, 'WALL' stands there");
+            "8: an instance (#12=...) or ENDSEC is expected, but 'WALL' found");
   EXPECT_EQ(problem_of("ISO-10303-21;HEADER;ENDSEC;\nANCHOR;ENDSEC;"),
             "2: the section 'ANCHOR' is not read; only HEADER and DATA are");
 }

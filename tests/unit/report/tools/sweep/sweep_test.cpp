@@ -53,9 +53,9 @@ TEST(ParseVary, SaysWhatIsWrong) {
   EXPECT_EQ(problem_of("a.b=1:2:0"), "in '1:2:0', which is from:to:step, the step is 0");
   EXPECT_EQ(problem_of("a.b=1:2:-1"),
             "in '1:2:-1', which is from:to:step, the step -1 leads away from 2");
-  EXPECT_EQ(problem_of("a.b=1:x:1"), "in '1:x:1', which is from:to:step, 'x' is no number");
-  EXPECT_EQ(problem_of("a.b=0:1:1e-9"), "'0:1:1e-9' are more than 100000 values");
-  EXPECT_EQ(problem_of("a.b=3,1:3:1"), "'a.b' has the value '3' twice");
+  EXPECT_EQ(problem_of("a.b=1:x:1"), "in '1:x:1', which is from:to:step, 'x' is not a number");
+  EXPECT_EQ(problem_of("a.b=0:1:1e-9"), "'0:1:1e-9' has more than 100000 values");
+  EXPECT_EQ(problem_of("a.b=3,1:3:1"), "'a.b': the value '3' is given twice");
 }
 
 TEST(Variants, AreAllCombinationsTheLastPathFastest) {
@@ -318,8 +318,8 @@ TEST(SweepNotes, NameAPathWithoutEffect) {
   sweep.rows[2].margin->high = 0.3;
   sweep.rows[1].rows_in_part = 1;
   sweep.rows[3].warnings = 2;
-  EXPECT_THAT(cli::sweep_notes(sweep),
-              ElementsAre(testing::HasSubstr("each: 1"), testing::HasSubstr("in part only: 1")));
+  EXPECT_THAT(cli::sweep_notes(sweep), ElementsAre(testing::HasSubstr("warnings: 1"),
+                                                   testing::HasSubstr("only in part: 1")));
 }
 
 cli::Sweep sweep_of(const std::vector<cli::SweepRow>& rows,
@@ -341,7 +341,7 @@ TEST(SweepNotes, SayWhatCannotBeOnTheFront) {
   const std::vector<cli::SweepRow> rows{priced(10, 5, 0.1), priced(20, 5, 0.2, 1)};
   EXPECT_THAT(cli::sweep_notes(sweep_of(rows)), ElementsAre());
   EXPECT_THAT(cli::sweep_notes(sweep_of(rows, cli::FrontOf::price)),
-              ElementsAre("variants that pass and cannot be on the front, since the price of "
+              ElementsAre("variants that pass and cannot be on the front, because the price of "
                           "luminaires is not known: 1"));
 }
 
