@@ -60,15 +60,15 @@ const ValueType kBoundOfType{
 
 const ElementRow kPermitElement{
     .type = "permit",
-    .meaning = "Who may live with this. Without the element nobody may.",
+    .meaning = "Who may agree to this. Without the element nobody may.",
     .attributes = {{"by", &kAnyText, optional,
-                    "Names, with ';' between them, as they stand in the project.", "anybody"},
+                    "Names, separated by ';', as the project writes them.", "anybody"},
                    {"most-days", &kCountType, optional,
                     "From the day of judging to the last day that is stated.", "any number"}}};
 
 const ElementRow kRowElement{
     .type = "asked",
-    .meaning = "A row of a rule pack that these spaces must be asked as a whole.",
+    .meaning = "A row of a rule pack that these spaces must require as a whole.",
     .attributes = {
         {"pack", &kIdType, required, "With its edition: en12464-1:2021."},
         {"row", &kTextType, required},
@@ -77,14 +77,14 @@ const ElementRow kRowElement{
         {"spaces", &kTextType, optional,
          "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
         {"at-least", &kCountType, optional,
-         "So many spaces of each of these projects must be like it.", "1"},
+         "The least number of matching spaces in each of these projects.", "1"},
         {"zones", &kZonesType, optional,
-         "workplace: it must be asked by <workplace> elements, which put the zones where "
-         "the pack wants them; unchanged: and no zone may be changed.",
+         "workplace: it must be required by <workplace> elements, which make the zones as the pack "
+         "requires. unchanged: also, no zone may be changed.",
          "any"},
         {"floor-share", &kShareType, optional,
          "Planes of the role must cover this share of the room's floor, seen from above.", "any"},
-        {"role", &kIdType, optional, "Of floor-share.", "task"}}};
+        {"role", &kIdType, optional, "The role of floor-share.", "task"}}};
 
 const ElementRow kFactElement{
     .type = "fact",
@@ -102,7 +102,7 @@ const ElementRow kPhotometryElement{
 
 const ElementRow kBoundElement{
     .type = "bound",
-    .meaning = "What is believed: of each luminaire type or material that is used.",
+    .meaning = "A range that each luminaire type or material in use must have.",
     .attributes = {{"of", &kBoundOfType, required,
                     "flux-ratio, power-ratio: the project's lumens and watts to those of the "
                     "photometry file."},
@@ -111,7 +111,7 @@ const ElementRow kBoundElement{
 
 const ElementRow kAccuracyElement{
     .type = "accuracy",
-    .meaning = "How loosely nobody may calculate.",
+    .meaning = "The least accuracy of the calculation.",
     .attributes = {{"confidence", &kLevelType, optional, "At least, see --confidence."},
                    {"tolerance", &kShareType, optional, "At most, see --tolerance."},
                    {"replicates", &kCountType, optional, "At least, see --replicates."},
@@ -135,12 +135,11 @@ const ElementRow kPolicyElement{
     .attributes = {{"version", &kVersionType, required},
                    {"name", &kTextType, required, "As reports call it."},
                    {"every-space", &kEverySpaceType, optional,
-                    "What each space must be asked. row: what an <asked> wants of it, so that none "
-                    "is like no "
-                    "pattern (if there is no <asked>: anything); anything: something that counts.",
+                    "What each space must require. row: a row of an <asked> whose patterns match "
+                    "it (anything if there is no <asked>). anything: a requirement that counts.",
                     "row"},
                    {"lowered-levels", &kYesNoType, optional,
-                    "Rows may be asked below what they require (level=\"-1\").", "no"}},
+                    "Rows may be required below their values (level=\"-1\").", "no"}},
     .children = {{"waivers", &kPermitElement},
                  {"deviations", &kPermitElement},
                  {"left-out", &kPermitElement},

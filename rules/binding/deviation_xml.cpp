@@ -27,7 +27,8 @@ const calc::ElementRow& deviation_element() {
     calc::ElementRow element = calc::kDeviationElement;
     element.attributes = {
         {"in", &kAspect, required, "What differs from the plane that the standard means."},
-        {"role", &calc::kIdType, optional, "Of a workplace, and needed there: of which zones."},
+        {"role", &calc::kIdType, optional,
+         "The zones of a workplace that it is about; needed there."},
         calc::kBecauseAttribute,
         calc::kByAttribute,
         calc::kUntilAttribute};

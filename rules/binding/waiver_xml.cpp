@@ -25,8 +25,8 @@ const calc::ElementRow& waiver_element() {
   static const calc::ElementRow kElement = [] {
     calc::ElementRow element = calc::kWaiverElement;
     element.attributes = {{"checks", &kChecks, calc::Presence::required,
-                           "Ids of checks that are asked here, separated by blanks; luxgate rules "
-                           "show names them."},
+                           "Ids of checks that are required here, separated by blanks; luxgate "
+                           "rules show names them."},
                           calc::kBecauseAttribute,
                           calc::kByAttribute,
                           calc::kUntilAttribute};

@@ -139,8 +139,8 @@ const ElementRow kTableElement{.type = "table",
 const ElementRow kScaleElement{
     .type = "scale",
     .meaning =
-        "Preferred values, ascending. of: the parameter whose required value a project may take so "
-        "many steps down or up along it, with a reason (level=\"+1\").",
+        "Preferred values, ascending. of: the parameter whose required value a project may move "
+        "along the scale, with a reason (level=\"+1\"). down and up: how many steps.",
     .attributes = {kIdAttribute,
                    kUnitAttribute,
                    {"values", &kTextType, required},
@@ -179,8 +179,8 @@ project: as the project says, count given.)",
                    {"ratio", &kAnyDouble},
                    {"spacing", &kTextType},
                    {"least", &kTextType, optional,
-                    "Of fixed-spacing: points along the longer and the shorter side, however small "
-                    "the area is."},
+                    "Least points along the longer and the shorter side with fixed-spacing, "
+                    "however small the area is."},
                    {"cells", &kTextType},
                    kTrustAttribute,
                    kNoteAttribute}};
@@ -190,11 +190,12 @@ const ElementRow kPlaneElement{
     .attributes = {
         {"role", &kIdType, required},
         {"orientation", &kOrientationType, required,
-         "Of the plane's normal. Of cylinders it is the axis, of which either end may be up."},
+         "Orientation of the plane's normal. For cylinders it is the axis; either end may be up."},
         {"heights", &kTextType},
         {"heights-are", &kHeightsAreType, optional, "", "required"},
         {"grid", &kIdType, optional,
-         "Fewer points than it gives to the same area do not fit; without it any number does."},
+         "A plane with fewer points than the grid gives to the same area does not fit. Without it "
+         "any number fits."},
         kMaskAttribute,
         {"missing", &kSmallShareType, optional,
          "Share of the points that bodies or walls may take.", "0.1"},
@@ -204,17 +205,15 @@ const ElementRow kPlaneElement{
 another role; the task area with such a band; every wall; the ceiling. "margin" is left out along walls, or
 along the edges of walls and ceiling.)"},
         {"around", &kIdType, optional,
-         "Role of the zone that this one lies around, \"width\" wide at least. Without \"area\" it "
-         "is drawn so, and no "
-         "workplace makes it."},
-        {"holds", &kIdType, optional,
-         "Role of the zone that lies in this one, which no workplace makes."},
+         "Role of the zone inside this zone, which is at least \"width\" wide. Without \"area\" "
+         "the project draws it, and no workplace makes it."},
+        {"holds", &kIdType, optional, "Role of the zone inside this zone; no workplace makes it."},
         {"width", &kAmountType},
         {"height", &kAmountType},
         {"margin", &kAmountType},
         {"narrow-below", &kPositiveType, optional,
-         "Of horizontal areas: in rooms less wide than that the margin is at most narrow-share of "
-         "the width."},
+         "For horizontal areas: in rooms less wide than this, the margin is at most narrow-share "
+         "of the width."},
         {"narrow-share", &kStripShareType}}};
 
 const ElementRow kValueElement{.type = "value",
@@ -228,7 +227,7 @@ const ElementRow kRowElement{
     .type = "row",
     .attributes = {{"ref", &kIdType, required},
                    {"name", &kTextType, required},
-                   {"name-de", &kTextType, optional, "The same for readers of the German edition."},
+                   {"name-de", &kTextType, optional, "The name for readers of the German edition."},
                    {"trust", &kTrustType, required},
                    {"sources", &kIdsType},
                    kNoteAttribute,
@@ -241,40 +240,41 @@ const ElementRow kRowElement{
 const ElementRow kSpecialElement{
     .type = "special",
     .meaning =
-        R"(A limit of its own for what a workplace says of the plane: its task may be anywhere on it, or the plane is not on
-the wall in front. rows: for which; all without it.)",
-    .attributes = {{"place", &kSpecialPlaceType, required},
-                   {"limit", &kTextType, required, "A number with the unit of what is limited."},
-                   {"rows", &kIdsType},
-                   {"trust", &kTrustType, required},
-                   kNoteAttribute}};
+        R"(A separate limit for a special place of a workplace: its task may be anywhere on the plane, or the plane is not on the
+wall in front. rows: the rows that it is for; all rows if not given.)",
+    .attributes = {
+        {"place", &kSpecialPlaceType, required},
+        {"limit", &kTextType, required, "A number with the unit of the limited quantity."},
+        {"rows", &kIdsType},
+        {"trust", &kTrustType, required},
+        kNoteAttribute}};
 
 const ElementRow kCheckElement{
     .type = "check",
-    .attributes = {kIdAttribute,
-                   {"role", &kIdType, required},
-                   kClauseAttribute,
-                   {"severity", &kCheckSeverityType, optional, "", "shall"},
-                   {"quantity", &kQuantityType, required},
-                   {"statistic", &kStatisticType, required},
-                   {"percent", &kPercentType},
-                   {"from", &kTextType},
-                   {"to", &kTextType},
-                   kMaskAttribute,
-                   {"state", &kLightStateType, optional, "", "maintained"},
-                   {"sources", &kLightSourcesType, optional, "", "all"},
-                   {"light", &kCountedLightType, optional, "", "all"},
-                   {"outage", &kOutageType, optional, "", "none"},
-                   {"ways", &kWaysType, optional,
-                    "level: of planes and routes that are level, and of no others.", "all"},
-                   {"at-least", &kTextType},
-                   {"at-most", &kTextType},
-                   {"more-than", &kTextType},
-                   {"less-than", &kTextType},
-                   {"instead-of", &kIdType, optional,
-                    "Another check that asks the same in another way: one of them is enough."},
-                   kTrustAttribute,
-                   kNoteAttribute},
+    .attributes =
+        {kIdAttribute,
+         {"role", &kIdType, required},
+         kClauseAttribute,
+         {"severity", &kCheckSeverityType, optional, "", "shall"},
+         {"quantity", &kQuantityType, required},
+         {"statistic", &kStatisticType, required},
+         {"percent", &kPercentType},
+         {"from", &kTextType},
+         {"to", &kTextType},
+         kMaskAttribute,
+         {"state", &kLightStateType, optional, "", "maintained"},
+         {"sources", &kLightSourcesType, optional, "", "all"},
+         {"light", &kCountedLightType, optional, "", "all"},
+         {"outage", &kOutageType, optional, "", "none"},
+         {"ways", &kWaysType, optional, "level: only for planes and routes that are level.", "all"},
+         {"at-least", &kTextType},
+         {"at-most", &kTextType},
+         {"more-than", &kTextType},
+         {"less-than", &kTextType},
+         {"instead-of", &kIdType, optional,
+          "Another check that requires the same in another way. It is enough to meet either."},
+         kTrustAttribute,
+         kNoteAttribute},
     .children = {{"special", &kSpecialElement}}};
 
 const ElementRow kAggregateElement{

@@ -203,7 +203,7 @@ struct RuleCheck {
   Trust trust = Trust::confirmed;  // of what the check says itself, row values and tables apart
   bool has_trust = false;          // stated in the pack
   std::string note;
-  // Another check that asks the same in another way: one of them is enough. "" = none.
+  // Another check that requires the same in another way. It is enough to meet either. "" = none.
   std::string instead_of;
   std::vector<RuleSpecial> specials;  // one for a place at most
   calc::SourceLocation where;

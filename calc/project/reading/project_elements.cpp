@@ -71,9 +71,9 @@ const ValueType kPlaneQuantityType{
 // Of waivers.
 const ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 const AttributeRow kBecauseAttribute{"because", &kTextType, required, "Why."};
-const AttributeRow kByAttribute{"by", &kTextType, required, "Who lives with it."};
+const AttributeRow kByAttribute{"by", &kTextType, required, "Who has agreed to it."};
 const AttributeRow kUntilAttribute{"until", &kDayType, required,
-                                   "The last day, YYYY-MM-DD; after it this holds no more."};
+                                   "The last day, YYYY-MM-DD. It does not apply after that day."};
 
 // Numbers.
 const ValueType kDecimalType{.name = "decimal",
@@ -189,21 +189,21 @@ const ValueType kRoomIdType{
 // Attributes that several elements have.
 const AttributeRow kIdAttribute{"id", &kIdType, required};
 const AttributeRow kNameAttribute{"name", &kAnyText};
-const AttributeRow kWasAttribute{"was", &kIdType, optional,
-                                 "The id in earlier revisions, so that a comparison with one of "
-                                 "them knows what was renamed."};
+const AttributeRow kWasAttribute{
+    "was", &kIdType, optional,
+    "The id in earlier revisions. Comparisons use it to find renamed objects."};
 const ValueType kTagsType{.name = "tags",
                           .meaning = "Words like ids, separated by blanks.",
                           .item = &kIdType,
                           .least = 1,
                           .most = kMostTags};
 const AttributeRow kTagsAttribute{"tags", &kTagsType, optional,
-                                  "Words of one's own by which 'luxgate check --tag' chooses, of "
-                                  "a room all of its planes. They change no result."};
+                                  "Your own words for 'luxgate check --tag'. The tag of a room "
+                                  "selects all of its planes. Tags change no result."};
 const AttributeRow kFileAttribute{"file", &kTextType, required};
 const AttributeRow kMaterialAttribute{"material", &kIdType, required};
 const AttributeRow kMaterialOfOthersAttribute{"material", &kIdType, optional,
-                                              "Of all that no map names."};
+                                              "For all surfaces that no map names."};
 const AttributeRow kOccupancyAttribute{"occupancy", &kPositiveFractionType, optional,
                                        "Fo of EN 15193; 1."};
 const AttributeRow kDaylightAttribute{"daylight", &kPositiveFractionType, optional,
@@ -216,16 +216,16 @@ const AttributeRow kRotationAttribute{"rotation", &kNumberType, optional,
                                       "About the vertical axis through the object's origin."};
 const AttributeRow kRepeatAttribute{
     "repeat", &kCounts3Type, optional,
-    "Numbers of copies along x, y and z of the coordinates around the object, with step. Copies "
-    "are named id[i,j,k], counted from 0."};
+    "Numbers of copies along x, y and z of the surrounding coordinates, with step. Copies are "
+    "named id[i,j,k], counted from 0."};
 const AttributeRow kStepAttribute{"step", &kVectorType, optional,
                                   "Distances of the copies, with repeat."};
-const AttributeRow kMeshFormatAttribute{
-    "format", &kMeshFormatType, optional,
-    "The file's contents decide which; this only makes anything else an error."};
+const AttributeRow kMeshFormatAttribute{"format", &kMeshFormatType, optional,
+                                        "The contents of the file decide the format. With this "
+                                        "attribute any other format is an error."};
 const AttributeRow kMeshNodeAttribute{
     "node", &kTextType, optional,
-    "Of a glTF file only the node of this name and all below it, such as a storey."};
+    "Reads only the node of this name in a glTF file, and all nodes below it, such as a storey."};
 const AttributeRow kMeshScaleAttribute{"scale", &kPositiveType, optional,
                                        "Factor besides the units.", "1"};
 const AttributeRow kMeshUpAttribute{"up", &kUpAxisType, optional, "The file's vertical axis."};
@@ -235,12 +235,11 @@ const AttributeRow kAxisAttribute{"axis", &kVectorType, optional,
                                   "Direction of gamma = 0 (0 0 -1, straight down)."};
 const AttributeRow kC0RotationAttribute{
     "rotation", &kNumberType, optional,
-    "Of C0, from the x axis counter-clockwise for a luminaire that shines straight down; other "
-    "axes "
-    "are reached from there by the smallest rotation (straight up: half a turn about x)."};
+    "Angle of C0, from the x axis counter-clockwise, for a luminaire that shines straight down. "
+    "The smallest rotation from there gives other axes (straight up: half a turn about x)."};
 const AttributeRow kC0Attribute{
     "c0", &kVectorType, optional,
-    "Instead of rotation, the direction of C0; only its part across the axis counts."};
+    "The direction of C0, instead of rotation. Only its part across the axis counts."};
 const AttributeRow kGroupAttribute{"group", &kTextType, optional, "Dimming group."};
 const AttributeRow kGroupNamedAttribute{"group", &kTextType, required};
 const AttributeRow kCountAttribute{"count", &kCounts2Type, optional, "Points along u and v."};
@@ -248,7 +247,7 @@ const AttributeRow kSpacingAttribute{"spacing", &kSpacingsType, optional,
                                      "Distances of the points, whose numbers are rounded up."};
 const AttributeRow kRoundingAttribute{
     "rounding", &kGridRoundingType, optional,
-    "How the rule's numbers of points are rounded; to the nearest one if not given."};
+    "How the rule's numbers of points are rounded; to the nearest if not given."};
 const AttributeRow kZoneOriginAttribute{"origin", &kVector2Type};
 const AttributeRow kZoneSizeAttribute{"size", &kSize2Type};
 const AttributeRow kZoneFootprintAttribute{"footprint", &kZoneFootprintType};
@@ -302,36 +301,37 @@ constexpr std::string_view kOfRoom =
 const ElementRow kAboutElement{
     .type = "about",
     .meaning =
-        "Whom the design is for and who made it: what reports show on their first page, at "
-        "most once. No light and no verdict hangs on it.",
-    .attributes = {{"client", &kAnyText},
-                   {"number", &kAnyText, optional, "Of the project, as its people count."},
-                   {"revision", &kAnyText, optional,
-                    "Of the design; also by --set about.revision=..., as of a commit."},
-                   {"date", &kDayType, optional, "Of the design, YYYY-MM-DD; never today's."},
-                   {"author", &kAnyText},
-                   {"company", &kAnyText},
-                   {"address", &kAnyText},
-                   {"note", &kAnyText},
-                   {"logo", &kTextType, optional,
-                    "A PNG of at most 4096 pixels each way or an SVG without script, links and "
-                    "animation; at most 1 MiB."}}};
+        "Client and author of the design, at most once. Reports show them on the first page. Light "
+        "and verdicts do not depend on them.",
+    .attributes = {
+        {"client", &kAnyText},
+        {"number", &kAnyText, optional, "Number of the project."},
+        {"revision", &kAnyText, optional,
+         "Revision of the design; --set about.revision=... can give it, such as a commit."},
+        {"date", &kDayType, optional,
+         "Date of the design, YYYY-MM-DD. It is never the current day by default."},
+        {"author", &kAnyText},
+        {"company", &kAnyText},
+        {"address", &kAnyText},
+        {"note", &kAnyText},
+        {"logo", &kTextType, optional,
+         "A PNG of at most 4096 pixels each way or an SVG without script, links and "
+         "animation; at most 1 MiB."}}};
 
 const ElementRow kMaintenancePlanElement{
     .type = "maintenancePlan",
     .meaning =
-        "How the installation is to be kept: what its maintenance factors rest on, for the "
-        "report's "
-        "maintenance plan, at most once. No light and no verdict hangs on it.",
-    .attributes = {{"environment", &kAnyText, optional, "Where it stands: clean office."},
+        "The conditions of the maintenance factors, at most once, for the maintenance plan in "
+        "reports. Light and verdicts do not depend on them.",
+    .attributes = {{"environment", &kAnyText, optional, "The surroundings, such as clean office."},
                    {"clean-luminaires-months", &kPositiveType, optional,
-                    "Between two cleanings of the luminaires."},
+                    "Months between two cleanings of the luminaires."},
                    {"clean-surfaces-months", &kPositiveType, optional,
-                    "Between two cleanings of the room's surfaces."},
+                    "Months between two cleanings of the room's surfaces."},
                    {"replace-lights-hours", &kPositiveType, optional,
                     "Hours of use after which light sources or luminaires are replaced."},
                    {"hours-in-a-year", &kHoursType, optional, "Hours of use in a year."},
-                   {"instructions", &kAnyText, optional, "What else is to be done."}}};
+                   {"instructions", &kAnyText, optional, "Other instructions."}}};
 
 const ElementRow kMaterialElement{
     .type = "material",
@@ -341,34 +341,34 @@ const ElementRow kMaterialElement{
 const ElementRow kHousingElement{
     .type = "housing",
     .meaning =
-        "The luminaire as a thing that shades and takes up light that others and the room send to "
-        "it. Without it light passes through luminaires. Its own light is not touched: photometry "
-        "has been measured with the housing. The face lies in the opening; of an opening that is a "
-        "body (with a luminous height) the housing is that body. A luminaire of several emitters "
-        "has a face in each opening, all of them flat.",
+        "The body of the luminaire. It shades and absorbs light from other luminaires and from the "
+        "room. Without it light passes through luminaires. The luminaire's own light does not "
+        "change: its photometry was measured with the housing. The face is in the opening. If the "
+        "opening is a body (with a luminous height), the housing is that body. A luminaire with "
+        "several emitters has a flat face in each opening.",
     .attributes = {kMaterialAttribute,
                    {"depth", &kPositiveType, optional,
-                    "How far the housing reaches behind a flat opening, for luminaires on a "
-                    "surface or in the open. Without it there is the face alone, as of luminaires "
-                    "set into a ceiling. Of several emitters: of the one box around all openings, "
-                    "along the luminaire's axis from the opening farthest in front."},
+                    "Depth of the housing behind a flat opening, for luminaires on a surface or in "
+                    "the open. Without it there is only the face, as for recessed luminaires. With "
+                    "several emitters one box encloses all openings; its depth is measured along "
+                    "the luminaire's axis from the foremost opening."},
                    {"size", &kSize2Type, optional,
-                    "Along C0 and along C90, where the housing is larger than the opening. Of "
-                    "several emitters: of the box, which needs a depth."},
+                    "Size along C0 and along C90, if the housing is larger than the opening. With "
+                    "several emitters it is the size of the box, which needs a depth."},
                    {"dimensions", &kHousingDimensionsType, optional,
                     "file: size and depth are those of the luminaire in its photometry file "
                     "(EULUMDAT)."},
                    {"file", &kTextType, optional,
-                    "A mesh file (see mesh) in place of depth, size and dimensions, all of it of "
-                    "this material. x is C0, y C90, z points backwards (up for a luminaire that "
-                    "shines down), from the centre of the opening, or of several emitters from the "
-                    "luminaire's position. It lies behind flat openings, which keep their faces, "
-                    "and within openings that are bodies."},
+                    "A mesh file (see mesh) instead of depth, size and dimensions, with this "
+                    "material. x is C0, y is C90, and z points backwards (up for a luminaire that "
+                    "shines down). The origin is the centre of the opening, or the luminaire's "
+                    "position with several emitters. The mesh is behind flat openings, which keep "
+                    "their faces, and within openings that are bodies."},
                    kMeshFormatAttribute,
                    kMeshNodeAttribute,
                    {"position", &kVectorType, optional,
-                    "Of a mesh: where its origin goes in these axes (0 0 0)."},
-                   {"rotation", &kNumberType, optional, "Of a mesh: about z."},
+                    "Position of the mesh's origin in these axes (0 0 0)."},
+                   {"rotation", &kNumberType, optional, "Rotation of the mesh about z."},
                    kMeshScaleAttribute,
                    kMeshUpAttribute,
                    kMeshUnitsAttribute}};
@@ -376,20 +376,20 @@ const ElementRow kHousingElement{
 const ElementRow kPackageElement{
     .type = "package",
     .meaning =
-        "A lamp, driver or current that the luminaire can be had with. Nothing hangs on packages "
-        "that no type takes; 'luxgate advise --packages' chooses among them.",
+        "A lamp, driver or current that the luminaire is available with. Packages that no type "
+        "uses have no effect; 'luxgate advise --packages' chooses among them.",
     .attributes = {{kArticleName, &kTextType, required, "Names the package, once in its type."},
                    {"flux-lm", &kPositiveType, required,
                     "Luminous flux of the luminaire with it; the distribution stays the file's."},
                    {"power-w", &kPositiveType, required, "Input power of the luminaire with it."},
                    {"price", &kNonNegativeType, optional,
-                    "Of one luminaire with it; without it that of the type."}}};
+                    "Price of one luminaire with it; the type's price if not given."}}};
 
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",
     .meaning =
-        "A photometry file and how it is used. Of a file with several lights, lamp-set, "
-        "variant or emitter names one; emitter=\"all\" takes those of a GLDF variant together.",
+        "A photometry file and how it is used. If the file has several lights, lamp-set, variant "
+        "or emitter selects one. emitter=\"all\" takes those of a GLDF variant together.",
     .attributes =
         {kIdAttribute,
          {"photometry", &kTextType, required,
@@ -398,15 +398,15 @@ const ElementRow kLuminaireTypeElement{
           "Luminous flux of the luminaire, instead of the file's."},
          {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
          {kPackageName, &kTextType, optional,
-          "The article of a package below, instead of flux-lm and power-w: luminaires of this "
-          "type have its flux and power."},
+          "The article of a package below, instead of flux-lm and power-w. Luminaires of this type "
+          "have its flux and power."},
          {"price", &kNonNegativeType, optional,
-          "Of one luminaire, in the project's own currency, for 'luxgate sweep'. No light and no "
-          "verdict hangs on it."},
+          "Price of one luminaire, in the project's own currency, for 'luxgate sweep'. Light and "
+          "verdicts do not depend on it."},
          {"maintenance-factor", &kPositiveFractionType, optional,
-          "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, "
-          "the product counts). If nothing is given that of the root element; without either it is "
-          "1 for limits of the project's own, and rows of a standard are not judged."},
+          "Either this or any of the four parts llmf, lsf, lmf and rsmf (1 if not given; their "
+          "product counts). If none is given, that of the root element counts. Without both it is "
+          "1 for the project's own limits, and rows of a standard are not judged."},
          {"llmf", &kPositiveFractionType},
          {"lsf", &kPositiveFractionType},
          {"lmf", &kPositiveFractionType},
@@ -419,24 +419,22 @@ const ElementRow kLuminaireTypeElement{
          {"lamp-set", &kCountType, optional, "The number of an EULUMDAT lamp set."},
          {"variant", &kTextType, optional, "The id of a GLDF variant."},
          {"emitter", &kTextType, optional,
-          "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
-          "together, one luminaire with each emitter at its place; several ids with blanks "
-          "between: those together. Or the id, description or number of a TM-33 emitter."}},
+          "The id of a GLDF emitter (id#n: its n-th fitting), or several ids separated by blanks. "
+          "all: the emitters of the variant that shine together, each at its place in one "
+          "luminaire. Or the id, description or number of a TM-33 emitter."}},
     .children = {{"housing", &kHousingElement}, {kPackageName, &kPackageElement}}};
 
 const ElementRow kDimElement{
     .type = "dim",
-    .attributes = {
-        kGroupNamedAttribute,
-        {"level", &kFractionType, required,
-         "Share of the flux that its luminaires have at full output. For rules about the "
-         "end of an emergency's rated duration: what the battery leaves then, by the "
-         "maker's data; 1 is all of it."}}};
+    .attributes = {kGroupNamedAttribute,
+                   {"level", &kFractionType, required,
+                    "Share of the flux at full output. For rules about the end of an emergency's "
+                    "rated duration it is the share that the battery still gives then, by the "
+                    "manufacturer's data."}}};
 
 const ElementRow kSceneElement{
     .type = "lightScene",
-    .meaning =
-        "Dimming levels; groups that are not named, and luminaires without a group, are at 1.",
+    .meaning = "Dimming levels. Groups that are not named and luminaires without a group are at 1.",
     .attributes = {kIdAttribute},
     .children = {{"dim", &kDimElement}}};
 
@@ -452,8 +450,8 @@ const ElementRow kEnergyPartElement{
 const ElementRow kEnergyElement{
     .type = "energy",
     .meaning =
-        R"(How the light of a room is used, for requirements on LENI; in the root element: of all rooms that have none of
-their own, at most one each. The factors count as 1 where they are not given.)",
+        R"(How the light of a room is used, for requirements on LENI, at most once. In the root element it applies to all rooms
+without their own. Factors are 1 if not given.)",
     .attributes = {{"day-hours", &kHoursType, required, "Hours in a year with daylight."},
                    {"night-hours", &kHoursType, required, "Hours in a year without daylight."},
                    kOccupancyAttribute,
@@ -486,8 +484,8 @@ const std::vector<AttributeRow> kLuminousAttributes{
 const ElementRow kQuadElement{
     .type = "quad",
     .meaning =
-        "A parallelogram with the sides u and v. Where it lies exactly in a surface of the room or "
-        "of a box, it covers that.",
+        "A parallelogram with the sides u and v. It covers a surface of the room or of a box if it "
+        "lies exactly in it.",
     .attributes = {
         kIdAttribute,
         {"origin", &kVectorType, required},
@@ -531,7 +529,7 @@ the attribute "material" all others.)",
 const ElementRow kAssemblyElement{
     .type = "assembly",
     .meaning =
-        "Objects that are placed and repeated together, at most 16 levels deep. Parts are "
+        "Objects that are placed and repeated together, nested at most 16 levels deep. Parts are "
         "named assembly.part.",
     .attributes = {kIdAttribute, kPositionAttribute, kRotationAttribute, kRepeatAttribute,
                    kStepAttribute},
@@ -552,8 +550,8 @@ const ElementRow kLuminaireElement{
 const ElementRow kLuminaireGridElement{
     .type = "luminaireGrid",
     .meaning =
-        R"(A rectangular array over size, half a spacing from its edges: id[column,row] stands at
-((column + 0.5) / columns, (row + 0.5) / rows) of it.)",
+        R"(A rectangular array of this size, half a spacing from its edges: id[column,row] is at
+((column + 0.5) / columns, (row + 0.5) / rows) of the size.)",
     .attributes = {kIdAttribute,
                    kTypeAttribute,
                    {"origin", &kVectorType, required},
@@ -576,7 +574,7 @@ const ElementRow kLuminaireLineElement{
                    {"to", &kVectorType, required},
                    {"count", &kCountType, required},
                    {"edge", &kLineEndsType, optional,
-                    "half: half a spacing at both ends, end: the first and the last stand at the "
+                    "half: half a spacing at both ends. end: the first and the last are at the "
                     "ends (count from 2).",
                     "half"},
                    kAxisAttribute,
@@ -603,7 +601,7 @@ const ElementRow kLuminaireRingElement{
 const ElementRow kLuminaireListElement{
     .type = "luminaireList",
     .meaning =
-        R"(Luminaires of a CSV file, named id.name. Its first line names the columns: name, type, x_m, y_m, z_m; if wanted
+        R"(Luminaires of a CSV file, named id.name. Its first line names the columns: name, type, x_m, y_m, z_m; optionally
 axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, and rotation_deg, group, with the meanings that the attributes
 of luminaires have. In metres, whatever the unit of the project; x_mm, aim_x_mm and so on are in mm, and x_cm, x_in and
 x_ft are other units.)",
@@ -627,14 +625,13 @@ const ElementRow kHoleElement{.type = "hole", .attributes = {{"points", &kCorner
 const ElementRow kDeviationElement{
     .type = "deviation",
     .meaning =
-        "The plane is not quite the one that the standard's number is about; the number is "
-        "compared all the same, and every report says so."};
+        "The plane differs from the plane that the standard's number is about. The number is "
+        "compared nevertheless, and every report says so."};
 
-const ElementRow kWaiverElement{
-    .type = "waiver",
-    .meaning =
-        "Somebody lives without these checks of the row, up to a last day: if they fail or are "
-        "undecided they do not count."};
+const ElementRow kWaiverElement{.type = "waiver",
+                                .meaning =
+                                    "These checks of the row are waived up to a last day: they do "
+                                    "not count if they fail or are undecided."};
 
 const ElementRow kRequireElement{
     .type = "requirement",
@@ -646,9 +643,8 @@ const ElementRow kPlaneElement{
     .meaning = R"(Exactly one of these forms:
 height: in a room, the whole footprint at this height above the floor, facing up.
 origin, u, v: a rectangle with the full sides u and v, which are perpendicular; it faces u x v.
-points: a flat polygon, with holes if needed; it faces the side from which its corners run counter-clockwise, and
-the grid's first direction is along its first side, or along its longest where the
-first stands at an angle to that.
+points: a flat polygon, with holes if needed; it faces the side from which its corners run counter-clockwise.
+The grid's first direction is along its first side, or along its longest side if the first is at an angle to that.
 on: in a room, floor, ceiling, wall1, wall2 ..., facing into the room; wall1 begins at the footprint's first
 corner (rooms with "size": wall1 is y = 0, wall2 x = max, wall3 y = max, wall4 x = 0).
 on-top-of: the upper face of a box, named as in messages: id, id[i,j,k], assembly.id ...
@@ -658,8 +654,8 @@ Grid: count along u and v, or spacing (rounded up), or the rule of EN 12464-1 if
 quantity: what the points measure, planar illuminance if it is not given. Cylindrical and hemispherical points
 have the direction that the plane (or the point of a list) faces for an axis: an upright cylinder on a plane that
 faces up. Semicylindrical points stand upright and look in a horizontal direction: the attribute "direction" of
-planes, the normals of a list. ugr: eyes at the points that look that way, too; unified glare rating, no unit.
-modelling: cylindrical illuminance / planar illuminance, no unit, on the plane's axis. cylindrical-4: the mean of
+planes, the normals of a list. ugr: unified glare rating of eyes at the points that look that way, without a unit.
+modelling: cylindrical illuminance / planar illuminance on the plane's axis, without a unit. cylindrical-4: the mean of
 four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylindrical integral.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
@@ -682,27 +678,27 @@ four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylind
                     "planar"},
                    {"direction", &kVectorType, optional, "Where semicylindrical points look."},
                    {"travel", &kVectorType, optional,
-                    "Which way people go on an escape route: horizontal. Needed where one side is "
-                    "less than twice the other, else they go along the longer one."}},
+                    "Horizontal direction of walking on an escape route. Needed if one side is "
+                    "less than twice the other; otherwise the longer side counts."}},
     .children = {{"hole", &kHoleElement}, {"require", &kRequireElement}}};
 
 const ElementRow kRouteElement{
     .type = "route",
     .meaning =
-        R"(An escape route: a strip of a width about a centre line, which may have bends and stairs. Its points follow the
-line in rows, an odd number of them, so that one is on the line; their normals are vertical, and they lie on the
-surface that people walk on: the highest one between 0.5 m below and 0.3 m above the line. What is higher, up to 1 m,
-stands in the way. A room's floor is such a surface, in the open z = 0 where there is none below. Masks of rule packs
-go by the line and the width.)",
+        R"(An escape route: a strip of a width about a centre line, which may have bends and stairs. Its points follow the line in
+an odd number of rows, so that one row is on the line. Their normals are vertical. They are on the surface that people
+walk on: the highest between 0.5 m below and 0.3 m above the line. Objects above that, up to 1 m, are obstacles. The
+floor of a room is such a surface; in the open it is z = 0 if there is no surface below. Masks of rule packs follow the
+line and the width.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
                    kWasAttribute,
                    kTagsAttribute,
                    {"points", &kRouteLineType, required,
-                    "The centre line; z: the walking surface about there."},
+                    "The centre line. z is the approximate height of the walking surface."},
                    {"width", &kPositiveType, required},
                    {"height", &kNonNegativeType, optional,
-                    "Of the points above the walking surface (0)."},
+                    "Height of the points above the walking surface (0)."},
                    {"spacing", &kSpacingsType, optional,
                     "Largest distance of points, or one along and one across the route; 0.5 m and "
                     "at least 5 rows if not given."}},
@@ -711,22 +707,22 @@ go by the line and the width.)",
 // Roads.
 const ElementRow kLuminaireRowElement{
     .type = "luminaireRow",
-    .meaning = "Equal luminaires along a road, one at every spacing, without end.",
+    .meaning = "An endless row of equal luminaires along a road, at equal spacing.",
     .attributes = {
         kIdAttribute,
         kTypeAttribute,
         {"side", &kRoadSideType, required,
-         "Which edge of the carriageway it stands at, seen in the direction of traffic."},
+         "The edge of the carriageway where it is, seen in the direction of traffic."},
         {"height", &kPositiveType, required, "Of the luminous openings above the road."},
         {"overhang", &kNumberType, optional,
          "Of the luminous openings over the carriageway; below 0: beside it (0)."},
         {"tilt", &kTiltType, optional, "How far the street side is lifted, in degrees (0)."},
         {"shift", &kNumberType, optional,
-         "Along the road, of one of its luminaires from the beginning of the field (0); half a "
-         "spacing for a row that stands in the gaps of the other."},
+         "Distance along the road from the beginning of the field to one of its luminaires (0). "
+         "Half a spacing staggers a row against the other."},
         {"street", &kStreetPlaneType, optional,
-         "Which half-plane of the photometry looks straight to the street; if not given C90 of "
-         "EULUMDAT files and C0 of all others."},
+         "The half-plane of the photometry that faces the street; C90 of EULUMDAT files and C0 of "
+         "all others if not given."},
         kGroupAttribute}};
 
 const ElementRow kRoadStripElement{
@@ -744,32 +740,32 @@ const ElementRow kRoadStripElement{
 const ElementRow kRoadElement{
     .type = "road",
     .meaning =
-        R"(A straight, level road for itself, with even rows of luminaires: nothing else lights it or stands in the way, and
-other objects of the project do not know it. Its carriageway is a plane with the road's id, from one luminaire to the
-next, with the points of EN 13201-3; road-luminance, road-Uo, road-Ul, TI and REI can be required of it, and
-illuminances of it and of its strips. Seen in the direction of traffic, which is that of x before the rotation, the
-road lies to the left of the origin.)",
+        R"(A straight, level road with regular rows of luminaires. Other objects of the project do not affect it, and it does not
+affect them. Its carriageway is a plane with the road's id, from one luminaire to the next, with the points of
+EN 13201-3. Requirements on it can be road-luminance, road-Uo, road-Ul, TI, REI and illuminances; requirements on its
+strips can be illuminances. The direction of traffic is that of x before the rotation. Seen in this direction, the road
+is to the left of the origin.)",
     .attributes =
         {{"id", &kRoomIdType, required},
          kNameAttribute,
          kWasAttribute,
          kTagsAttribute,
          {"origin", &kVectorType, optional,
-          "Of the right edge of the carriageway, where the field begins (0 0 0)."},
+          "Point on the right edge of the carriageway where the field begins (0 0 0)."},
          {"rotation", &kTurnType, optional, "Of the direction of traffic, from x (0)."},
          {"width", &kPositiveType, required, "Of the carriageway."},
          {"lanes", &kCountType, required, "Equally wide ones."},
          {"oncoming-lanes", &kCountOrNoneType, optional,
-          "How many of them have traffic the other way (0)."},
+          "Number of lanes with oncoming traffic (0)."},
          {"traffic", &kTrafficSideType, optional,
-          "Which side people drive on, where there is oncoming traffic (right)."},
+          "The side on which people drive, with oncoming traffic (right)."},
          {"spacing", &kPositiveType, required, "From one luminaire of a row to the next."},
          {"surface", &kRoadSurfaceType, required, "Table of reduced luminance coefficients."},
          {"q0", &kQ0Type, optional,
           "Average luminance coefficient that the table is scaled to; its own if not given."},
          {"right-strip", &kNonNegativeType, optional,
-          "Width beside the right edge that counts for REI; that of a lane if not given, 0: none, "
-          "as beside another carriageway."},
+          "Width beside the right edge that counts for REI; the width of a lane if not given. 0 "
+          "means none, as beside another carriageway."},
          {"left-strip", &kNonNegativeType, optional, "The same at the left edge."}},
     .children = {{"luminaire-row", &kLuminaireRowElement},
                  {"strip", &kRoadStripElement},
@@ -779,7 +775,7 @@ road lies to the left of the origin.)",
 const ElementRow kZoneElement{
     .type = "zone",
     .meaning =
-        "What differs from the rule for the zones of a role; the area is origin and size, or "
+        "A difference from the rule for the zones of a role. The area is origin and size, or "
         "footprint, in the room's x and y.",
     .attributes = {
         {"role", &kIdType, required, "E.g. \"cylinder\", \"wall\" (all walls) or \"wall.2\"."},
@@ -797,15 +793,15 @@ const ElementRow kZoneElement{
 const ElementRow kWithoutElement{
     .type = "zoneLeftOut",
     .meaning =
-        "Leaves a role, but the task, out, up to a last day; after it the row is not judged.",
+        "Omits a role other than the task, up to a last day. After that day the row is not judged.",
     .attributes = {{"role", &kIdType, required}, kBecauseAttribute, kByAttribute, kUntilAttribute}};
 
 const ElementRow kWorkplaceElement{
     .type = "workplace",
     .meaning =
-        R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
-"id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y, or upright:
-a part of a wall, or a face. See rules/README.md.)",
+        R"(Planes of a room, with grids and limits, as the row of a rule pack requires: "id.task", "id.surround",
+"id.wall.1" ... The task area is the whole room, or an area in the room's x and y (origin and size, or footprint). Or it
+is upright: a part of a wall, or a face. See rules/README.md.)",
     .attributes =
         {kIdAttribute,
          kNameAttribute,
@@ -817,21 +813,22 @@ a part of a wall, or a face. See rules/README.md.)",
          kHeightAboveFloorAttribute,
          {"wall", &kCountType, optional, "The task is on the wall of this number."},
          {"along", &kFromToType, optional,
-          "Where on it, from its left end as seen from the room; else all of it."},
+          "The part of the wall, from its left end as seen from the room; the whole wall if not "
+          "given."},
          {"face", &kFootType, optional,
-          "The task is an upright face: its foot in the room's x and y, from left to "
-          "right as whoever looks at it sees it."},
+          "The task is an upright face. This is its foot in the room's x and y, from left to right "
+          "as seen from the front."},
          {"heights", &kFromToType, optional,
-          "Of an upright task, above the floor: its lower and its upper edge."},
+          "The lower and the upper edge of an upright task, above the floor."},
          {"lean", &kLeanType, optional, "Of a face: degrees that it leans back.", "0"},
          {"glare", &kGlareMethodType, optional,
-          "How glare is judged: by the tabular method, or at observers, too; if not given by "
-          "the table, where the room is one that it is for. There it is always asked."},
+          "How glare is judged: by the tabular method, or also at observers. If not given, by the "
+          "table if it applies to the room. The table is always required there."},
          {"front-wall", &kCountType, optional,
-          "The wall of this number is in front of who works there; others may be darker, "
-          "where the row says so."},
+          "The number of the wall in front of the people who work there. Other walls may be darker "
+          "if the row says so."},
          {kTaskPlaceName, &kTaskPlaceType, optional,
-          "The task may be anywhere in the room, and nobody knows where yet."}},
+          "The place of the task in the room is not known yet."}},
     .children = {{"zone", &kZoneElement},
                  {"without", &kWithoutElement},
                  {"deviation", &kDeviationElement},
@@ -858,17 +855,17 @@ const ElementRow kPrismRoomElement{
         R"(A closed prism: no light enters or leaves. Either size (x y z), or footprint and height. ceiling, walls, floor:
 material ids (required); wall-materials: one id per wall, instead of "walls" for all (which is still required).
 
-Or a space of a gbXML file, in the building's coordinates: file and space (its id) instead of all of these; each
-map gives the surfaces of one surfaceType, or the openings of one openingType, a material, the attribute
-"material" all others but Air, where nothing stands. Every surface next to the space counts, without its openings, which are surfaces of their
-own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
-"on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.
+Or a space of a gbXML file, in the building's coordinates: file and space (its id) instead of all of these. Each map
+gives a material to the surfaces of one surfaceType, or to the openings of one openingType. The attribute "material"
+is for all others except Air, which has no surface. Every surface next to the space counts, without its openings, which
+are separate surfaces. An InteriorFloor or Ceiling counts as it is seen from the room. Planes in such a room cannot use
+"on". They can use "height" only if the space has an outline (PlanarGeometry) or its floor is a single flat polygon.
 
-Or a closed shell of a mesh file, which is told from gbXML by its contents: file, units, up and all else that mesh
-has to place it, in world coordinates, as is everything in such a room. Its faces may look inward or outward. The room
-is the shell that has all others in it, which are solids; where that is not clear "shell" names one, as the message
-does. Surfaces that are not closed are taken with a warning, if they enclose anything. Planes in such a room cannot be
-given by "on", and by "height" only if the lowest faces are one level polygon and no other faces look up.)",
+Or a closed shell of a mesh file (its contents tell it from gbXML): file, units, up and the other attributes of mesh.
+All objects in such a room are in world coordinates. Faces may point inward or outward. The room is the shell that
+contains all others, which are solids. If that is not clear, "shell" names one, as the message does. Open surfaces
+are taken with a warning if they enclose a volume. Planes in such a room cannot use "on". They can use "height" only
+if the lowest faces are a single level polygon and no other faces point up.)",
     .attributes = {{"id", &kRoomIdType, required},
                    kNameAttribute,
                    kWasAttribute,
@@ -915,9 +912,9 @@ const ElementRow kMeshRoomElement{
                    kMeshFormatAttribute,
                    kMeshNodeAttribute,
                    {"shell", &kMeshShellType, optional,
-                    "Of a mesh: which of its closed shells is the room, counted from the largest; "
-                    "or \"all\": the room is what lies between all surfaces, such as walls with a "
-                    "thickness, which points outside it are not told from."},
+                    "The closed shell of the mesh that is the room, counted from the largest. "
+                    "\"all\": the room is the space between all surfaces, such as walls with a "
+                    "thickness. Points outside of it are not detected then."},
                    kPositionAttribute,
                    kRotationAttribute,
                    kMeshScaleAttribute,
@@ -944,31 +941,30 @@ const ValueType kRoomPatternsType{
 const ElementRow kBuildingElement{
     .type = "building",
     .meaning =
-        R"(What is asked of rooms together: power density and LENI of all of them, that is their power or energy over their
-floor areas. Each room may be worse than the limit, if others make up for it.)",
+        R"(Requirements on several rooms together: power density and LENI, which are their total power or energy over their total
+floor area. A room may exceed the limit if others compensate for it.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
                    kWasAttribute,
                    {"rooms", &kRoomPatternsType, optional,
-                    "Ids of rooms, or patterns that they are like: \"office-* hall\"; all rooms "
-                    "without it. Roads and the open space are none."}},
+                    "Ids or patterns of rooms: \"office-* hall\"; all rooms if not given. Roads "
+                    "and the open space are not rooms."}},
     .children = {{"require", &kRequireElement}}};
 
 const ElementRow kProjectElement{
     .type = "project",
-    .attributes =
-        {{"version", &kVersionType, required},
-         kNameAttribute,
-         {"units", &kUnitsType, optional,
-          "Of all lengths in this file, but those of requirements (at, and from and to of "
-          "heights), "
-          "which are in metres. Meshes may have their own, and columns of CSV files name theirs.",
-          "m"},
-         {"maintenance-factor", &kPositiveFractionType, optional,
-          "Of all luminaire types that state none of their own."},
-         {"north", &kTurnType, optional,
-          "Where north lies in plan, degrees from +x counter-clockwise: 90 is +y. For drawings "
-          "alone."}},
+    .attributes = {{"version", &kVersionType, required},
+                   kNameAttribute,
+                   {"units", &kUnitsType, optional,
+                    "Unit of all lengths in this file, except those of requirements (at, and from "
+                    "and to of heights), which are in metres. Meshes may have their own unit, and "
+                    "columns of CSV files name theirs.",
+                    "m"},
+                   {"maintenance-factor", &kPositiveFractionType, optional,
+                    "For all luminaire types without their own."},
+                   {"north", &kTurnType, optional,
+                    "Direction of north in plan, in degrees from +x counter-clockwise: 90 is +y. "
+                    "Only drawings use it."}},
     .children = {{kAboutName, &kAboutElement},
                  {kMaintenancePlanName, &kMaintenancePlanElement},
                  {"material", &kMaterialElement},
