@@ -244,7 +244,7 @@ def known_cases(luxgate, examples, work):
     done = subprocess.run([luxgate, "advise", "here.xml", "--quiet", "--write", "new.xml"], capture_output=True,
                           text=True, check=False, cwd=work)
     expect(done.returncode == 0 and os.path.exists(os.path.join(work, "new.xml")), f"a name alone: {done.stderr}")
-    for output, words in (("batwing_1200.ies", "it was read"), ("new.xml", "new.xml"), ("here.xml", "here.xml")):
+    for output, words in (("batwing_1200.ies", "it is an input"), ("new.xml", "new.xml"), ("here.xml", "here.xml")):
         done = subprocess.run([luxgate, "advise", "here.xml", "--quiet", "--write", "new.xml", "--format",
                                "json=" + output], capture_output=True, text=True, check=False, cwd=work)
         expect(done.returncode == 2 and words in done.stderr, f"{output} is not written over: {done.stderr}")

@@ -104,7 +104,7 @@ def the_way_of_a_project():
 
 
 def refusals():
-    for name, text, words in (("cut", drawing({})[:-40], "it was cut"), ("dwg", "AC1027\0\0\0", "cannot import 'bad.dxf': it is an AutoCAD drawing (DWG); import reads DXF and IFC. Save it as DXF"),
+    for name, text, words in (("cut", drawing({})[:-40], "it is cut off"), ("dwg", "AC1027\0\0\0", "cannot import 'bad.dxf': it is an AutoCAD drawing (DWG); import reads DXF and IFC. Save it as DXF"),
                               ("obj", "v 0 0 0\nv 1 0 0\n", "it is an OBJ mesh; import reads DXF and IFC. Use it as <room file="),
                               ("words", "words\n", "it is neither DXF nor IFC (line 1: "),
                               ("no unit", drawing({}, 0), "24 m2 in mm"), ("wrong unit", drawing({}, 1), "unlikely")):

@@ -30,26 +30,25 @@ AdviceJson indices(const std::vector<std::size_t>& list) {
 
 JsonKeys requirement_keys(const AdvisedRequirement& one, bool has_levels) {
   const rules::Requirement& requirement = one.before.requirement;
-  return {
-      {"space", one.space, type_of("string")},
-      {"plane", requirement.plane_id, type_of("string")},
-      {"id", requirement.id, type_of("string")},
-      {"quantity", calc::name_of(requirement.metric), type_of("string")},
-      {"comparison", calc::name_of(requirement.comparison), one_of_names<rules::Comparison>()},
-      {"limit", number_or_null(requirement.limit), number_or_null_type()},
-      {"unit", rules::unit_of(requirement), type_of("string")},
-      {"clause", requirement.clause.english(), type_of("string")},
-      {"is_searched", one.not_searched.empty(),
-       described_key(type_of("boolean"), "Whether it is a condition of the search.")},
-      {"not_searched", one.not_searched.english(),
-       described_key(type_of("string"), "Why it is not a condition."), false,
-       !one.not_searched.empty()},
-      {"before", object_of_keys(finding_keys(one.before)), schema_of_keys(finding_keys({}))},
-      {"after", object_of_keys(finding_keys(one.after)),
-       schema_of_keys(finding_keys({}),
-                      "With the levels, by other random numbers; of more-light by the same light. "
-                      "Only where there are levels."),
-       false, has_levels}};
+  return {{"space", one.space, type_of("string")},
+          {"plane", requirement.plane_id, type_of("string")},
+          {"id", requirement.id, type_of("string")},
+          {"quantity", calc::name_of(requirement.metric), type_of("string")},
+          {"comparison", calc::name_of(requirement.comparison), one_of_names<rules::Comparison>()},
+          {"limit", number_or_null(requirement.limit), number_or_null_type()},
+          {"unit", rules::unit_of(requirement), type_of("string")},
+          {"clause", requirement.clause.english(), type_of("string")},
+          {"is_searched", one.not_searched.empty(),
+           described_key(type_of("boolean"), "Whether it is a condition of the search.")},
+          {"not_searched", one.not_searched.english(),
+           described_key(type_of("string"), "Why it is not a condition."), false,
+           !one.not_searched.empty()},
+          {"before", object_of_keys(finding_keys(one.before)), schema_of_keys(finding_keys({}))},
+          {"after", object_of_keys(finding_keys(one.after)),
+           schema_of_keys(finding_keys({}),
+                          "With the levels, by other random numbers; with more-light by the same "
+                          "light. Only where there are levels."),
+           false, has_levels}};
 }
 
 JsonKeys group_keys(const AdvisedGroup& group, bool has_levels) {
@@ -60,7 +59,7 @@ JsonKeys group_keys(const AdvisedGroup& group, bool has_levels) {
       {"power_w", group.power_w, at_least_type("number", 0)},
       {"flux_lm", group.flux_lm, at_least_type("number", 0)},
       {"energy_kwh", group.energy_kwh,
-       described_key(at_least_type("number", 0), "Of a year, by the rooms that state their use."),
+       described_key(at_least_type("number", 0), "For a year, by the rooms that state their use."),
        false, group.energy_kwh > 0.0},
       {"level_now", group.now, at_least_type("number", 0)},
       {"level", group.level,
@@ -92,8 +91,8 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
       {"is_all_met", has_levels && advice.is_all_met(),
        described_key(type_of("boolean"),
                      "There are levels, and all requirements of the scene pass with them.")},
-      {"reason", advice.reason.english(), described_key(type_of("string"), "Of none-found."), false,
-       !advice.reason.empty()},
+      {"reason", advice.reason.english(), described_key(type_of("string"), "Only with none-found."),
+       false, !advice.reason.empty()},
       {"unit", calc::name_of(advice.unit),
        described_key(one_of_names<CostUnit>(),
                      "The unit of costs: lumens where the power of a luminaire is not known, kWh a "
@@ -118,12 +117,12 @@ JsonKeys scene_keys(const SceneAdvice& advice) {
        list_of_keys(schema_of_keys(requirement_keys({}, true)))},
       {"limits", list_by_keys(advice.limits, limit_keys),
        described_key(list_of_keys(schema_of_keys(limit_keys({}))),
-                     "What holds the least cost up, dearest first; empty where the levels are not "
-                     "the least ones.")},
+                     "Limits that decide the least cost, most expensive first; empty if the levels "
+                     "are not the least ones.")},
       {"raised_for", indices(advice.raised_for),
        described_key(list_of_keys(index_type()),
-                     "Requirements that take no part in the search and would not be met with the "
-                     "least cost, so that the levels are higher.")},
+                     "Requirements outside the search that the least cost would not meet, so that "
+                     "the levels are higher.")},
       {"aggregates_not_met", advice.aggregates_not_met,
        described_key(list_of_keys(type_of("string")),
                      "Aggregates, classes and sums of rule packs that do not pass with the levels "
@@ -141,14 +140,14 @@ JsonKeys package_light_keys(const PackageLight& light) {
                          "Empty: what the photometry file or the project states without one.")},
           {"flux_lm", light.flux_lm, at_least_type("number", 0)},
           {"power_w", light.power_w,
-           described_key(at_least_type("number", 0), "Of one luminaire; 0: not known.")}};
+           described_key(at_least_type("number", 0), "Power of one luminaire; 0: not known.")}};
 }
 
 JsonKeys package_type_keys(const AdvisedPackage& type) {
   return {{"type", type.type, type_of("string")},
           {"luminaires", type.luminaires, at_least_type("integer", 0)},
           {"where_nothing_is_asked", type.where_nothing_is_asked,
-           described_key(at_least_type("integer", 0), "Of them; they change as well.")},
+           described_key(at_least_type("integer", 0), "Of these luminaires; they change as well.")},
           report::object_key("now", package_light_keys(type.now)),
           report::object_key("advised", package_light_keys(type.advised))};
 }
@@ -162,10 +161,9 @@ JsonKeys package_keys(const PackageAdvice& advice) {
       {"combinations", advice.combinations, at_least_type("integer", 0)},
       {"not_excluded", advice.not_excluded,
        described_key(at_least_type("integer", 0),
-                     "Of those that take less: not found to be enough, and not surely too "
-                     "little either.")},
+                     "Undecided combinations among those that need less.")},
       {"now", advice.now,
-       described_key(at_least_type("number", 0), "Of all luminaires of these types.")},
+       described_key(at_least_type("number", 0), "Sum over all luminaires of these types.")},
       {"advised", advice.advised, at_least_type("number", 0), false, is_found},
       {"is_as_now", is_found && advice.is_as_now(), type_of("boolean")},
       {"types", list_by_keys(advice.types, package_type_keys),
@@ -187,7 +185,7 @@ JsonKeys package_keys(const PackageAdvice& advice) {
       {"passing_now", advice.passing_now, at_least_type("integer", 0)},
       {"passing", advice.passing,
        described_key(at_least_type("integer", 0),
-                     "Of all scenes and rooms, by other random numbers."),
+                     "In all scenes and rooms, by other random numbers."),
        false, is_found},
       {"asked", advice.asked, at_least_type("integer", 0), false, is_found}};
 }

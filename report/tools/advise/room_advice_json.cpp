@@ -24,7 +24,7 @@ JsonKey problem_key(const std::string& problem, const char* words) {
 }
 JsonKey unit_key(bool is_by_flux) {
   return {"unit", is_by_flux ? "lm" : "W",
-          described_key({{"enum", {"lm", "W"}}}, "Of what luminaires cost.")};
+          described_key({{"enum", {"lm", "W"}}}, "Unit of the cost of luminaires.")};
 }
 
 AdviceJson findings_type() {
@@ -59,7 +59,7 @@ JsonKeys place_keys(const AdvisedPlace& place) {
           {"cost", place.cost, at_least_type("number", 0)},
           {"share", place.share,
            described_key({{"type", "number"}, {"minimum", 0}, {"maximum", 1}},
-                         "Of what lacks, by the lower ends of gains.")},
+                         "Share of the missing light, by the lower ends of gains.")},
           {"gain_lx", gains_json(place.gain_lx), gains_type("As many as requirements.")}};
 }
 
@@ -72,11 +72,12 @@ JsonKeys checked_keys(const CheckedPlaces& checked) {
           problem_key(checked.problem, "Why it could not be checked."),
           {"after", list_by_keys(checked.after, finding_keys), findings_type(), false, is_checked},
           {"passing", checked.passing,
-           described_key(count_type(), "Of all that count in the scene, in all rooms."), false,
-           is_checked},
+           described_key(count_type(), "Requirements that count in the scene, in all rooms."),
+           false, is_checked},
           {"asked", checked.asked, count_type(), false, is_checked},
-          {"broken", checked.broken, described_key(text_list(), "What passed and no longer does."),
-           false, is_checked}};
+          {"broken", checked.broken,
+           described_key(text_list(), "Requirements that passed before and no longer do."), false,
+           is_checked}};
 }
 
 JsonKeys turn_keys(const AdvisedTurn& turn) {
@@ -87,13 +88,14 @@ JsonKeys turn_keys(const AdvisedTurn& turn) {
           {"turn_deg", turn.turn_deg,
            described_key(type_of("number"), "About its axis, counter-clockwise seen from behind.")},
           {"tilt_deg", turn.tilt_deg,
-           described_key(type_of("number"), "Of its axis, towards a C plane of its own.")},
+           described_key(type_of("number"), "Tilt of its axis, towards one of its C planes.")},
           {"tilt_to_deg", turn.tilt_to_deg, described_key(type_of("number"), "That C plane.")},
           {"c0", vector_json(turn.place.c0), vector_type()},
           {"axis", vector_json(turn.place.axis), vector_type()},
           {"share", turn.place.share,
-           described_key(type_of("number"),
-                         "Of what lacks, by the lower ends of gains; losses count against it.")},
+           described_key(
+               type_of("number"),
+               "Share of the missing light, by the lower ends of gains; losses count against it.")},
           {"gain_lx", gains_json(turn.place.gain_lx), gains_type("As many as requirements.")}};
 }
 
@@ -116,8 +118,8 @@ JsonKeys surface_keys(const LighterSurface& surface) {
   return {{"surface", surface.surface, type_of("string")},
           {"reflectance", surface.reflectance, described_key(type_of("number"), "By area.")},
           {"slope_lx", gains_json(surface.slope_lx),
-           gains_type("What the step would add if it went on as it begins.")},
-          {"step_lx", gains_json(surface.step_lx), gains_type("What the step adds.")},
+           gains_type("Gain of the step, extrapolated from its start.")},
+          {"step_lx", gains_json(surface.step_lx), gains_type("Gain of the step.")},
           {"is_checked", is_checked, type_of("boolean")},
           problem_key(surface.problem, "Why it was not."),
           {"after", list_by_keys(surface.after, finding_keys), findings_type(), false, is_checked}};
@@ -145,8 +147,8 @@ JsonKeys room_places_keys(const RoomPlaces& room) {
           {"best", list_by_keys(room.best, checked_keys),
            described_key(list_of_keys(schema_of_keys(checked_keys({}))), "One luminaire more.")},
           {"together", object_of_keys(checked_keys(room.together.value_or(CheckedPlaces{}))),
-           schema_of_keys(checked_keys({}), "As many as it takes, by the same light."), false,
-           room.together.has_value()}};
+           schema_of_keys(checked_keys({}), "As many luminaires as needed, by the same light."),
+           false, room.together.has_value()}};
 }
 
 JsonKeys room_spare_keys(const RoomSpare& room) {
@@ -159,7 +161,7 @@ JsonKeys room_spare_keys(const RoomSpare& room) {
           {"asked", room.asked, count_type()},
           {"luminaires", list_by_keys(room.luminaires, spare_luminaire_keys),
            described_key(list_of_keys(schema_of_keys(spare_luminaire_keys({}))),
-                         "That can go together.")}};
+                         "Luminaires that can be removed together.")}};
 }
 
 JsonKeys room_turns_keys(const RoomTurns& room) {
@@ -175,7 +177,7 @@ JsonKeys room_turns_keys(const RoomTurns& room) {
           {"asked", room.asked, count_type()},
           {"turns", list_by_keys(room.turns, turn_keys),
            described_key(list_of_keys(schema_of_keys(turn_keys({}))),
-                         "That surely mend a hundredth of what lacks, best first.")},
+                         "Those that surely add a hundredth of the missing light, best first.")},
           {"best", list_by_keys(room.best, checked_turns_keys),
            described_key(list_of_keys(schema_of_keys(checked_turns_keys({}))), "One of them.")},
           {"together", object_of_keys(checked_turns_keys(room.together.value_or(CheckedTurns{}))),

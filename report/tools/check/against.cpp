@@ -55,8 +55,8 @@ std::string folder_in(const git::GitTreeReader& repository, const std::string& f
 
 std::string too_many_files(const std::string& folder) {
   return fmt::format(
-      "'{}' cannot be looked through as it was in this revision: it has more than {} "
-      "files, or folders that are not among the repository's objects",
+      "'{}' of this revision cannot be searched: it has more than {} files, or folders that are "
+      "not among the repository's objects",
       folder, git::GitTreeReader::kMostListed);
 }
 

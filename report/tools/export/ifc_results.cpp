@@ -240,7 +240,7 @@ class ResultsWriter {
     }
     add_run();
     if (next_ - 1 > kLargestStepNumber) {
-      return fail("its instances have numbers so large that none is left for results");
+      return fail("its instance numbers are so large that no number is left for results");
     }
     notes_of_units();
     const std::size_t end = text_.data_end();
@@ -290,7 +290,7 @@ class ResultsWriter {
       if (!text_at(set, 2).starts_with(kIfcSetPrefix)) continue;
       fail(fmt::format(
           "#{}, line {}: the property set '{}' is of an earlier export, and another program has "
-          "written it since, so that it cannot be taken out safely; give the model without sets "
+          "written it since, so that it cannot be removed safely; give the model without sets "
           "whose names begin with {}",
           text_.number(set), text_.line(set), calc::shorten_utf8(printable(text_at(set, 2)), 60),
           kIfcSetPrefix));
@@ -417,8 +417,8 @@ class ResultsWriter {
       } else if (!found->second->hole_m.empty()) {
         // A result has what stands in them as solids, and nobody says which these were.
         placed.doubt = fmt::format(
-            "the room of the model has holes in its floor ({}), and whether they are those of the "
-            "result is not known",
+            "the room of the model has holes in its floor ({}), which may not be those of the "
+            "result",
             found->second->hole_m.size());
         unknown.push_back(name);
       } else if (!found->second->doubt.empty()) {
@@ -670,7 +670,7 @@ class ResultsWriter {
                             b[3].enumeration() == "LUX";
         if (!is_lux) {
           with_.notes.push_back(fmt::format(
-              "#{}: the model's own unit of illuminance is not lux; results name lux themselves",
+              "#{}: the unit of illuminance of the model is not lux; the results state lux",
               text_.number(*unit)));
         }
       }
@@ -699,7 +699,7 @@ std::optional<std::string> without_block(std::string_view model, const StepText&
   StepProblem unread;
   const std::optional<StepText> left = StepText::open(rest, unread);
   if (!left) {
-    problem = "without the results of an earlier export it cannot be read: " + unread.what;
+    problem = "it cannot be read without the results of an earlier export:  " + unread.what;
     return std::nullopt;
   }
   for (std::uint32_t i = 0; i < left->size(); ++i) {

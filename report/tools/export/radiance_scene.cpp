@@ -221,7 +221,7 @@ those that luxgate calls maintained.
       "gamma) from each "
       "side that the photometry lights. Points are lifted by {} m along their normals, off the "
       "surfaces they may lie "
-      "in. In Radiance a source hides what lies behind it, in luxgate only one with a "
+      "in. In Radiance a source hides objects behind it, in luxgate only a source with a "
       "`<housing>`: large openings "
       "before a bright ceiling take some of the reflected light away.\n",
       number(kPointRadius_m), number(kLift_m));

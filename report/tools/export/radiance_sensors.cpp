@@ -92,13 +92,15 @@ std::string sum_words(const calc::SensorGrid& grid) {
     case calc::ReceiverKernel::semicylindrical:
       return fmt::format(
           "semicylindrical illuminance is the mean of {} upright planes all around, plus 1 / pi of "
-          "the plane that looks along the axis, less 1 / pi of the one that looks back: off by at "
+          "the plane that faces along the axis, less 1 / pi of the plane that faces back: off by "
+          "at "
           "most {} of the cylindrical illuminance",
           kAround, kAroundError);
     case calc::ReceiverKernel::hemispherical:
       return fmt::format(
           "hemispherical illuminance is the mean of {} planes all over a sphere, plus a quarter of "
-          "the plane that looks along the axis, less a quarter of the one that looks back: off by "
+          "the plane that faces along the axis, less a quarter of the plane that faces back: off "
+          "by "
           "at most {} of the scalar illuminance",
           kOverSphere, kSphereError);
     case calc::ReceiverKernel::scalar:

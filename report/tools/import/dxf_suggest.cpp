@@ -104,7 +104,7 @@ std::string suggest_map(const DxfDrawing& drawing, const std::string& file) {
 
   std::string text = fmt::format(
       "# A map for 'luxgate import {0}': remove the # from the parts that you need, and fill in\n"
-      "# what no drawing knows. Patterns: * and ? stand for any characters.\n\n",
+      "# facts that no drawing has. Patterns: * and ? match any characters.\n\n",
       calc::printable(std::filesystem::path(file).filename().string()));
   if (!problem.empty()) text += fmt::format("# Not all of it was read: {}.\n", problem);
   text += fmt::format("# The drawing's unit; its header ($INSUNITS) has {}.\n# unit = \"mm\"\n",

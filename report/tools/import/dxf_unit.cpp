@@ -78,7 +78,7 @@ ImportUnit choose_unit(const std::string& stated, const std::string& stated_by,
                                        area_units.size(), areas_in_units(median_of(area_units)));
   if (is_dialux) {
     unit.problem = fmt::format(
-        "the unit is not known: {}, and DIALux says there what it does not mean; {}; {}",
+        "the unit is not known: {}, and in files of DIALux this value is not reliable; {}; {}",
         header_words(header), sizes, ask);
   } else if (by_header.empty() || area_units.empty()) {
     unit.problem =

@@ -178,7 +178,7 @@ std::optional<std::string> suggest_ifc_map(std::string_view bytes, const std::st
   if (!design) return std::nullopt;
   std::string text = fmt::format(
       "# A map for 'luxgate import {}': remove the # from the parts that you need, and fill in\n"
-      "# what no model knows. Patterns: * and ? stand for any characters.\n\n"
+      "# facts that no model has. Patterns: * and ? match any characters.\n\n"
       "# The model's unit is {} ({}).\n# unit = \"mm\"\n",
       calc::printable(std::filesystem::path(file).filename().string()),
       calc::printable(design->unit), calc::printable(design->unit_reason));

@@ -33,7 +33,7 @@ struct MapKey {
 };
 constexpr std::array kKeys = {
     MapKey{"", "unit", MapValue::text, false, 0, 0,
-           "m, cm, mm, in or ft: the unit of the drawing. Beats what the file says"},
+           "m, cm, mm, in or ft: the unit of the drawing. It overrides the file"},
     MapKey{"", "name", MapValue::text, false, 0, 0, "of the project"},
     MapKey{"", "ignore", MapValue::texts, false, 0, 0, "layers that are not read"},
     MapKey{"room", "layer", MapValue::text, false, 0, 0,
@@ -52,7 +52,7 @@ constexpr std::array kKeys = {
            "a photometry file, from the folder of the map; copied beside the project"},
     MapKey{"luminaire", "height", MapValue::heights, true, 0.0, 1000.0,
            "metres above the floor, or \"z\": as in the drawing, or \"attribute:NAME\" in the "
-           "drawing's unit; a list: the first that says something"},
+           "drawing's unit; a list: the first with a value"},
     MapKey{"luminaire", "group", MapValue::text, false, 0, 0,
            "name of an attribute: its value is the dimming group"},
     MapKey{"luminaire", "turn", MapValue::number, false, -360.0, 360.0,

@@ -468,7 +468,7 @@ std::optional<StepText> StepText::open(std::string_view bytes, StepProblem& prob
   } else if (start.starts_with("<")) {
     problem = {0, "this is XML; IFC is read as STEP text, which begins with ISO-10303-21"};
   } else if (calc::has_utf16_mark(bytes)) {
-    problem = {0, "this is UTF-16; STEP text is bytes"};
+    problem = {0, "this is UTF-16; STEP text must be single bytes"};
   } else if (begun.size() >= std::numeric_limits<std::uint32_t>::max()) {
     problem = {0, "the file has more than 4 GiB"};
   } else {

@@ -107,7 +107,7 @@ std::string space_text(const check::SpacePlan& space, const calc::RadiositySetti
   for (const calc::Message& note : space.notes) {
     text += "    " + report::printable(note.english()) + "\n";
   }
-  text += decisions(space, calc::SkipState::applies, "left out");
+  text += decisions(space, calc::SkipState::applies, "omitted");
   text += decisions(space, calc::SkipState::not_proved, "not omitted: no proof");
   text +=
       decisions(space, calc::SkipState::while_calculating, "omitted if the calculation proves it");

@@ -426,7 +426,7 @@ std::vector<SelftestCase> files_cases() {
           {"lm63-symmetries", "files", "LM-63 that leaves planes out", law, lm63_symmetries},
           {"eulumdat-symmetries", "files", "EULUMDAT of each symmetry", law, eulumdat_symmetries},
           {"factors", "files", "Multiplier, ballast factor and another flux", law, factors},
-          {"openings", "files", "Which way an opening's length lies, from nearby", "[Lambert1760]",
+          {"openings", "files", "Direction of an opening's length, from nearby", "[Lambert1760]",
            openings},
           {"places", "files", "Grids, lines, rings and assemblies of luminaires",
            "inverse square and cosine law", places},

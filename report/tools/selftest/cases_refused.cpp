@@ -65,7 +65,7 @@ CaseResult bad_input(const Effort&) {
   };
   expect("plane with a normal of zero", "parallel-vectors",
          "<plane id=\"p\" origin=\"0 0 0\" u=\"2 0 0\" v=\"4 0 0\" count=\"3 3\"/>", good);
-  expect("plane of which no point is left", "grid-without-points",
+  expect("plane without any point left", "grid-without-points",
          "<plane id=\"p\" origin=\"-0.5 -0.5 0.5\" u=\"1 0 0\" v=\"0 1 0\" count=\"2 2\"/>", good);
   expect("photometry with one vertical angle", "photometry", plane, lm63("0", "100", 1));
   expect("photometry with angles that go back", "photometry", plane,

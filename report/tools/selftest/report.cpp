@@ -57,7 +57,8 @@ const std::vector<std::string>& not_covered() {
       "Daylight (CIE 171:2006, 5.9 to 5.14): luxgate has no sky and no sun",
       "Transmission through glass (5.5): luxgate has no transparent surfaces",
       "Measured rooms (CIE 171:2006, 4.1 to 4.6): their photometry and readings are not public",
-      "The second distribution of 5.2: its table was not seen; an own asymmetric one stands for it",
+      "The second distribution of 5.2: its table is not public; an asymmetric one of our own is "
+      "used",
       "Gloss and mirrors: all surfaces are diffuse"};
   return list;
 }
@@ -104,7 +105,7 @@ std::string render_report_markdown(const RunResult& result, bool has_timing) {
       "{} numbers, {}. {}\n\nEvery case is a situation whose light is known exactly: by a "
       "closed form, by quadrature or by a matrix solution\nthat shares nothing with the "
       "calculation. The row shows the number that is furthest off; the HTML report has all.\n"
-      "\"in\": the exact value lies in our interval, at a level that all numbers together miss in "
+      "\"in\": the exact value is in our interval, at a level that all numbers together miss in "
       "fewer than one of a thousand\nseeds. {}.\n",
       result.cases.size(), result.numbers(), seeds_words(result),
       result.wrong() == 0 ? "All are right." : fmt::format("{} are OUT.", result.wrong()),

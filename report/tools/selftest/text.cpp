@@ -152,7 +152,7 @@ std::string seeds_words(const RunResult& result) {
 }
 
 std::string coverage_words(const RunResult& result) {
-  std::string text = fmt::format("{} sampled numbers, {} of them in their stated 95 % interval",
+  std::string text = fmt::format("{} sampled numbers: {} lie in their stated 95 % interval",
                                  result.sampled(), result.held());
   if (result.seeds == 1) return text;
   text += fmt::format(" ({:.1f} %)", 100.0 * result.held() / std::max(1, result.sampled()));

@@ -49,8 +49,8 @@ std::string head(const BatchJob& job) {
     text += "#   bash job.sh wait       the same, and waits for the closing job\n";
   }
   return text +
-         "#   bash job.sh shard 3    calculates shard 3 into the store\n"
-         "#   bash job.sh close      reports from the store; its exit code is the batch's\n"
+         "#   bash job.sh shard 3    calculates shard 3 into the result cache\n"
+         "#   bash job.sh close      reports from the result cache; its exit code is the batch's\n"
          "# The same command completes what was interrupted: light in the result cache is only "
          "read.\n";
 }

@@ -44,9 +44,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSubmitNotes =
-    "Shards calculate into the store, and the closing job writes the reports from it. The\n"
+    "Shards calculate into the result cache, and the closing job writes the reports from it. The\n"
     "reports have the bytes of a run on one machine. The same command again completes what\n"
-    "was cut off: what is in the store is read, not calculated. Store, job folder, projects\n"
+    "was cut off: light in the cache is read, not calculated. Cache, job folder, projects\n"
     "and luxgate must have the same paths on all machines. Where only some machines have a\n"
     "GPU, set --backend. Each batch has its own folder in the job folder, which may be\n"
     "deleted later. All other options are those of 'check'; options of reports apply to the\n"
@@ -321,12 +321,12 @@ Command submit_command() {
        "predicted first rounds are taken for a quarter of the work",
        whole_number(options->shards, 1, 1'000'000)},
       {"--job-folder", "DIR",
-       "Write the script, lists and logs into this folder; default the name of the store with "
+       "Write the script, lists and logs into this folder; default the name of the cache with "
        "'-job'. It is made if needed",
        some_text(options->job_folder)},
       jobs_option(options->jobs),
       {"--closing-jobs", "N",
-       "Use N threads in the closing job, which mostly wait for the store; 1 to 1024. By default "
+       "Use N threads in the closing job, which mostly wait for the cache; 1 to 1024. By default "
        "as many as a shard with slurm, otherwise one per core. With slurm it is also the number of "
        "cores that are requested",
        whole_number(options->closing_jobs, 1, 1024)},

@@ -43,7 +43,7 @@ constexpr std::size_t kMostLogged = 100;
 
 constexpr const char* kSweepNotes =
     "All combinations are checked, the last --vary fastest. What a change does not affect\n"
-    "comes from the store, or from memory. Limits, dimming and maintenance factors need no\n"
+    "comes from the result cache, or from memory. Limits, dimming and maintenance factors need no\n"
     "new calculation.\n\n"
     "A margin is (value - limit) / limit, with the sign changed for upper limits, so that\n"
     "more than 0 is good. The margin of a variant is the smallest of all requirements that\n"
@@ -431,7 +431,7 @@ Command sweep_command() {
       {kAllMet, "done: every variant was judged, whatever its verdict"},
       {kNotJudged,
        "usage, input or file error, or a variant that could not be judged (with --stored-only: "
-       "whose light is not in the store)"},
+       "whose light is not in the cache)"},
       {kInterrupted, "interrupted; finished light is in --store"}};
   command.most_used = {"--vary", "--set",    "--rules", "--front", "--goal",
                        "--jobs", "--format", "--json",  "--store", "--quiet"};

@@ -54,11 +54,11 @@ TEST(ConvergeOptions, BadOnesAreRefused) {
     return result.err;
   };
   EXPECT_THAT(problem({"--methods", "core,radiance"}), HasSubstr("radiance"));
-  EXPECT_THAT(problem({"--methods", "core,core"}), HasSubstr("named twice"));
+  EXPECT_THAT(problem({"--methods", "core,core"}), HasSubstr("given twice"));
   EXPECT_THAT(problem({"--methods", ""}), HasSubstr("core"));
   EXPECT_THAT(problem({"--methods", "shadow-map:100"}), HasSubstr("power of two from 16 to 2048"));
   EXPECT_THAT(problem({"--methods", "shadow-map:N"}), HasSubstr("power of two"));
-  EXPECT_THAT(problem({"--methods", "shadow-map:64,core,shadow-map:64"}), HasSubstr("named twice"));
+  EXPECT_THAT(problem({"--methods", "shadow-map:64,core,shadow-map:64"}), HasSubstr("given twice"));
   EXPECT_THAT(problem({"--gl-device", "0"}), HasSubstr("gpu and shadow-map:N"));
   EXPECT_THAT(problem({"--min-paths", "100"}), HasSubstr("power of two"));
   EXPECT_THAT(problem({"--min-paths", "256", "--max-paths", "64"}), HasSubstr("less than"));

@@ -313,7 +313,7 @@ TEST(IfcResults, ARoomOfAnotherShapeIsDoubted) {
   const Written other(model(), document);
   EXPECT_FALSE(other.with->is_all);
   EXPECT_EQ(other.words(kRoom, "Verdict"), "pass, but see Doubt");
-  EXPECT_THAT(other.words(kRoom, "Doubt"), HasSubstr("another outline"));
+  EXPECT_THAT(other.words(kRoom, "Doubt"), HasSubstr("different outlines"));
 }
 
 TEST(IfcResults, HolesOfTheModelAreDoubted) {
@@ -368,7 +368,7 @@ TEST(IfcResults, RefusalsHaveReasons) {
   EXPECT_THAT(problem(model(), twice), HasSubstr("two results"));
   std::string large = model();
   large.insert(large.find("#700="), "#999999999999999999=IFCLABEL();");
-  EXPECT_THAT(problem(large, result()), HasSubstr("none is left"));
+  EXPECT_THAT(problem(large, result()), HasSubstr("no number is left"));
   std::string same = model();
   same.replace(same.find("'1F'"), 4, "'" + std::string(kSpace) + "'");
   EXPECT_THAT(problem(same, result()), HasSubstr("two spaces"));

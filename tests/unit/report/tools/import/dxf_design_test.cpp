@@ -163,7 +163,7 @@ TEST(DxfDesign, PartsAtOnePlaceAreOneLuminaire) {
   text.insert("LUM_A", "L", 1000, 1001, 2500, "C").end();
   const cli::Design made = design(text.whole(), a_map());
   EXPECT_EQ(made.luminaire.size(), 2u);
-  EXPECT_TRUE(has_note(made, NoteKind::taken, "parts of one luminaire"));
+  EXPECT_TRUE(has_note(made, NoteKind::taken, "parts of a luminaire"));
 }
 
 TEST(DxfDesign, TurnsAndMirrorsAreKept) {

@@ -118,7 +118,7 @@ TEST(IfcDesign, PlacesStandOnOneAnother) {
 TEST(IfcDesign, PlacesInACircleAreRefused) {
   std::string data = kRoom;
   data.replace(data.find("IFCLOCALPLACEMENT($,"), 20, "IFCLOCALPLACEMENT(#800,");
-  EXPECT_THAT(notes(read(data), "or a circle"), ElementsAre("left out: 1 x IFCSPACE"));
+  EXPECT_THAT(notes(read(data), "or refers to itself"), ElementsAre("left out: 1 x IFCSPACE"));
 }
 
 TEST(IfcDesign, FarOriginsAreTakenAway) {
@@ -263,7 +263,7 @@ TEST(IfcDesign, FurnitureIsTheBoxAroundItsType) {
 TEST(IfcDesign, WhatIsPassedOverIsCounted) {
   const Design design = read(kRoom + "#30=IFCWINDOW();#31=IFCWINDOW();#32=IFCWALL();");
   EXPECT_THAT(notes(design, "no daylight"), ElementsAre("not asked: 2 x IFCWINDOW"));
-  EXPECT_THAT(notes(design, "stands in it"), ElementsAre("not asked: 1 x IFCWALL"));
+  EXPECT_THAT(notes(design, "other objects in it"), ElementsAre("not asked: 1 x IFCWALL"));
   EXPECT_THAT(notes(read(""), "no IFCSPACE"), ElementsAre("left out: 1 x rooms"));
 }
 

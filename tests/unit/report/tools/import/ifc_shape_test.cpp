@@ -108,7 +108,7 @@ TEST(IfcShape, APolylineMayRunEitherWayAndHaveHoles) {
       ifc_extrusion("#11=IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$,#12,(#13));"
                     "#12=IFCPOLYLINE((#20,#21,#22,#23,#20));#13=IFCPOLYLINE((#30,#31,#32,#30));" +
                     corners + points(30, "9000.,1000.;9500.,1000.;9500.,2000.")));
-  EXPECT_THAT(outside.why, HasSubstr("lies outside"));
+  EXPECT_THAT(outside.why, HasSubstr("is outside"));
 }
 
 TEST(IfcShape, AnOpenOutlineIsClosedAndThatIsSaid) {

@@ -46,8 +46,8 @@ TEST(ImportKind, DrawingsAndModelsAreRead) {
 }
 
 TEST(ImportKind, WhatIsNotKnownAsDxfIsSaidToBeNeither) {
-  EXPECT_EQ(cli::unread_drawing("0\nSECTION\n", "a.dxf", "line 3: it was cut"),
-            "line 3: it was cut");
+  EXPECT_EQ(cli::unread_drawing("0\nSECTION\n", "a.dxf", "line 3: it is cut off"),
+            "line 3: it is cut off");
   EXPECT_EQ(cli::unread_drawing("words", "a.dxf", "line 1: a group code"),
             "cannot import 'a.dxf': it is neither DXF nor IFC (line 1: a group code)");
 }
