@@ -1,5 +1,5 @@
 #pragma once
-// What a project asks of the rooms of its buildings together.
+// Reads what a project requires of the rooms of its buildings together.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -10,8 +10,8 @@
 
 namespace rules {
 
-// In the order of the file. Everything that is not understood is reported, and what is not about
-// rooms together; what has an error is left out, and the result should then not be judged.
+// Returns the requirements in file order. Reports anything not understood or not about rooms
+// together; such requirements are missing from the result, which should then not be judged.
 std::vector<BuildingQuestion> bind_buildings(const calc::Project& project,
                                              const std::vector<RulePack>& packs,
                                              calc::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// Colour rendering of a space's luminaires: no calculation has it, their makers state it.
+// Colour rendering of a space's luminaires: it is not calculated, manufacturers state it.
 
 #include "calc/base/message.h"
 #include "calc/scene/project.h"
@@ -10,13 +10,13 @@
 
 namespace rules {
 
-// Of Metric::colour_rendering: the least Ra that the photometry of the luminaires states which are
-// on, or why nobody can say whether the limit is met: one of them states none or a range with the
-// limit in it. scene: null, and all are on.
+// Sets the value of Metric::colour_rendering: the least Ra that the photometry of the luminaires in
+// use states. Otherwise sets the problem: a luminaire states none, or a range that contains the
+// limit. scene: null = all luminaires are on.
 void set_colour_rendering(const calc::Project& project, const calc::Space& space,
                           const calc::LightScene* scene, Requirement& requirement);
 
-// Why it does not decide such a limit in a light scene by name, see RenderingProblem; "" = it does.
+// Returns why the limit cannot be decided in this light scene, see RenderingProblem; "" = it can.
 calc::Message rendering_problem(const calc::Project& project, const calc::Space& space,
                                 const std::string& scene, Comparison comparison, double limit);
 

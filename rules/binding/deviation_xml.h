@@ -1,6 +1,6 @@
 #pragma once
-// <deviation>: a project says that a plane is not quite the one that a standard's number is about,
-// and that somebody lives with it.
+// <deviation>: a project states that a plane differs from the plane that a standard's number is
+// about, and that this is accepted.
 
 #include "calc/base/element_table.h"
 #include "calc/base/xml_reader.h"
@@ -12,14 +12,15 @@
 
 namespace rules {
 
-// As the tables of the project file would have it, which know no rules.
+// Returns the row for the tables of the project file, which do not know rules.
 const calc::ElementRow& deviation_element();
 
-// Those that stand in `parent`, a <require> or a <workplace>. role: of a workplace's plane, whose
-// deviations name it; "" in a <require>, whose do not. Each aspect counts once.
+// Returns the deviations in `parent`, a <require> or a <workplace>. role: role of a workplace's
+// plane, which its deviations name; "" in a <require>, whose deviations name none. Each aspect
+// counts once.
 std::vector<StatedDeviation> read_deviations(calc::ElementReader& parent, const std::string& role);
 
-// Reports deviations of a workplace that name no role of the pack.
+// Reports deviations of a workplace whose role is not in the pack.
 void check_deviation_roles(calc::ElementReader& workplace, const RulePack& pack);
 
 }  // namespace rules

@@ -1,5 +1,5 @@
 #pragma once
-// A project as it is judged: read, with the planes of its workplaces, and what is required of them.
+// A project ready to be judged: with the planes of its workplaces and all requirements.
 
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
@@ -21,8 +21,8 @@ struct JudgedProject {
   std::vector<BuildingQuestion> buildings;  // see bind_buildings()
 };
 
-// Empty if and only if there is an error. All errors of the file are reported, those of shapes and
-// those of requirements, in the order of its lines.
+// Returns the project; empty exactly if there is an error. All errors of the file, in shapes and in
+// requirements, are reported in the order of its lines.
 std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
                                                  const std::string& path,
                                                  const std::vector<RulePack>& packs,

@@ -1,6 +1,6 @@
 #pragma once
-// What is required of luminaires as such: their light upwards, towards points and at glaring
-// angles, and how near they are. No light of points is in it.
+// Requirements on luminaires as such: their light upwards, towards points and at glaring angles,
+// and their distances. They use no illuminance of points.
 
 #include "calc/base/field.h"
 #include "calc/glare/luminaires_seen.h"
@@ -13,19 +13,19 @@
 
 namespace rules {
 
-// Of a plane, as its grid has them.
+// The points of a plane's grid.
 struct PlanePoints {
   std::vector<glm::dvec3> position_m, normal;
 };
 
-// Of any azimuth, from the downward vertical.
+// Angles from the downward vertical, at any azimuth.
 struct AngleZone {
   double from_deg, to_deg;
   auto operator<=>(const AngleZone&) const = default;
 };
 
-// What is known of a space's luminaires in a scene of the project, or at full output (""); asked
-// for only if it is needed.
+// Facts about a space's luminaires in a scene of the project, or at full output (""). The functions
+// are called only if their facts are needed.
 struct LuminaireFacts {
   const calc::Project& project;
   const calc::Space& space;
@@ -36,7 +36,7 @@ struct LuminaireFacts {
   std::function<const PlanePoints&()> points;
 };
 
-// Of a metric that is_of_luminaires(): its value, with words, or why there is none.
+// Sets the value of a metric that is_of_luminaires() with words, or why there is none.
 void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement);
 
 }  // namespace rules

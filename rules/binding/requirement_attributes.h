@@ -1,7 +1,7 @@
 #pragma once
-// The grammar of <require> in one table: its attributes, where each belongs, what each may hold
-// whatever the others say, and a sentence about it. The reader and the project's schema are made
-// from it. What attributes mean together is not here but in requirement_reader.cpp.
+// The grammar of <require> in one table: each attribute with its form, its possible values and a
+// sentence about it. The reader and the project's schema are made from it. Rules between attributes
+// are in requirement_reader.cpp.
 
 #include "calc/base/element_table.h"
 #include "calc/base/xml_reader.h"
@@ -30,21 +30,21 @@ struct RequirementAttribute {
   std::optional<calc::Presence> of_workplace{};  // <workplace> has it, too
 };
 
-// In the order in which messages and the schema name them.
+// Returns the attributes in the order in which messages and the schema name them.
 const std::vector<RequirementAttribute>& requirement_attributes();
-// By a name that there is, or else std::logic_error.
+// Returns the attribute of this name; throws std::logic_error if there is none.
 const RequirementAttribute& requirement_attribute(std::string_view name);
 
-// As the tables of the project file would have them, which know no rules.
+// Return the rows for the tables of the project file, which do not know rules.
 const calc::ElementRow& require_element();
 const calc::ElementRow& workplace_element();
 const calc::ElementRow& workplace_grid_element();
 
-// What `at` holds.
+// The words for the value of `at`.
 inline constexpr std::string_view kPointWords = "3 numbers (x y z) in metres, in world coordinates";
 
-// Reports what no other attribute can make right: a word that is none, a number out of every range.
-// For what is left unread because something that it hangs on was wrong. Nothing if it is not there.
+// Reports a value that is wrong whatever the other attributes are: an unknown word, a number out of
+// range. For attributes left unread because another one was wrong; an absent one is not reported.
 void check_value(calc::ElementReader& reader, std::string_view name);
 
 }  // namespace rules

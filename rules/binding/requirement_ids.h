@@ -1,5 +1,5 @@
 #pragma once
-// Ids of the requirements of one plane or building: given ones must differ; the others get the
+// Ids of the requirements of one plane or building: given ids must differ; the others are the
 // quantity's name, numbered from the second on ("average", "average-2").
 
 #include "calc/base/diagnostics.h"
@@ -15,7 +15,7 @@ namespace rules {
 
 class RequirementIds {
  public:
-  // Reports those that are given twice.
+  // Reports ids that are given twice.
   RequirementIds(const std::vector<calc::RequirementText>& texts, calc::Diagnostics& diagnostics);
 
   std::string next_for(Metric metric);

@@ -1,6 +1,6 @@
 #pragma once
-// One requirement element of a project: attributes to Requirements. Which there are, and what each
-// may hold, is in requirement_attributes.h.
+// Reads one requirement element of a project into Requirements. requirement_attributes.h lists the
+// attributes and their values.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -12,7 +12,7 @@
 
 namespace rules {
 
-// What the attributes may refer to.
+// Everything that the attributes may refer to.
 struct RequirementContext {
   calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
@@ -25,8 +25,8 @@ struct RequirementContext {
   calc::SpecialPlace special = calc::SpecialPlace::none;  // of the plane, as a workplace says
 };
 
-// One requirement, or those of a rule pack's row; empty after an error. All errors of the element
-// are reported. plane_id is not set, and id only if the text gives one.
+// Returns one requirement, or those of a rule pack's row; empty after an error. All errors of the
+// element are reported. plane_id is not set, and id only if the text gives one.
 std::vector<Requirement> read_requirement(const calc::RequirementText& text,
                                           const RequirementContext& context,
                                           calc::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// <waiver>: a project says which checks of a rule pack's row somebody lives without.
+// <waiver>: a project names checks of a rule pack's row whose failure is accepted.
 
 #include "calc/base/element_table.h"
 #include "calc/base/xml_reader.h"
@@ -11,7 +11,7 @@
 
 namespace rules {
 
-// As the tables of the project file would have it, which know no rules.
+// Returns the row for the tables of the project file, which do not know rules.
 const calc::ElementRow& waiver_element();
 
 struct WaivedCheck {
@@ -20,11 +20,11 @@ struct WaivedCheck {
   calc::SourceLocation where;
 };
 
-// Those that stand in `parent`, a <require> or a <workplace>, check by check; each counts once.
-// pack: the one that the parent names; null: not known, and then names are not compared.
+// Returns the waived checks in `parent`, a <require> or a <workplace>; each counts once. pack: the
+// pack that the parent names; null = not known, and names are not compared.
 std::vector<WaivedCheck> read_waived_checks(calc::ElementReader& parent, const RulePack* pack);
 
-// Reports those that the parent does not ask. asked: ids of the checks that it does.
+// Reports waived checks that the parent does not require. asked: ids of the required checks.
 void check_waived_are_asked(calc::ElementReader& parent, const std::vector<WaivedCheck>& waived,
                             const RulePack& pack, const std::vector<std::string>& asked);
 
