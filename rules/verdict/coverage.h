@@ -1,5 +1,5 @@
 #pragma once
-// What of a row of a rule pack is asked in a room: a task that passes is not yet a row that is met.
+// Which parts of a rule pack's row a room covers: a task that passes does not meet the whole row.
 
 #include "calc/base/message.h"
 #include "calc/base/names.h"
@@ -30,10 +30,10 @@ enum class RoleState {
   asked_in_part,  // of some of the walls only; or it is not known which walls there are
 };
 
-// Of a role that is asked for: what everything that is asked came to. has_waived: something of it
-// is waived.
+// Returns the state of a required role, from the outcome of all its requirements. has_waived: some
+// of them are waived.
 RoleState state_of(Outcome outcome, bool has_waived);
-// Something is asked for, and this is what it came to.
+// Returns whether the state comes from findings: something is required.
 constexpr bool is_of_findings(RoleState state) {
   switch (state) {
     case RoleState::met:
@@ -52,7 +52,7 @@ constexpr bool is_of_findings(RoleState state) {
   }
   return false;
 }
-// A role, or a part of it, that the project leaves out.
+// A role, or a part of it, that the project omits.
 struct LeftOutZone {
   std::string zone;  // "ceiling", "wall.2"
   calc::Waiver by;
@@ -63,14 +63,15 @@ struct LeftOutZone {
 struct RoleCoverage {
   std::string role;
   RoleState state = RoleState::never_asked;
-  // Of left_out, not_made and not_possible: why; of asked_in_part: without what; parts of a role:
-  // which. Of what is asked by another number than the row's: what the project says for it.
+  // left_out, not_made and not_possible: why. asked_in_part: what is missing. Parts of a role:
+  // which part. Roles judged by another number than the row's: the project's reason.
   calc::Message words;
   std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
   std::vector<LeftOutZone> left_out = {};
 };
 
-// One row in a room, by a workplace or by the <require> elements of the room's planes together.
+// One row in a room, required by a workplace or by the <require> elements of the room's planes
+// together.
 struct RowCoverage {
   std::string workplace;            // its id; "" of <require> elements
   calc::Message clause;             // "EN 12464-1:2021 34.2", "EN 1838:2024 1, scene night"
@@ -78,46 +79,45 @@ struct RowCoverage {
   std::string was = {};             // the workplace's id in earlier revisions; "" = the same
   bool is_user_supplied = false;    // see RuleOrigin
 
-  // Nothing of it was never asked, or is no longer, or is asked of a part only.
+  // Returns whether every role is required, now and in full, or has a stated reason why it is not.
   bool is_whole() const;
-  // So it is, and nothing of it cannot be judged: all of the row has a verdict.
+  // Returns whether the row is whole and no role is beyond judgement: all of the row has a verdict.
   bool asks_all() const;
-  // Something of it is waived, or left out by the project.
+  // Returns whether the project waives or omits a part of the row.
   bool has_exceptions() const;
-  // Whole, and all that is neither waived nor left out is met.
+  // Returns whether all parts that are neither waived nor omitted are met.
   bool is_accepted() const;
-  // So it is, without exceptions: only then may anybody say that the row is met.
+  // Returns whether the row is met without exceptions; only then may a report say so.
   bool is_met() const { return is_accepted() && !has_exceptions(); }
 };
 
-// Why the colour rendering of the space's luminaires is not asked of a row, in a light scene by its
-// name ("" = all at full output), with the row's comparison and limit; "" = nothing speaks against
-// it.
+// Returns why colour rendering is not judged in a light scene ("" = all luminaires at full output)
+// against the row's comparison and limit; "" = there is no reason.
 using RenderingProblem =
     std::function<calc::Message(const std::string& scene, Comparison comparison, double limit)>;
 
-// Of all rows that something in the space refers to: workplaces in file order, then rows of
+// Returns the coverage of all rows that the space refers to: workplaces in file order, then rows of
 // <require> elements in the order of their planes. planes: of the space, see planes_asked(). Packs
-// without rows have none. What is advice only does not count. today: YYYY-MM-DD.
+// without rows have none. Advice does not count. today: YYYY-MM-DD.
 std::vector<RowCoverage> row_coverage(const calc::Space& space,
                                       const std::vector<JudgedPlane>& planes,
                                       const std::vector<RulePack>& packs, std::string_view today,
                                       const RenderingProblem& rendering_problem);
 
-// All planes of the space, and after them those that a workplace has left out up to a day that is
-// over: they are asked for again, and cannot be judged.
+// Returns all planes of the space, then those whose omission by a workplace has ended: they are
+// required again, and cannot be judged.
 std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::string_view today);
 
-// Eyes of a plane, with what was found of their glare.
+// The eyes of a plane and the finding about their glare.
 struct EyesAsked {
   const calc::CalcPlane* plane;
   const Finding* finding;
 };
-// Of eyes that the project places itself and that meet their limit: whoever looks one way only has
-// chosen the way, and what no eye sees was not rated. "" = neither.
+// Returns a remark for eyes that the project places itself and that meet their limit, if they look
+// one way only or see no source that could be rated. "" = neither.
 calc::Message eyes_in_part(const std::vector<EyesAsked>& eyes);
 
-// "leaving it out ended on 2027-06-30, by A. Meier: glass"
+// Returns "leaving it out ended on 2027-06-30, by A. Meier: glass".
 calc::Message ended_words(const calc::Waiver& by);
 
 }  // namespace rules

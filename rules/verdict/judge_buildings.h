@@ -1,5 +1,5 @@
 #pragma once
-// What is asked of the rooms of a building together: their power or energy over their floors.
+// Judges requirements on all rooms of a building together: their power or energy over their floors.
 
 #include "calc/scene/project.h"
 #include "rules/catalogue/aggregate.h"
@@ -12,12 +12,12 @@
 
 namespace rules {
 
-// Whether rooms have it together: power and energy add up over them, nothing else does.
+// Returns whether the metric adds up over rooms: only power and energy do.
 constexpr bool adds_up_over_rooms(Metric metric) {
   return metric == Metric::power_density || metric == Metric::leni;
 }
 
-// Unique in a project: "tower/LENI".
+// Returns an id that is unique in a project: "tower/LENI".
 std::string building_finding_id(const std::string& building, const std::string& requirement);
 
 struct BuildingQuestion {
@@ -25,9 +25,9 @@ struct BuildingQuestion {
   Requirement requirement;   // adds_up_over_rooms(); of no plane
 };
 
-// One finding each, in order. No light is in it: installed power is that of full output, energy by
-// the hours and factors that the project states. Where that of a single room is not known, nothing
-// is said of all of them. today: YYYY-MM-DD, for waivers.
+// Returns one finding for each, in order, without any light calculation: installed power is that of
+// full output, energy follows the stated hours and factors. If a single room's value is not known,
+// there is no total. today: YYYY-MM-DD, for waivers.
 std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
                                               const std::vector<BuildingQuestion>& questions,
                                               std::string_view today);

@@ -1,6 +1,6 @@
 #pragma once
-// What something came to: a requirement, a room, a project, a whole batch. The one order of gravity
-// is here: exit codes, banners, headlines and summaries read it.
+// The outcome of a requirement, a room, a project or a batch. Their one order of gravity is here:
+// exit codes, banners, headlines and summaries read it.
 
 #include "calc/base/names.h"
 #include "rules/catalogue/aggregate.h"
@@ -38,22 +38,23 @@ constexpr Outcome outcome_of(Verdict verdict) {
   return Outcome::not_judged;
 }
 
-// nothing_asked: it does not count by itself (advice, or only a member of aggregates).
+// Returns the outcome of a finding; nothing_asked if it does not count by itself (advice, or only a
+// member of aggregates).
 Outcome outcome_of(const Finding& finding);
 Outcome outcome_of(const AggregateFinding& finding);
 
-// It counts for the exit code: it is asked for and not waived.
+// Returns whether the outcome counts for the exit code: it is required and not waived.
 constexpr bool counts(Outcome outcome) {
   return outcome != Outcome::waived && outcome != Outcome::nothing_asked;
 }
 
-// Of two together. Outcome::nothing_asked changes nothing.
+// Returns the graver of two outcomes; Outcome::nothing_asked changes nothing.
 constexpr Outcome graver(Outcome a, Outcome b) { return std::min(a, b); }
 constexpr Verdict graver(Verdict a, Verdict b) { return outcome_of(b) < outcome_of(a) ? b : a; }
 
 inline constexpr std::array kGravestFirst{Verdict::not_judged, Verdict::fail, Verdict::undecided,
                                           Verdict::pass};
-// Place in it: 0, 1, 2, 3.
+// Returns the place of the verdict in the order of gravity: 0, 1, 2, 3.
 constexpr int gravity_rank(Verdict verdict) {
   return static_cast<int>(std::find(kGravestFirst.begin(), kGravestFirst.end(), verdict) -
                           kGravestFirst.begin());

@@ -1,6 +1,6 @@
 #pragma once
-// After every look at a plane's growing results: what it came to, is it finished, and if not, which
-// points go on?
+// Judges a plane after every sampling round: its findings, whether it is finished, and which points
+// continue.
 
 #include "calc/base/field.h"
 #include "calc/scene/project.h"
@@ -28,18 +28,18 @@ struct LookJudgement {
   std::vector<std::uint8_t> active;
 };
 
-// Goal::verdict: a plane is finished (decided) once none of its requirements is undecided, or only
-// by what no sample can tell (Measurement::is_open_for_good). Goal::accuracy: it is finished
-// (accurate) once every quantity that its requirements judge has half-width <= tolerance * value,
-// as far as it is sampled. A plane without requirements has nothing to decide; for either goal it
-// is finished once its maintained average and minimum, with every luminaire at full output, are
-// accurate. What does not exist (the uniformity of a dark plane, a point outside the grid) gains
-// nothing from more work.
+// Judges one sampling round. Goal::verdict: a plane is finished (decided) once none of its
+// requirements is undecided, or only for reasons that no sample can settle
+// (Measurement::is_open_for_good). Goal::accuracy: it is finished (accurate) once every judged
+// quantity has half-width <= tolerance * value, as far as it is sampled. A plane without
+// requirements is finished, for either goal, once its maintained average and minimum, with every
+// luminaire at full output, are accurate. A quantity that does not exist (uniformity of a dark
+// plane, a point outside the grid) needs no more work.
 //
-// Points that no unfinished quantity hangs on are left out of further looks and keep their
-// replicates. That spoils no limit of a single point: it was as good at the look after which the
-// point was left out, which the level of a look allows for. Judged at the level of one look, see
-// look_confidence() and PlaneField::looks_planned. Other arguments as for judge_plane().
+// Points on which no unfinished quantity depends are omitted from further rounds and keep their
+// replicates. No limit of a single point suffers: it was valid at the point's last round, and the
+// level of a round allows for that. See look_confidence() for that level, and
+// PlaneField::looks_planned. Other arguments as for judge_plane().
 LookJudgement judge_look(const StopRule& rule, const std::vector<Requirement>& requirements,
                          const calc::SensorGrid& grid, const calc::PlaneField& field,
                          const std::vector<calc::LightScene>& scenes);

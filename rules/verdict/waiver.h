@@ -1,5 +1,5 @@
 #pragma once
-// A requirement that somebody has decided to live without, for a time.
+// Waivers: a requirement whose failure is accepted for a time.
 
 #include "calc/base/message.h"
 #include "rules/catalogue/requirement.h"
@@ -10,15 +10,15 @@
 
 namespace rules {
 
-// "glass, by A. Meier until 2027-06-30"
+// Returns "glass, by A. Meier until 2027-06-30".
 calc::Message waiver_words(const Waiver& waiver);
 
-// A verdict that somebody may live without.
+// Returns whether a verdict can be waived.
 constexpr bool can_be_waived(Verdict verdict) {
   return verdict == Verdict::fail || verdict == Verdict::undecided;
 }
 
-// A finding that fails or is undecided is waived up to the last day, and then does not count; its
+// Waives a finding that fails or is undecided, up to the last day; it then does not count, but its
 // verdict stays. The reason says so, or that the waiver has ended. today: YYYY-MM-DD.
 void apply_waiver(Finding& finding, std::string_view today);
 
