@@ -1,7 +1,6 @@
 #pragma once
-// Whether a plane is what a standard's number is about. A limit of a rule pack means points of a
-// certain kind: so many, at such a height, facing such a way. On other points the number says
-// nothing, and must not pass.
+// Checks whether a plane is of the kind that a standard's number is about: so many points, at such
+// a height, facing such a way. For other points the number says nothing, and they must not pass.
 
 #include "calc/base/message.h"
 #include "calc/scene/project.h"
@@ -26,10 +25,10 @@ struct ApplicabilityContext {
   std::span<const Requirement> of_project = {};  // of all planes: what is beside this one
 };
 
-// requirements: of the plane. Those of a rule pack get their `deviations`, and a `problem`, which
-// keeps them from being judged, if one is not stated or its last day is over; or if they are about
-// maintained light and no maintenance factor is stated. A plane that the pack says nothing about
-// fits. Points that are left out are named in the note of every requirement.
+// Checks the requirements of the plane. Those of a rule pack get their `deviations`. They get a
+// `problem`, which keeps them from being judged, if a deviation is not stated or its last day is
+// over, or if they need maintained light and no maintenance factor is stated. A plane on which the
+// pack says nothing fits. The note of every requirement names omitted points.
 void check_applicability(const ApplicabilityContext& context,
                          std::vector<Requirement>& requirements);
 

@@ -1,6 +1,6 @@
 #pragma once
-// How much a plane stands for: of a wall, of the ceiling, of what is around another zone, of what
-// another one stands for, too.
+// How much a plane covers: of a wall, of the ceiling, of the surroundings of a zone, or of another
+// plane.
 
 #include "calc/scene/project.h"
 
@@ -20,11 +20,11 @@ struct RoomSurface {
   std::vector<glm::dvec2> outline_m;  // in (u, v)
 };
 
-// Those whose body's id ends with the part, before its digits: ".wall", ".ceiling". In the order of
-// the bodies. Empty for spaces that do not know their walls.
+// Returns the bodies whose id ends with the part before its digits (".wall", ".ceiling"), in their
+// order. Empty for spaces that do not know their walls.
 std::vector<RoomSurface> surfaces_of(const calc::Space& space, std::string_view part);
 
-// Whether anything is left of the surface without a strip along its edges, in metres.
+// Returns whether anything is left of the surface without a strip along its edges, in metres.
 bool has_inside(const RoomSurface& surface, double strip_m);
 
 struct CoveredSurface {
@@ -33,36 +33,36 @@ struct CoveredSurface {
   double share = 0.0;    // of that, [0, 1]: covered by the area without its own strip
 };
 
-// Of the surfaces that the area lies on (within kLift_m, on either side) as far as something is
-// left of them without a strip of strip_m along their edges. own_strip_m: along the outline of the
-// area, which does not count; its holes do not, either. Measured at some thousand places of every
+// Returns the surfaces that the area lies on (within kLift_m, on either side), if anything is left
+// of them without a strip of strip_m along their edges. own_strip_m: along the area's outline;
+// neither this strip nor the area's holes cover anything. Measured at some thousand places of every
 // surface.
 std::vector<CoveredSurface> covered_surfaces(const calc::PlanarArea& area, double own_strip_m,
                                              const std::vector<RoomSurface>& surfaces,
                                              double strip_m);
 
-// What a number about the surroundings of a zone is about: a band around it, and it if it belongs
-// to that.
+// The surroundings of a zone that a number is about: a band, with the zone itself if it belongs to
+// them.
 struct ZoneAround {
   const calc::PlanarArea* inner;
   double from_m = 0.0, to_m = 0.0;  // of the band, from the outline of the zone, in its plane
   bool has_inner = false;
 };
 
-// Whether the area, seen along the zone's normal, comes near what is around the zone: else it
-// covers nothing of that.
+// Returns whether the area, seen along the zone's normal, comes near the surroundings of the zone;
+// if not, it covers none of them.
 bool comes_near(const calc::PlanarArea& area, const ZoneAround& around);
 
-// What share the area without its own strip covers, [0, 1], of what is around the zone, as far as
-// that is in the room, off the strip of strip_m along the walls, and in none of the others, which
-// are zones beside it. The area is seen along the zone's normal, at any distance. own_strip_m as
-// above. 1 where nothing of it is. Measured at some thousand places.
+// Returns the share, [0, 1], of the surroundings that the area without its own strip covers. Only
+// surroundings in the room count, off the strip of strip_m along the walls and outside `others`,
+// the zones beside it. The area is seen along the zone's normal, at any distance; own_strip_m as
+// above. Returns 1 if there are no such surroundings. Measured at some thousand places.
 double covered_zone(const calc::PlanarArea& area, double own_strip_m, const ZoneAround& around,
                     std::span<const calc::PlanarArea* const> others, const calc::Space& space,
                     double strip_m);
 
-// What is of both, m2: places that look the same way, seen along the normal of the first one, with
-// less than a headroom between them. Holes are of neither.
+// Returns the area that both share, in m2: places that face the same way, seen along the normal of
+// the first, with less than a headroom between them. Holes belong to neither.
 double shared_area_m2(const calc::PlanarArea& area, const calc::PlanarArea& other);
 
 }  // namespace rules

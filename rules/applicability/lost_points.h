@@ -1,5 +1,5 @@
 #pragma once
-// Points of a plane's area that take part in nothing, because something stands there.
+// Points of a plane's area that are not used, because something stands there.
 
 #include "calc/base/message.h"
 #include "calc/scene/sensor_grid.h"
@@ -17,12 +17,12 @@ struct LostPoints {
   double share() const;  // [0, 1]
 };
 
-// Of those within the outline and its margin: what lies inside bodies, in their surfaces or beyond
-// the walls; of a route also where something stands in the way, or where nothing is walked on.
+// Counts the points within the outline and its margin that lie inside bodies, in their surfaces or
+// beyond the walls; on a route also those with an obstacle in the way or without a floor below.
 LostPoints lost_points(const calc::SensorGrid& grid);
 
-// "3 of 20 points lie in a surface that stands on the plane, the first in 'cupboard', and are
-// measured just off it"; "": none (SensorGrid::inner).
+// Returns "3 of 20 points lie in a surface that stands on the plane, the first in 'cupboard', and
+// are measured just off it"; "" if there are none (SensorGrid::inner).
 calc::Message inner_words(const calc::SensorGrid& grid);
 
 }  // namespace rules

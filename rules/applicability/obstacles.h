@@ -1,5 +1,5 @@
 #pragma once
-// What ends a zone around a task as a wall does: racks, cupboards, columns.
+// Obstacles that end a zone around a task as a wall does: racks, cupboards, columns.
 
 #include "calc/scene/sensor_grid.h"
 
@@ -7,15 +7,15 @@
 
 namespace rules {
 
-// A body that reaches so far above a point inside it is no table top that somebody has drawn too
-// high: nobody works there, and there is no plane to light.
+// Least height of an obstacle above a point inside it. A lower body may be a table top drawn too
+// high; inside a higher one nobody works, and there is no plane to light.
 inline constexpr double kObstacleAbove_m = 0.5;
 
-// How many of the grid's dropped points lie inside obstacles.
+// Returns how many of the grid's dropped points lie inside obstacles.
 std::size_t points_in_obstacles(const calc::SensorGrid& grid, const calc::Space& space);
 
-// How many of them lie inside bodies that take next to nothing of a cell, such as posts: the light
-// beside them is that of the cell, and a minimum or a uniformity without it says nothing. 0 of
+// Returns how many of them lie inside bodies that fill very little of a cell, such as posts: the
+// light beside them is that of the cell, and a minimum or uniformity without it says nothing. 0 for
 // point lists.
 std::size_t points_in_posts(const calc::SensorGrid& grid, const calc::Space& space);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where a plane lies in its space: what stands below it and behind it.
+// Where a plane lies in its space: the surfaces below it and behind it.
 
 #include "calc/scene/project.h"
 
@@ -12,55 +12,56 @@
 
 namespace rules {
 
-// What is laid a little off a surface, so as not to lie in it, counts as lying on it.
+// Largest distance at which a plane counts as lying on a surface: planes are drawn slightly off
+// surfaces so as not to lie in them.
 inline constexpr double kLift_m = 0.05;
 
-// Which way something looks that need not be exactly level or upright: up to 15 degrees. normal:
-// unit.
+// Return the direction that something faces, within 15 degrees of level or upright. normal: unit.
 bool looks_up(const glm::dvec3& normal);
 bool looks_down(const glm::dvec3& normal);
 bool looks_sideways(const glm::dvec3& normal);
 
-// In metres. The floor is a room's own; of a room from a building file the lowest corner of its
-// surfaces; in the open space the highest surface below the place, or z = 0 where there is none.
+// Returns the height in metres. The floor is a room's own; in a room from a building file the
+// lowest corner of its surfaces; in the open space the highest surface below the place, or z = 0 if
+// there is none.
 double height_above_floor_m(const glm::dvec3& place, const calc::Space& space);
 
-// Of a luminaire above what people may walk on: the highest surface below it or place of the plane,
-// and the floor or the lowest of these. Both of the same floor are one height.
+// Height of a luminaire above places where people may walk: the highest surface below it or place
+// of the plane, and the floor or the lowest of these. On one floor both heights are equal.
 struct MountingHeight {
   double least_m, most_m;
 };
-// Of all luminaires of the space, in their order. Looks at every surface for each of them.
+// Returns the heights of all luminaires of the space, in their order. Tests every surface for each.
 std::vector<MountingHeight> mounting_heights_m(const calc::Space& space,
                                                const calc::CalcPlane& plane);
 
-// calc::width_up_to() of a room; of one from a building file, if its outline is known. Else, and
-// outdoors, most_m.
+// Returns calc::width_up_to() of a room; for a room from a building file only if its outline is
+// known. Otherwise, and outdoors, returns most_m.
 double room_width_m(const calc::Space& space, double most_m);
 
-// Lowest and highest place of a plane above the floor, as before. Of a route it is what it states:
-// its points follow the floor.
+// Returns the lowest and highest place of a plane above the floor, as before. For a route they are
+// the stated height: its points follow the floor.
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 
 std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle);
 
-// Whether the id of a body ends so, before its digits: ".wall" of "r.wall2".
+// Returns whether the id of a body ends with `part` before its digits: ".wall" in "r.wall2".
 bool is_part(std::string_view id, std::string_view part);
 
-// Whether every place lies on a surface of a body whose id ends so (".ceiling", ".wall2": before
-// the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. Where
-// walls have no names, of any body.
+// Returns whether every place lies within kLift_m of a surface that faces the same or the opposite
+// way, up to 15 degrees. The id of its body must end with `part` (".ceiling", ".wall2": before the
+// digits); where walls have no names, any body counts.
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part);
 
-// Whether every place lies on a surface of some body that leans as it does, within half a degree:
-// planes along ramps, floors that slope, boards. Up to kOnSlope_m off it.
+// Returns whether every place lies on a surface of a body with the same slope, within half a
+// degree: planes along ramps, sloping floors, boards. At most kOnSlope_m off it.
 inline constexpr double kOnSlope_m = 0.3;
 bool lies_along(const calc::CalcPlane& plane, const calc::Space& space);
 
-// The body of which a surface lies before every place of the plane, alike and within kLift_m, so
-// that no light meets the plane: a facade that the plane of a window was laid into. Null: there is
-// none.
+// Returns the body with a surface before every place of the plane, parallel and within kLift_m, so
+// that no light reaches the plane: for example a facade around the plane of a window. Null: there
+// is none.
 const calc::Body* body_before(const calc::CalcPlane& plane, const calc::Space& space);
 
 }  // namespace rules

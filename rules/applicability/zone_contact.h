@@ -1,5 +1,5 @@
 #pragma once
-// How a plane lies to another zone of its room, and to what people stand on.
+// How a plane lies in relation to another zone of its room, and to the surface people stand on.
 
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
@@ -16,13 +16,14 @@ struct ZoneContact {
 };
 ZoneContact contact_with(const calc::CalcPlane& zone, const calc::SensorGrid& points);
 
-// Something that people may stand on, under most of some of a plane's points: at least as high as a
-// step, and so far below the plane that it is no desk.
+// A surface under some of a plane's points that people may stand on: at least as high as a step,
+// and too far below the plane to be a desk.
 struct Platform {
   std::string id;
   double height_m;  // above the floor
 };
-// Of rooms, whose heights are measured from their floor. Empty: there is none.
+// Returns the platform below most of the points in rooms, where heights start at the floor. Empty:
+// there is none.
 std::optional<Platform> platform_below(const calc::CalcPlane& plane, const calc::SensorGrid& points,
                                        const calc::Space& space);
 

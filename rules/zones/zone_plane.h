@@ -1,6 +1,6 @@
 #pragma once
-// One zone of a workplace: the area that a rule pack gives to a role in a room, with what the
-// project changes.
+// One zone of a workplace: the area that a rule pack gives to a role in a room, with the project's
+// changes.
 
 #include "calc/base/message.h"
 #include "calc/scene/project.h"
@@ -12,7 +12,7 @@
 
 namespace rules {
 
-// Everything that a zone is made from. The room is a prism: space.shell is there.
+// All inputs of a zone. The room is a prism: space.shell is set.
 struct ZoneSource {
   const RulePack& pack;
   const RuleRow& row;
@@ -31,13 +31,13 @@ struct ZonePlane {
   bool is_simple = true;                  // false: the problem is that the outline crosses itself
 };
 
-// rule: of the pack, with an area; change: empty if the project changes nothing; wall: from 0, for
-// walls only.
+// Returns the plane of a zone. rule: of the pack, with an area; change: empty if the project
+// changes nothing; wall: from 0, for walls only.
 //
-// The task is the given area, or the whole room without the margin along its walls. Bands go round
-// the zone inside them and end at the room's walls, less the margin; of the first band nothing is
-// taken off where the task itself reaches into that margin. The cells of a band are at most as
-// large as it is wide, so that it has points all round.
+// The task is the given area, or the whole room without the margin along its walls. Bands surround
+// the zone inside them and end at the room's walls, less the margin; the first band loses nothing
+// where the task itself reaches into that margin. The cells of a band are at most as large as its
+// width, so that it has points all round.
 ZonePlane make_zone_plane(const ZoneSource& source, const RulePlane& rule,
                           const calc::ZoneText* change, std::optional<std::size_t> wall);
 
