@@ -1,7 +1,6 @@
 #pragma once
-// Several requirements as one: aggregates and classes of rule packs, and what is asked of the rooms
-// of a building together, once they are judged. Plain data; judge_aggregates.h and
-// judge_buildings.h make it.
+// Several requirements judged as one: aggregates and classes of rule packs, and requirements on all
+// rooms of a building. Plain data; judge_aggregates.h and judge_buildings.h make it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/message.h"
@@ -16,8 +15,7 @@
 
 namespace rules {
 
-// sum, of buildings alone: what the members have together, over all of their floors, meets the
-// limit.
+// sum: for buildings only; the total of the members over all their floors meets the limit.
 enum class AggregateRule { all, any, at_least, share, sum };
 
 // What the members of an aggregate are.
@@ -35,10 +33,10 @@ struct AggregateMember {
   bool is_waived = false;                 // something in it is, see waiver.h
   std::optional<double> area_m2 = {};     // its weight in shares of area
   calc::Message reason = {};              // why it does not pass
-  // What it is made of; besides these it may lack checks that nothing asks for.
+  // The requirements it is made of; checks that nothing requires may be missing besides.
   std::vector<RequirementName> of = {};
-  // Of a sum: what it has for each square metre, in the unit of the sum's requirement (empty: not
-  // known), and what the project states that this rests on.
+  // Only for a sum: the member's value for each square metre, in the unit of the sum's requirement
+  // (empty: not known), and the statement of the project that it rests on.
   std::optional<double> value = {};
   calc::Message stated = {};
   bool is_in_part = false;  // all passes, but is not all that the check is about: not judged
@@ -62,10 +60,10 @@ struct AggregateFinding {
   bool is_waived = false;  // does not pass, but would if all that is waived were met
   calc::Message reason;    // of what does not pass
   std::vector<AggregateMember> members;
-  // Of classes: the row that the project asks for, the best one that is reached for certain and the
-  // best that may be; "" = none.
+  // Only for classes: the row that the project requires, the best row that is surely reached and
+  // the best that may be; "" = none.
   std::string asked, reached, possible;
-  // Of a sum: what the members come to. Its requirement is of no plane, and verdict, is_waived and
+  // Only for a sum: the total of the members. Its requirement has no plane; verdict, is_waived and
   // reason are those above.
   std::optional<Finding> sum = {};
   calc::SourceLocation where;

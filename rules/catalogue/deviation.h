@@ -1,5 +1,5 @@
 #pragma once
-// In what a plane may differ from the one that a standard's number is about.
+// Aspects in which a plane may differ from the plane that a standard's number is about.
 
 #include "calc/base/message.h"
 #include "calc/base/names.h"
@@ -21,7 +21,7 @@ enum class FitAspect {
   points,       // too many of its points were left out
 };
 
-// Found on a plane; the number is compared all the same if the project states it.
+// A deviation found on a plane; if the project states it, the number is compared all the same.
 struct Deviation {
   FitAspect aspect = FitAspect::grid;
   calc::Message words;           // what differs, e.g. "1 x 1 points, where ..."
@@ -29,7 +29,7 @@ struct Deviation {
   bool is_accepted = false;      // stated, and the last day is not over
 };
 
-// As a project states it, whether it is found or not.
+// A deviation that a project states, whether it is found or not.
 struct StatedDeviation {
   FitAspect aspect = FitAspect::grid;
   Waiver by;

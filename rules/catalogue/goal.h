@@ -1,5 +1,5 @@
 #pragma once
-// What the calculation of a plane is done for.
+// The goal of the calculation of a plane.
 
 #include "calc/base/names.h"
 
@@ -13,7 +13,7 @@ enum class Goal { verdict, accuracy };
 
 namespace calc {
 
-// As written on the command line and in reports.
+// Names on the command line and in reports.
 template <>
 struct EnumNames<rules::Goal> {
   static constexpr EnumName<rules::Goal> list[] = {{rules::Goal::verdict, "verdict"},

@@ -1,6 +1,6 @@
 #pragma once
-// Which points of a plane a statistic counts. It belongs to the statistic, not to the plane: one
-// plane may have several.
+// The points of a plane that a statistic counts. A mask belongs to the statistic, not to the plane:
+// one plane may have several.
 
 #include "calc/base/message.h"
 #include "calc/scene/sensor_grid.h"
@@ -25,11 +25,11 @@ struct MaskOperation {
   // this share of their width. For walls and border: metres.
   double metres = 0.0;
   double share = 0.0;  // [0, 0.5)
-  // Also of centre_line: wider planes are not judged by it; 0 there: all are.
+  // Applies to centre_line, too: wider planes are not judged by it; 0: planes of any width are.
   double up_to_width_m = 0.0;
 };
 
-// Points must be in the result of every operation; without any, all count.
+// Points must be in the result of every operation; without operations, all count.
 struct Mask {
   std::string id;  // "" = all points
   std::vector<MaskOperation> operations;
@@ -40,20 +40,20 @@ struct MaskedPoints {
   calc::Message problem;            // why it cannot be said which points count; "" = none
 };
 
-// Distances are from the plane's outline (its holes have none), so that a margin of the grid has no
-// influence. Width is across grid.travel, or the shorter side where that is not said; across and
-// centre_line are refused there if the sides are too alike to tell. Distances from walls are
-// horizontal, from the room's footprint, and for lists of points, too. In the open space there are
-// no walls. An inset works for every outline, but for shares of a width, across and centre_line the
-// plane must be a rectangle or a route. Of a route the width and the way are its own: its strips
-// run along the line, its centre line is the middle row, and an inset takes both ends, too.
+// Returns the points that count. Distances are from the plane's outline (its holes have none), so a
+// margin of the grid has no influence. Width is across grid.travel, or the shorter side if that is
+// not given; across and centre_line are refused if the sides are then too alike. Distances from
+// walls are horizontal, from the room's footprint, also for point lists; the open space has no
+// walls. An inset works for every outline; shares of a width, across and centre_line need a
+// rectangle or a route. A route has its own width and direction: its strips run along the line, its
+// centre line is the middle row, and an inset cuts both ends, too.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
-// With walls or inset in place of border.
+// Returns the mask with walls or inset in place of border.
 Mask mask_at(Mask mask, bool has_no_walls);
 
-// "without a strip along the outline of 0.5 m": all operations; "" without any. travel: of the
-// plane, which says what is across; 0: it is not said, or asked.
+// Returns all operations, "without a strip along the outline of 0.5 m"; "" without any. travel: of
+// the plane, which defines across; 0: not given or not needed.
 calc::Message mask_words(const Mask& mask, const glm::dvec3& travel = glm::dvec3(0.0));
 
 }  // namespace rules

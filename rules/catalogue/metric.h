@@ -1,7 +1,7 @@
 #pragma once
-// What may be required of a plane: one row for each statistic, with its name. Readers, judging,
-// reports and schemas ask the row. Elsewhere stand only how a statistic is measured
-// (rules/measure) and its words (METRIC_TEXT in report/text/english.def).
+// The quantities that may be required of a plane, one row each. Readers, judging, reports and
+// schemas use these rows. Only the measuring (rules/measure) and the words (METRIC_TEXT in
+// report/text/english.def) are elsewhere.
 
 #include "calc/base/names.h"
 #include "calc/base/xml_reader.h"
@@ -44,7 +44,7 @@ enum class Metric {
   colour_rendering,     // least Ra of the space's luminaires, as their makers state it
 };
 
-// What it is computed from.
+// The input that a metric is computed from.
 enum class MetricSource {
   values,           // of the plane's points
   counted_values,   // how many of them lie in a range
@@ -56,7 +56,7 @@ enum class MetricSource {
   space_and_light,  // the space, and values of the plane's points
 };
 
-// Which quantities of points it has a meaning for.
+// The quantities of points for which a metric is defined.
 enum class MetricDomain {
   illuminances,  // an average of ratios or of glare ratings means nothing
   no_ratings,    // and ratios
@@ -127,36 +127,38 @@ static_assert(
 constexpr const MetricRow& metric_row(Metric metric) {
   return kMetrics[static_cast<std::size_t>(metric)];
 }
-// Without those about the plane's space, which are no statistics of points: as packs have them.
+// Returns the names in packs, without metrics of the plane's space, which are no statistics of
+// points.
 std::vector<std::string_view> metric_names();
-// All: as projects have them; those about the space at the end.
+// Returns all names, as projects have them; those about the space are last.
 std::vector<std::string_view> all_metric_names();
 
-// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a", "cd", ...; of illuminances.
+// Returns the unit for illuminances: "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a", "cd",
+// ...
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);  // of two values of one plane
-// Power, energy, glare or colour rendering of the plane's space, its luminaires as such, or a
-// road's luminance.
+// Returns whether it is power, energy, glare or colour rendering of the plane's space, about its
+// luminaires as such, or a road's luminance.
 bool is_about_space(Metric metric);
-// It is in calc::unit_of() the points' quantity, as their values are.
+// Returns whether its unit is calc::unit_of() the points' quantity.
 bool has_unit_of_values(Metric metric);
-// Of the plane's space, known beforehand: no light of its points is in it.
+// Returns whether it is a value of the space known beforehand, without light at its points.
 bool is_of_space(Metric metric);
-// Of these: it hangs on the levels of a scene.
+// Returns whether it is one of these that depends on the levels of a scene.
 bool is_of_space_in_scene(Metric metric);
-// It hangs on what luminaires send, and not on their power or their places alone.
+// Returns whether it depends on emitted light, not only on power or places of luminaires.
 bool is_of_light(Metric metric);
-// Of the carriageway of a road.
+// Returns whether it is about the carriageway of a road.
 bool is_of_road(Metric metric);
-// Of luminaires as such.
+// Returns whether it is about luminaires as such.
 bool is_of_luminaires(Metric metric);
-// Of these: as seen from the plane's points.
+// Returns whether it is one of these as seen from the plane's points.
 bool is_of_points(Metric metric);
-// Of these: of the luminaires that hang at certain heights.
+// Returns whether it is one of these for luminaires at certain mounting heights.
 constexpr bool has_mounting_heights(Metric metric) {
   return std::holds_alternative<HeightRange>(metric_row(metric).arguments);
 }
-// Whether points that measure this have it.
+// Returns whether it is defined for points with this quantity.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 
 }  // namespace rules

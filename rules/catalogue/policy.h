@@ -1,5 +1,5 @@
 #pragma once
-// How numbers are compared with limits, as data: part of every rule pack. Applied in compare.h.
+// How numbers are compared with limits, as data: part of every rule pack. compare.h applies it.
 
 #include "calc/base/names.h"
 #include "rules/catalogue/unit.h"
@@ -14,18 +14,17 @@ enum class Rounding { half_up, half_even, down };
 struct DecisionPolicy {
   bool compares_rounded = false;  // the value is rounded as it is printed before it is compared
   Rounding rounding = Rounding::half_up;
-  // Digits after the point that are usually printed, at least: small values have two significant
-  // ones.
+  // Digits usually printed after the point; small values have more, for two significant digits.
   int illuminance_digits = 0;
   int ratio_digits = 2;
   int other_digits = 1;
   // A value may miss its limit by this share of the limit; the reason is then stated.
   double tolerance = 0.0;
   std::string tolerance_reason;
-  // Relative expanded uncertainty that the interval is widened by on both sides.
+  // Relative expanded uncertainty that widens the interval on both sides.
   double guard = 0.0;
 
-  // is_ratio: of two values of one plane.
+  // Returns the digits after the point. is_ratio: of two values of one plane.
   int digits(Dimension dimension, bool is_ratio) const {
     if (is_ratio) return ratio_digits;
     return dimension == Dimension::illuminance ? illuminance_digits : other_digits;
@@ -33,7 +32,7 @@ struct DecisionPolicy {
   bool is_default() const;
 };
 
-// One line for reports: "unrounded values, no tolerance".
+// Returns one line for reports: "unrounded values, no tolerance".
 std::string policy_text(const DecisionPolicy& policy);
 
 }  // namespace rules

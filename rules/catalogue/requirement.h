@@ -1,5 +1,5 @@
 #pragma once
-// What a plane must meet: plain data.
+// The requirements on a plane: plain data.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
@@ -24,15 +24,15 @@ namespace rules {
 
 enum class Comparison { at_least, at_most, more_than, less_than };
 
-// maintained: times the maintenance factor; initial: new installation; end_of_duration: as
-// maintained, with the scene's levels at the end of what a battery lasts.
+// maintained: times the maintenance factor; initial: new installation; end_of_duration: like
+// maintained, with the scene's levels at the end of a battery's duration.
 enum class LightState { maintained, initial, end_of_duration };
 
 // shall: counts for the exit code; advice is reported only; in_aggregate: counts only through the
 // aggregates of its rule pack.
 enum class Severity { shall, advice, in_aggregate };
 
-// Which check of which rule pack a requirement is; without pack it is the project's own.
+// The check of a rule pack that a requirement comes from; without pack it is the project's own.
 struct RuleOrigin {
   std::string pack;  // "en13201-2:2015"
   std::string check, row;
@@ -44,15 +44,15 @@ struct RuleOrigin {
   bool is_user_supplied = false;  // the pack does not come with luxgate: its numbers are the user's
 };
 
-// Who says the number of a limit. A clause is free text, and a pack of one's own may have the title
-// of a standard: a reader must be able to tell them from the standard's own.
+// The source of a limit's number. A clause is free text, and a user's pack may have the title of a
+// standard: readers must be able to tell its numbers from the standard's own.
 enum class LimitSource {
   project,   // the project itself
   pack,      // a rule pack that comes with luxgate
   user_pack  // one that the user has given
 };
 
-// Which of a project's requirements: plane ids are unique in it.
+// Names one of a project's requirements: plane ids are unique in it.
 struct RequirementName {
   std::string plane_id, id;
 };
@@ -77,13 +77,13 @@ struct Requirement {
   calc::Message mask_words{};     // of it, for reports; "" = all count, or not known
   bool direct_only = false;       // reflected light is left out
   bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
-  // Why the light that it is of may be more than what is calculated; "" = it is all there. Nothing
-  // passes then that more light could fail.
+  // Why the real light may be more than the calculated light; "" = all is calculated. Then nothing
+  // passes that more light could fail.
   calc::Message missing_light{};
-  // The same of light that may be less, or more or less: nothing passes at all.
+  // Why the real light may be less, or more or less: nothing passes at all.
   calc::Message unsure_light{};
   calc::Message problem;  // why it cannot be judged, whatever the light; "" = it can
-  // Nobody asks for it by name: it is dropped where it has a problem. Results do not have it.
+  // Not requested by name: it is dropped if it has a problem. Results do not have it.
   bool is_optional = false;
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
@@ -93,7 +93,7 @@ struct Requirement {
   calc::SourceLocation where;
 };
 
-// The requirement's argument; the usual one of a requirement that has none of this kind.
+// Returns the requirement's argument; the default if it has none of this kind.
 template <class Argument>
 Argument argument_of(const Requirement& requirement) {
   const auto* argument = std::get_if<Argument>(&requirement.arguments);
@@ -108,34 +108,33 @@ inline LimitSource source_of(const Requirement& requirement) {
   return origin.pack.empty() ? LimitSource::project : source_of_pack(origin.is_user_supplied);
 }
 
-// Of which light a metric is, if nobody may choose: glare and stray light are worst when everything
-// is new, and places of luminaires do not age.
+// Returns the state of light that a metric always has; empty if it can be chosen. Glare and stray
+// light are worst when everything is new, and places of luminaires do not age.
 inline std::optional<LightState> fixed_state(Metric metric) {
   if (is_of_road(metric) && metric != Metric::threshold_increment) return LightState::maintained;
   const bool is_new = is_of_space_in_scene(metric) || metric == Metric::glare_rating;
   return is_new ? std::optional(LightState::initial) : std::nullopt;
 }
 
-// Of the same row of a rule pack, on the same plane: the average that is asked of the area which
-// `glare` is rated on, which is that of the pack's own role. of_plane: all of the plane; null:
-// there is none.
+// Returns the requirement on the average of the area on which `glare` is rated: of the same row and
+// plane, for the pack's own role. of_plane: all requirements of the plane; null: there is none.
 const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane);
 
-// What every report must say with it, behind what it says already.
+// Adds a note for every report behind the notes that are already there.
 void add_note(const calc::Message& words, Requirement& requirement);
 
-// at_least, more_than
+// Returns whether it is at_least or more_than.
 constexpr bool is_lower_limit(Comparison comparison) {
   return comparison == Comparison::at_least || comparison == Comparison::more_than;
 }
-// As attributes in projects and packs: "at-least", "at-most", "more-than", "less-than". In results
-// calc::name_of().
+// Returns the attribute in projects and packs: "at-least", "at-most", "more-than", "less-than". In
+// results calc::name_of().
 const char* comparison_name(Comparison comparison);
 
-// Of what is required: "" also for ratings and ratios of single points.
+// Returns the unit of the required value; "" also for ratings and ratios of single points.
 const char* unit_of(const Requirement& requirement);
-// "UGR", "GR": of glare ratings, which are logarithms: shares of them say nothing, differences do;
-// "" of all else.
+// Returns "UGR" or "GR" for glare ratings, "" otherwise. Ratings are logarithms: their differences
+// mean something, their shares do not.
 const char* rating_of(const Requirement& requirement);
 bool is_in_lux(const Requirement& requirement);
 
@@ -143,7 +142,7 @@ bool is_in_lux(const Requirement& requirement);
 
 namespace calc {
 
-// In results.
+// Names in results.
 template <>
 struct EnumNames<rules::Comparison> {
   static constexpr EnumName<rules::Comparison> list[] = {

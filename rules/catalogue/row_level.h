@@ -1,5 +1,5 @@
 #pragma once
-// Which values of a row of a rule pack count.
+// The choice of values in a row of a rule pack.
 
 #include "calc/base/element_table.h"
 
@@ -8,8 +8,8 @@
 
 namespace rules {
 
-// What the row requires; its values "modified" by the context of the work; or what it requires, so
-// many steps of the standard's scale away: up, or down if negative.
+// The required values; the values "modified" by the context of the work; or the required values
+// moved by steps on the standard's scale: up, or down if negative.
 struct RowLevel {
   bool is_modified = false;
   int steps = 0;  // only without is_modified
@@ -21,14 +21,14 @@ struct RowLevel {
 inline constexpr RowLevel RowLevel::required{};
 inline constexpr RowLevel RowLevel::modified{.is_modified = true};
 
-// "required", "modified", "-1", "+1" ...: as projects write them. At most 3 steps.
+// Returns "required", "modified", "-1", "+1" ..., as projects write them. At most 3 steps.
 const calc::Names& level_names();
-// Of one of these names; `required` of any other.
+// Returns the level of one of these names; `required` for any other name.
 RowLevel level_named(std::string_view name);
-// At most 3 steps.
+// Returns the name of a level of at most 3 steps.
 std::string level_name(const RowLevel& level);
 
-// As reports say it behind the row: "" of required, "modified", "+1 step", "-2 steps".
+// Returns the words behind the row in reports: "" for required, "modified", "+1 step", "-2 steps".
 std::string level_words(const RowLevel& level);
 
 }  // namespace rules

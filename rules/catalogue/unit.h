@@ -1,5 +1,5 @@
 #pragma once
-// Units that limits of rule packs are written in, and what they measure.
+// Units of limits in rule packs, and what they measure.
 
 #include "calc/base/xml_reader.h"
 
@@ -28,11 +28,11 @@ struct Unit {
   double factor;
 };
 
-// "none" is the unit of plain numbers.
+// Returns the unit of this name; "none" is the unit of plain numbers.
 std::optional<Unit> unit_from_name(std::string_view name);
 calc::Names unit_names();
-// The longest unit that `text` begins with, not followed by a letter or digit: "lx)" is "lx".
-// Never "none".
+// Returns the longest unit at the start of `text` that is not followed by a letter or digit: "lx)"
+// is "lx". Never "none".
 std::optional<Unit> unit_at_start(std::string_view text);
 
 const char* base_unit(Dimension dimension);       // "lx", "" for plain
