@@ -19,21 +19,21 @@ struct DerivedEstimate {
   std::size_t unseen_points = 0, single_sample_points = 0;  // among those that the value hangs on
 };
 
-// Minimum, maximum, percentile, value (point: which) or share (range) with an interval at the
-// two-sided level `confidence`, from limits of single points:
+// Returns the minimum, maximum, percentile, value (point: which) or share (range), with an interval
+// at the two-sided level `confidence` from limits of single points:
 //   maximum, high: the largest upper limit, each at alpha / 2: no share for multiplicity is needed,
-//   the true maximum belongs to one point. Low: the largest lower limit, at alpha / 2 shared by all
-//   points, since any of them may have been chosen. Minimum mirrored. Percentile and share as of
-//   illuminances (metrics.cpp, share.h).
-// Points without a value (-infinity) are left out of all but shares. Empty if none has one.
-// limit: only the side of it counts for `active`; empty: the whole interval does.
+//   because the true maximum belongs to one point. Low: the largest lower limit, at alpha / 2
+//   shared by all points, because any of them may have been chosen. Minimum mirrored. Percentile
+//   and share as for illuminances (metrics.cpp, share.h).
+// Points without a value (-infinity) count only in shares. Empty if no point has a value. limit:
+// only its side counts for `active`; empty: the whole interval does.
 std::optional<DerivedEstimate> compute_derived(const DerivedPoints& points,
                                                const Requirement& requirement,
                                                std::optional<std::size_t> point,
                                                std::optional<double> limit, double confidence);
 
-// Of a plane of ugr or modelling, in a state and with levels as combine_channels() takes them, at
-// these points of its grid. receivers: what combine_channels() gave.
+// Returns the points of a plane of ugr or modelling, in a state and with levels as in
+// combine_channels(), at these points of its grid. receivers: result of combine_channels().
 std::unique_ptr<DerivedPoints> make_derived_points(calc::DerivedQuantity derived,
                                                    const calc::PlaneField& field,
                                                    const PointValues& receivers,

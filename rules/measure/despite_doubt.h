@@ -1,6 +1,6 @@
 #pragma once
-// What some points prove of a plane, whatever the values of the others are: one point that is
-// surely below a limit is enough for "every point", and no doubt about another point changes it.
+// Failures that some points prove, whatever the values of the others: a single point surely below a
+// limit fails "every point", and doubt about another point does not change that.
 
 #include "calc/base/field.h"
 #include "rules/catalogue/requirement.h"
@@ -11,21 +11,21 @@
 
 namespace rules {
 
-// Of a lower limit the interval from the least that there can be up to an upper end, of an upper
-// limit from a lower end to infinity. Of points whose value is not known (no sample has reached
-// them, or they rest on a single one) nothing is taken but that no light is below 0 lx; the value
-// and the place are those of the other points. So it may prove that a requirement fails, and never
-// that it passes. Empty where the other points prove nothing: of quantities whose end on that side
-// may be moved by any point (a lower limit of an average), or if too few points are known.
+// Returns the interval that the reliable points prove. For a lower limit it runs from the least
+// possible value to an upper end; for an upper limit from a lower end to infinity. Points whose
+// value is not known (reached by no sample, or resting on a single sample) contribute only that no
+// light is below 0 lx; value and place are those of the other points. So the interval may prove
+// that a requirement fails, and never that it passes. Empty where the other points prove nothing:
+// any point may move that end (a lower limit of an average), or too few points are known.
 //
-// The end holds at (1 - confidence) / 2, and for whichever of the points has it: all of them share
-// that risk, since the doubtful ones were found in the same samples.
+// The end holds at (1 - confidence) / 2, for any of the points: all share that risk, because the
+// doubtful points were found in the same samples.
 //
-// requirement: its metric, percent and comparison are taken. points of `values`: at least one.
+// requirement: its metric, percent and comparison are used. `values` has at least one point.
 std::optional<MetricEstimate> despite_doubt(const PointValues& values,
                                             const Requirement& requirement, double confidence);
 
-// The same of ratings and ratios of points: minimum, maximum, percentile.
+// Returns the interval for ratings and ratios of points: minimum, maximum, percentile.
 std::optional<MetricEstimate> despite_doubt(const DerivedPoints& points,
                                             const Requirement& requirement, double confidence);
 

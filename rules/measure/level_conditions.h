@@ -1,6 +1,6 @@
 #pragma once
-// A requirement as conditions on dimming levels. Light is linear in them: of a plane whose channels
-// are known, no ray is needed to say what other levels give.
+// Writes a requirement as conditions on dimming levels. Light is linear in the levels, so the known
+// channels of a plane give the light at other levels without tracing a ray.
 
 #include "calc/base/field.h"
 #include "calc/base/message.h"
@@ -21,50 +21,50 @@ struct LevelCondition {
   std::optional<std::size_t> point;  // of the grid, which it is about
   std::size_t asked_by = 0;          // for whoever collects them: of which requirement
 
-  // How much the levels have too little, lx; <= 0: met. level: [group].
+  // Returns how much light is missing at these levels, in lx; <= 0: met. level: [group].
   double lack(const std::vector<double>& level) const;
 };
 
-// All conditions of one requirement; there may be as many as pairs of points, so they are asked for
-// where levels break them.
+// All conditions of one requirement. There may be as many as pairs of points, so only those that
+// given levels break are returned.
 class LevelConditions {
  public:
-  // groups: whose levels are looked for. Channels of others, and of none (""), are at full output.
-  // confidence: of the run, as judge_plane() takes it.
-  // problem() says why it is no set of linear conditions, in words.
+  // groups: whose levels are wanted. Channels of other groups, and of none (""), are at full
+  // output. confidence: of the run, as in judge_plane(). problem() says in words why the
+  // requirement is not a set of linear conditions.
   LevelConditions(const Requirement& requirement, const calc::SensorGrid& grid,
                   const calc::PlaneField& field, const std::vector<std::string>& groups,
                   double confidence);
 
   const calc::Message& problem() const { return problem_; }
 
-  // Those that these levels break most, worst first, `most` of them at most. safety: how many half
-  // widths of its interval a value has to lie on the good side of its limit; < 0: how many of them
-  // it may lie on the bad side, so that with -1 what no levels meet surely cannot be met. Of a sum
-  // of groups they are added up, which is never less than the half width of the sum.
+  // Returns the conditions that these levels break most, worst first, at most `most` of them.
+  // safety: half widths of its interval by which a value must be on the good side of its limit; <
+  // 0: by which it may be on the bad side, so that a condition no levels meet at -1 surely cannot
+  // be met. For a sum of groups the half widths add up, never below the half width of the sum.
   std::vector<LevelCondition> broken(const std::vector<double>& level, double safety,
                                      std::size_t most) const;
 
-  // What gives the light that one of these conditions is about, at its point or on average: each
-  // group with its level, and last what no level changes; lx, [group + 1].
+  // Returns the light of one of these conditions, at its point or on average: each group at its
+  // level, and last the light that no level changes; lx, [group + 1].
   std::vector<double> light_lx(const LevelCondition& condition,
                                const std::vector<double>& level) const;
-  // How many lx more its conditions ask for if the limit is greater by one, with these levels; < 0
-  // of a limit from above. Of a limit in lx 1 or -1; of a share what it is a share of.
+  // Returns how many lx more its conditions need if the limit rises by 1, with these levels; < 0
+  // for an upper limit. 1 or -1 for a limit in lx; for a share the value it is a share of.
   double lx_per_limit(const std::vector<double>& level) const;
 
  private:
   enum class Kind { each_point, average, of_average, of_maximum };
-  // What each unit of level adds to a value, and half the width of its interval. [group], then the
-  // light that no level changes.
+  // The light that each unit of level adds to a value, and half the width of its interval. [group],
+  // then the light that no level changes.
   struct Light {
     std::vector<double> lx, below_lx, above_lx;
-    // Likewise of intervals that hold all together, of every point and group.
+    // The same for intervals that all hold together, of every point and group.
     std::vector<double> sure_below_lx, sure_above_lx;
     std::vector<double> own_lx;  // of uniformities: of the point itself; else empty, and lx is
 
-    // So many half widths below and above the value; < 0: on the other side of it, by the half
-    // width that it has there where all intervals are to hold together.
+    // Return the light this many half widths below and above the value; < 0: on the other side, by
+    // the half width of the intervals that all hold together.
     double lower_lx(std::size_t g, double half_widths) const;
     double upper_lx(std::size_t g, double half_widths) const;
   };

@@ -16,8 +16,8 @@ namespace rules {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A point of which one single sample makes up more than this share is not trusted: the few samples
-// that carry it do not average, and its t-interval means little.
+// Largest share of a point's value that a single sample may have. Above it the point is not
+// trusted: its few large samples do not average, and its t-interval means little.
 inline constexpr float kLargestTrustedShare = 0.1F;
 
 // Illuminance of one plane in one light scene and state: value_lx[replicate * points + point].
@@ -26,7 +26,7 @@ struct PointValues {
   std::size_t points = 0;
   std::size_t replicates = 0;
   std::vector<double> value_lx;
-  // The same of the looks in which all points took part, for what mixes points; see
+  // The same from the sampling rounds with all points, for statistics over several points; see
   // calc::PlaneField. Empty: value_lx is.
   std::vector<double> even_lx = {};
   // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
@@ -35,10 +35,10 @@ struct PointValues {
   // [point]: the largest single sample's share of the value, >= 0; see calc::PlaneField. May be
   // empty.
   std::vector<float> largest_share = {};
-  // [point]: what a single sample of reflected light adds to the value, lx, where it is large; see
-  // calc::PlaneField::largest_sample_lx. Below 0 for values that are mirrored. May be empty.
+  // [point]: light that a single sample of reflected light adds to the value, lx, if it is large;
+  // see calc::PlaneField::largest_sample_lx. Below 0 for mirrored values. May be empty.
   std::vector<double> largest_sample_lx = {};
-  // [point]: what it counts in averages, > 0, in any unit. Empty: all alike.
+  // [point]: weight in averages, > 0, in any unit. Empty: all alike.
   std::vector<double> weight = {};
 
   bool is_exact() const { return replicates == 1; }
@@ -57,8 +57,8 @@ struct PointValues {
   }
 };
 
-// Of the field's channels in a scene and state. level_of_group: dimming levels; groups not named
-// are at 1.
+// Returns the weights of the field's channels in a scene and state. level_of_group: dimming levels;
+// groups not named are at 1.
 std::vector<double> channel_weights(
     const calc::PlaneField& field, LightState state,
     const std::vector<std::pair<std::string, double>>& level_of_group);
@@ -66,37 +66,37 @@ std::vector<double> channel_weights(
 // direct: without reflected light.
 enum class LightParts { all, direct };
 
-// Sum over the field's channels with those weights.
+// Returns the sum over the field's channels with those weights.
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group,
                              LightParts parts = LightParts::all);
 
-// The values of these points only, in their order.
+// Returns the values of these points only, in their order.
 PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points);
 
 // confidence = 1 - alpha in (0, 1), e.g. 0.95: two-sided level of every interval below. The
-// intervals assume that replicates are independent and normally distributed, but for large single
-// samples that may be missing (LargeSample); points may be correlated in any way. Limits outside
-// the range of the quantity (below 0 lx, above a ratio of 1) are moved onto its end, which no true
-// value lies beyond.
+// intervals assume that replicates are independent and normally distributed, except for large
+// single samples that may be missing (LargeSample); points may be correlated in any way. Limits
+// outside the range of the quantity (below 0 lx, above a ratio of 1) are moved to the end of the
+// range.
 
-// Student-t interval of each point.  [METHOD, 7.1]
+// Returns the Student-t interval of each point.  [METHOD, 7.1]
 std::vector<calc::Estimate> point_estimates(const PointValues& values, double confidence);
 
-// A statistic with its interval, and the point that attains it: of the minimum, the maximum, the
+// A statistic with its interval, and the point that attains it: for the minimum, the maximum, the
 // value at a point, and the minimum of a uniformity.
 struct MetricEstimate {
   calc::Estimate estimate;
   std::optional<std::size_t> point;
 };
 
-// 1-based rank of the percentile among the point values in ascending order; see below.
+// Returns the 1-based rank of the percentile among the point values in ascending order; see below.
 std::size_t percentile_rank(double percent, std::size_t points);
 
-// percent: of Metric::percentile, [0, 100]; the percentile is the smallest point value that at
-// least `percent` % of the points do not exceed, so that 0 is the minimum and 100 the maximum.
-// point: of Metric::value_at_point. values.points >= 1. Empty for a uniformity whose denominator,
-// average or maximum, is 0.
+// Returns a statistic with its interval. percent: for Metric::percentile, [0, 100]; the percentile
+// is the smallest point value that at least `percent` % of the points do not exceed, so 0 is the
+// minimum and 100 the maximum. point: for Metric::value_at_point. values.points >= 1. Empty for a
+// uniformity whose denominator, average or maximum, is 0.
 std::optional<MetricEstimate> compute_metric(const PointValues& values, Metric metric,
                                              double percent, std::optional<std::size_t> point,
                                              double confidence);

@@ -10,9 +10,9 @@
 
 namespace rules {
 
-// Of two points whose cells share a side, E of one / E of the other: each pair twice, once either
-// way, so that the largest of all ratios is >= 1. Limits by Fieller's theorem from the replicates
-// of both points, so that what they have in common does not count twice.
+// E of one point / E of the other, for two points whose cells share a side. Each pair is there
+// twice, once either way, so the largest of all ratios is >= 1. The limits follow Fieller's
+// theorem, from the replicates of both points, so that their common part does not count twice.
 class NeighbourPairs : public DerivedPoints {
  public:
   // values: of the chosen points of the grid, in their order.
@@ -20,10 +20,10 @@ class NeighbourPairs : public DerivedPoints {
                  const std::vector<std::size_t>& chosen);
 
   std::size_t points() const override { return pairs_.size(); }  // number of ratios
-  // A ratio to a point that is dark for certain is infinite.
+  // A ratio to a point that is surely dark is infinite.
   Limits limits(std::size_t pair, double t) const override;
 
-  // Places among the chosen points: of which, and to which.
+  // Returns the places of numerator and denominator among the chosen points.
   const std::array<std::size_t, 2>& pair(std::size_t index) const { return pairs_[index]; }
 
  private:

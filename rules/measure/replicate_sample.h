@@ -1,6 +1,5 @@
 #pragma once
-// Means over a run of replicates and how well they are known: what every interval of a plane is
-// made of.
+// Means over a run of replicates and their uncertainty: the basis of every interval of a plane.
 
 #include "rules/measure/metrics.h"
 
@@ -9,8 +8,8 @@
 
 namespace rules {
 
-// Of the replicates first, ..., first + replicates - 1. Variances and covariances are those of the
-// means (s^2 / R), in lx^2, and 0 for one replicate, which counts as exact.
+// Means of the replicates first, ..., first + replicates - 1. Variances and covariances are those
+// of the means (s^2 / R), in lx^2, and 0 for one replicate, which counts as exact.
 struct ReplicateSample {
   std::size_t replicates = 0;
   std::vector<double> mean_lx;     // per point
@@ -22,14 +21,15 @@ struct ReplicateSample {
   double plane_largest_lx = 0.0;  // of neighbours together, what they add to the plane's mean
 };
 
-// first + count <= values.replicates, count >= 1, values.points >= 1.
+// Returns the means of these replicates. Requires first + count <= values.replicates, count >= 1
+// and values.points >= 1.
 ReplicateSample summarize(const PointValues& values, std::size_t first, std::size_t count);
 
-// Mean over the points of each replicate.
+// Returns the mean over the points for each replicate.
 std::vector<double> plane_means(const PointValues& values);
 
-// t such that mean + t * standard error falls below the true value with probability `level` only,
-// for means over this many replicates; 0 for one replicate, which counts as exact.
+// Returns t such that mean + t * standard error falls below the true value with probability `level`
+// only, for means over this many replicates; 0 for one replicate, which counts as exact.
 double one_sided_t(std::size_t replicates, double level);
 
 // Lower, plug-in and upper value of one quantity at one point.
@@ -39,16 +39,17 @@ struct Limits {
 
 using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t point, double t);
 
-// Variance of the mean as an upper limit has to take it, where one sample adds `sample` to the
-// mean. Light is a sum of many small samples and a few large ones. The number of the large ones is
-// a Poisson number, and none of them may have been drawn: then up to -ln(level) of them are still
-// expected, 1.7 to 2 times t for all levels in use, of which neither the mean nor the variance
-// knows. Samples are never negative, so a lower limit has nothing to add.  [METHOD, 7.1]
+// Returns the variance of the mean for an upper limit, where one sample adds `sample` to the mean.
+// Light is a sum of many small samples and a few large ones. The number of large samples is a
+// Poisson number, and none may have been drawn: then up to -ln(level) of them are still expected,
+// 1.7 to 2 times t for all levels in use, which neither the mean nor the variance shows. Samples
+// are never negative, so a lower limit needs no such term.  [METHOD, 7.1]
 double variance_with(double variance, double sample);
 
-// mean -+ t * standard error; farther up for the largest sample (down for values that are mirrored)
+// Returns mean -+ t * standard error, with the largest sample added upwards (downwards if
+// mirrored).
 Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
-// The same of the plane's mean.
+// Returns the same limits for the plane's mean.
 Limits plane_limits(const ReplicateSample& sample, double t);
 
 // Two means a, b, with the variances and the covariance of the means, and the largest samples.
@@ -57,16 +58,15 @@ struct MeanPair {
   double largest_a = 0.0, largest_b = 0.0;
 };
 
-// The ratio a / b by Fieller's theorem, restricted to ratios >= 0:
-//   low:  the largest u for which a - u b has a lower limit >= 0 (as tested for every smaller u,
-//   too);
-//         negative if there is none
+// Returns the ratio a / b by Fieller's theorem, restricted to ratios >= 0:
+//   low:  the largest u for which a - u b has a lower limit >= 0, also for every smaller u;
+//   negative if there is none
 //   high: the largest u that the upper limit does not refute; infinite if b itself may be 0
-// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller54;
-// METHOD, 7.3] b > 0, except that `high` is also right (infinite) for b = 0.
+// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller54; METHOD, 7.3]
+// Requires b > 0, except that `high` is also right (infinite) for b = 0.
 Limits fieller_limits(const MeanPair& means, double t);
 
-// The same of the point's mean to the plane's mean.
+// Returns the limits of the ratio of the point's mean to the plane's mean.
 Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t);
 
 }  // namespace rules
