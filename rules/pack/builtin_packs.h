@@ -1,5 +1,5 @@
 #pragma once
-// The texts of rules/packs/*.xml, put into the library when it is built (embed_packs.cmake).
+// Texts of rules/packs/*.xml, embedded into the library when it is built (embed_packs.cmake).
 
 #include <string_view>
 #include <vector>

@@ -1,7 +1,6 @@
 #pragma once
-// A rule pack against results that are already there: every check, and verdicts of several checks
-// as one. For planes of a project, which are judged while their results grow, see bind.h and
-// judge.h.
+// Evaluates a rule pack against existing results: every check, and verdicts of several checks
+// together. For planes of a project, judged while their results grow, see bind.h and judge.h.
 
 #include "calc/base/field.h"
 #include "rules/catalogue/compare.h"
@@ -22,7 +21,7 @@ enum class CheckStatus {
 };
 CheckStatus status_of(Verdict verdict);  // not judged: not evaluated
 
-// What was measured for one row of a pack.
+// The measured values for one row of a pack.
 struct Evidence {
   const RulePack& pack;
   const RuleRow* row = nullptr;
@@ -34,14 +33,15 @@ struct Evidence {
 
 CheckStatus evaluate_check(const RuleCheck& check, const Evidence& evidence);
 
-// A status that counts for an aggregate as much as it weighs: 1, an area, a load.
+// A status with its weight in an aggregate: 1, an area, a load.
 struct WeightedStatus {
   CheckStatus status = CheckStatus::not_evaluated;
   double weight = 1.0;  // >= 0
 };
 
-// pass: whatever the open ones (undecided, not evaluated) turn out to be; fail: the same; else
-// undecided. What is not applicable is left out; if nothing is left, so is the aggregate.
+// Returns pass or fail if the open members (undecided, not evaluated) cannot change it; else
+// undecided. Members that are not applicable are omitted; if none is left, neither is the
+// aggregate.
 CheckStatus combine_statuses(const RuleAggregate& aggregate,
                              const std::vector<WeightedStatus>& members);
 

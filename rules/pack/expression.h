@@ -49,7 +49,7 @@ struct ParsedExpression {
   std::size_t position = 0;  // of the error in the text, in bytes from 0
 };
 
-// Names are not looked up and units not checked: see rule_pack_check.h.
+// Parses a formula without looking up names or checking units: see rule_pack_check.h.
 ParsedExpression parse_expression(std::string_view text);
 
 }  // namespace rules

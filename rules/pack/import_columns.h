@@ -1,5 +1,5 @@
 #pragma once
-// The columns of a table that `luxgate rules import` reads: what they are called, what they mean.
+// The columns of a table that `luxgate rules import` reads: their names and meanings.
 
 #include <array>
 #include <cstddef>
@@ -39,23 +39,23 @@ struct ImportColumn {
 
 const std::array<ImportColumn, kImportColumnCount>& import_columns();
 
-// Their names, as calc::CsvColumns takes them.
+// Returns the names of all columns, for calc::CsvColumns.
 const std::array<std::string_view, kImportColumnCount>& import_column_names();
 
-// Letters and digits alone, small, with neither macrons nor the unit lx at the end: "Em, required
-// (lx)" is "emrequired".
+// Returns only letters and digits, in lower case, without macrons and a unit lx at the end:
+// "emrequired" for "Em, required (lx)".
 std::string plain_column_name(std::string_view written);
 
-// The name that a written one stands for; itself if it is of no column.
+// Returns the column name for a written name; the written name itself if it is not a column.
 std::string_view import_column_name(std::string_view written);
 
-// "; did you mean 'Uo'?", or "".
+// Returns "; did you mean 'Uo'?", or "".
 std::string import_column_suggestion(std::string_view written);
 
-// A table with a row about a floor and one about a desk.
+// Returns a table with one row about a floor and one about a desk.
 std::string import_template();
 
-// For the help: a column a paragraph.
+// Returns the text for the help: a paragraph for each column.
 std::string import_columns_help();
 
 }  // namespace rules

@@ -1,5 +1,5 @@
 #pragma once
-// Where the task of a row lies, as the column `plane` of an imported table says it.
+// Reads where the task of a row lies, from the column `plane` of an imported table.
 
 #include <optional>
 #include <string>
@@ -15,13 +15,14 @@ struct TaskPlane {
   std::optional<Heights> heights_m;  // empty: those of the role
 };
 
-// "floor", "vertical", "1.1 m", "board 0.8 to 2 m", ... Empty: nobody knows what is meant.
+// Returns the plane for "floor", "vertical", "1.1 m", "board 0.8 to 2 m", ...; empty if the text is
+// not understood.
 std::optional<TaskPlane> parse_task_plane(std::string_view text);
 
-// The most usual of what it understands, for messages.
+// Returns the most usual texts that are understood, for messages.
 std::string task_plane_choices();
 
-// All of it, for the help.
+// Returns all texts that are understood, for the help.
 std::string task_plane_words();
 
 }  // namespace rules

@@ -1,5 +1,5 @@
 #pragma once
-// Rows from a table of the user's own (a CSV file) into a complete private rule pack.
+// Turns rows of a user's table (a CSV file) into a complete private rule pack.
 
 #include "calc/base/diagnostics.h"
 
@@ -17,11 +17,11 @@ struct ImportedPack {
   int left_out = 0;      // beside them
 };
 
-// The text of a pack like `like_xml` (the text of a pack for indoor work places) with the id
-// `pack_id` and the rows of the table in place of its own. The table's first line names its
-// columns, see import_columns.h. An empty number is a value that the row does not specify; Em only
-// with a reason in the notes. Rows without a ref, or dropped in the final edition, are left out
-// with a warning, and so is what is unusual told. Empty if and only if an error was reported.
+// Returns the text of a pack like `like_xml` (the text of a pack for indoor work places) with the
+// id `pack_id` and the table's rows in place of its own. The table's first line names its columns,
+// see import_columns.h. An empty number means that the row does not specify the value; for Em it
+// needs a reason in the notes. Rows without a ref, or dropped in the final edition, are omitted
+// with a warning; unusual values are warned of, too. Empty exactly if an error was reported.
 std::optional<ImportedPack> import_rows(std::string_view csv, const std::string& csv_file,
                                         std::string_view like_xml, const std::string& pack_id,
                                         calc::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// A formula of a rule pack as a number: the limit of a check for one row, level and project.
+// Evaluates a formula of a rule pack: the limit of a check for one row, level and project.
 
 #include "calc/base/field.h"
 #include "calc/base/message.h"
@@ -12,7 +12,7 @@
 
 namespace rules {
 
-// What a formula may refer to, beside the pack.
+// Everything that a formula may refer to, beside the pack.
 struct LimitScope {
   const RulePack& pack;
   const RuleRow* row = nullptr;  // nullptr: none was chosen
@@ -35,20 +35,23 @@ struct Limit {
   Trust trust = Trust::confirmed;  // the worst of everything that it was made of
   RowLevel level;                  // of the values in it: of the scope, if it changes one of them
   calc::Message reason;            // of not_applicable and unknown, in words
-  // The number that it is, where the plane is at a special place and the pack has one for that.
+  // The special number that the limit is, if the plane is at a special place for which the pack has
+  // one.
   const RuleSpecial* special = nullptr;
 };
 
-// The formula must be one of scope.pack, which was read without error: names are known, units fit
-// and nothing goes round in a circle.
+// Returns the limit of a check. The formula must be from scope.pack, which was read without error:
+// names are known, units fit and there are no cycles.
 Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope);
 
-// Whether its limit hangs on a value of the row, or on the limit of a check that does.
+// Returns whether the limit depends on a value of the row, directly or through another check's
+// limit.
 bool needs_row(const RuleCheck& check, const RulePack& pack);
 
-// The check of a role that says whether a row requires something of it: one that hangs on the row,
-// if there is one, for of a ceiling without a value in the row a uniformity is not required either.
-// Null: the row requires nothing of the role. Checks that `counts` refuses are passed over.
+// Returns the check of a role that shows whether a row requires anything of it. If a check of the
+// role depends on the row, only such checks count: without a value for the ceiling, its uniformity
+// is not required either. Null: the row requires nothing of the role. Checks that `counts` refuses
+// are skipped.
 const RuleCheck* required_check(const std::string& role, const LimitScope& scope,
                                 const std::function<bool(const RuleCheck&)>& counts);
 

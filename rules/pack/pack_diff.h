@@ -1,6 +1,6 @@
 #pragma once
-// In what two rule packs differ, as data: two editions of a standard, or a pack before and after
-// somebody has worked on it.
+// The differences between two rule packs, as data: two editions of a standard, or a pack before and
+// after an edit.
 
 #include "calc/base/names.h"
 #include "rules/pack/limit_change.h"
@@ -18,8 +18,9 @@ enum class PartChange { added, removed, changed };
 struct FieldDifference {
   std::string name;                        // as of PackField
   std::optional<PackField> before, after;  // empty: it is not there
-  // Of this change by itself, with everything else as in either pack. Of row values, entries of
-  // tables, limits, severities, tolerances, and shares and counts of aggregates; else unclear.
+  // The effect of this change by itself, with everything else as in either pack. Known for row
+  // values, entries of tables, limits, severities, tolerances, and shares and counts of aggregates;
+  // otherwise unclear.
   Tightening tightening = Tightening::unclear;
 };
 
@@ -29,22 +30,22 @@ struct PartDifference {
   std::string id;        // in the first pack; of what was added: in the second
   std::string id_after;  // of a row that is matched with another
   std::string title;     // of rows: their name
-  // Of a check that is there or not.
+  // The effect of an added or removed check.
   Tightening tightening = Tightening::unclear;
   std::vector<FieldDifference> fields;  // of what was added or removed: all that it has
 };
 
-// The parts in the order of PackPart; those of a kind as in the first pack, then what was added as
-// in the second. Where they stand in a file is no difference, nor is the file. rows: what rows of
-// the first pack are called in the second; others are matched by their ref.
+// Returns the changed parts in the order of PackPart, those of a kind in the order of the first
+// pack, then the added ones in the order of the second. Places in a file, and the file, make no
+// difference. rows: names of the first pack's rows in the second; other rows are matched by ref.
 std::vector<PartDifference> diff_of(const RulePack& before, const RulePack& after,
                                     const RowNames& rows = {});
 
-// Rows that only one pack has, and only by their number: those of one name that no other of them
-// has.
+// Returns likely names for rows whose ref is in one pack only: pairs of rows with the same name,
+// which no other of these rows has.
 RowNames likely_row_names(const std::vector<PartDifference>& parts);
 
-// Of texts like "5.26.2=34.2", whose rows must be there.
+// Row names from texts like "5.26.2=34.2"; the packs must have these rows.
 struct ReadRowNames {
   RowNames names;
   std::string problem;  // in words; "" = none

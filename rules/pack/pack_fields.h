@@ -1,6 +1,6 @@
 #pragma once
-// A rule pack as parts with named fields, in words: what two packs are compared by. A field has the
-// name of its attribute in the file, as pack_elements.h has them.
+// A rule pack as parts with named fields, in words, for comparing two packs. A field has the name
+// of its attribute in the file, as in pack_elements.h.
 
 #include "calc/base/names.h"
 #include "rules/pack/rule_pack.h"
@@ -12,7 +12,7 @@
 
 namespace rules {
 
-// In the order in which they are told.
+// The kinds of parts, in the order of reports.
 enum class PackPart {
   pack,  // its head
   policy,
@@ -44,15 +44,15 @@ struct PartFields {
   std::vector<PackField> fields;
 };
 
-// Names that another pack has for its rows, by their own.
+// Names that another pack has for the rows of a pack, by their own names.
 using RowNames = std::map<std::string, std::string>;
 
-// Everything of a pack but where it was read from. Lists whose order means nothing are sorted. The
-// planes of a role are numbered, for the first one counts in most places: "wall", "wall-2". Names
-// of rows within other parts mean those of `rows`.
+// Returns all fields of a pack except where it was read from. Lists without a meaningful order are
+// sorted. The planes of a role are numbered, because the first counts in most places: "wall",
+// "wall-2". Other parts name rows as `rows` does.
 std::vector<PartFields> fields_of(const RulePack& pack, const RowNames& rows = {});
 
-// Of a row: "Em trust", "Em modified"; "key 500 lx" of a table.
+// Return the field names of a row, "Em trust" and "Em modified", and of a table, "key 500 lx".
 std::string trust_field(const std::string& parameter);
 std::string modified_field(const std::string& parameter);
 std::string key_field(const RuleTable& table, const RuleTable::Entry& entry);

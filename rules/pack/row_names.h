@@ -1,6 +1,6 @@
 #pragma once
-// What rows of the packs that come with the program are called, for reports that are made long
-// after the pack was read.
+// Names of rows of the packs that come with the program, for reports made long after the pack was
+// read.
 
 #include <string>
 #include <string_view>
@@ -13,8 +13,8 @@ struct RowName {
   std::string name_de;  // the same for readers of the German edition; "" = none
 };
 
-// pack: with its edition, "en12464-1:2021". Null: no pack that comes with the program has the row.
-// Valid for ever.
+// Returns the name of a row. pack: with its edition, "en12464-1:2021". Null: no pack that comes
+// with the program has the row. The pointer stays valid.
 const RowName* builtin_row_name(std::string_view pack, std::string_view row);
 
 }  // namespace rules

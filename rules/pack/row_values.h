@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of rows that cannot be meant, or hardly are.
+// Finds numbers of rows that are impossible or unlikely.
 
 #include "rules/pack/rule_pack.h"
 
@@ -16,12 +16,12 @@ struct RowValueProblem {
   std::string words;                 // "0 lx requires nothing: every plane passes"
 };
 
-// Of values that are the limit of a check by themselves: 0, a level "modified" that is easier, what
-// the quantity cannot be, what is not on the pack's scale. In the order of the file.
+// Returns problems of values that are themselves the limit of a check: 0, an easier level
+// "modified", a number that the quantity cannot have or the pack's scale lacks. In file order.
 std::vector<RowValueProblem> row_value_problems(const RulePack& pack);
 
-// Rows that require nothing of the pack's own role, and neither give a reason nor say that it makes
-// no sense there.
+// Returns rows that require nothing of the pack's own role, give no reason, and do not say that it
+// makes no sense there.
 std::vector<const RuleRow*> rows_without_requirement(const RulePack& pack);
 
 }  // namespace rules

@@ -1,6 +1,6 @@
 #pragma once
-// A standard as data: what its rows require of which part of a room. README.md describes the file;
-// everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
+// A standard as data: the requirements of its rows on the parts of a room. README.md describes the
+// file; everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/message.h"
@@ -33,7 +33,7 @@ enum class Trust {
 calc::Message trust_remark(Trust trust);
 calc::Message with_trust(const calc::Message& name, Trust trust);
 
-// Why a row has no value of a parameter.
+// The reason why a row has no value of a parameter.
 enum class NoValue {
   not_specified,   // the row requires nothing
   not_applicable,  // it makes no sense there
@@ -95,7 +95,7 @@ struct RuleRow {
   bool has_modified_level() const;
 };
 
-// Of planes and rows, as packs have it.
+// The direction of upright planes and rows, as packs name it.
 inline constexpr std::string_view kUpright = "vertical";
 
 enum class TableMatch { exact, next_lower, next_higher, linear };
@@ -128,26 +128,26 @@ struct RuleTable {
   calc::SourceLocation where;
 };
 
-// Preferred values, ascending.
+// A scale of preferred values, ascending.
 struct RuleScale {
   std::string id;
   Unit unit{"none", Dimension::plain, 1.0};
   std::vector<double> values;
-  // The parameter whose required value a project may take so many steps along it, with a reason;
-  // "": none.
+  // The parameter whose required value a project may move along the scale by this many steps, with
+  // a reason; "": none.
   std::string parameter;
   int most_down = 0, most_up = 0;
   Trust trust = Trust::confirmed;  // of that
   calc::SourceLocation where;
 };
 
-// What a check is about. The first seven are what the points of a plane can measure.
+// The quantity of a check. The points of a plane can measure the first seven.
 struct Quantity {
   const char* name;
   Dimension dimension;
   std::optional<calc::ReceiverKernel> kernel;  // empty: not measured on planes
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
-  // Of the space that a plane is in; any plane there will do.
+  // A metric of the space that a plane is in; any plane there will do.
   std::optional<Metric> of_space = {};
 };
 const Quantity* quantity_from_name(std::string_view name);  // nullptr if there is none
@@ -170,8 +170,8 @@ struct EnumNames<rules::LightSources> {
 
 namespace rules {
 
-// Another number of a check for what a workplace says of the plane, see SpecialPlace. Of an unknown
-// task it is in place of the usual limit, of other walls only where it is easier than that.
+// Another limit of a check for a special place that a workplace states, see SpecialPlace. For an
+// unknown task place it replaces the usual limit; for other walls only if it is easier.
 struct RuleSpecial {
   calc::SpecialPlace place = calc::SpecialPlace::none;
   double limit = 0.0;             // base units of what the check limits
@@ -208,19 +208,20 @@ struct RuleCheck {
   std::vector<RuleSpecial> specials;  // one for a place at most
   calc::SourceLocation where;
 
-  // For this place and row (null: none was chosen); null: it has none.
+  // Returns the special limit for this place and row (row null: none chosen); null if there is
+  // none.
   const RuleSpecial* find_special(calc::SpecialPlace place, const RuleRow* row) const;
 
-  // As far as a check says them, of a requirement that measures this.
+  // Returns the arguments of a requirement with this metric, as far as the check states them.
   MetricArguments arguments_of(Metric measured) const;
-  // Of a quantity of the space that counts luminaires by their height.
+  // Returns whether the quantity is about the space and counts luminaires by their height.
   bool has_mounting_heights() const {
     return quantity->of_space && rules::has_mounting_heights(*quantity->of_space);
   }
   Dimension dimension() const { return is_ratio(metric) ? Dimension::plain : quantity->dimension; }
 };
 
-// Verdicts of several checks or places as one.
+// Combines the verdicts of several checks or places.
 struct RuleAggregate {
   std::string id;
   std::string clause;  // within the standard; "" = the row's ref
@@ -243,7 +244,7 @@ struct RuleClass {
   calc::SourceLocation where;
 };
 
-// How the points of a plane are spread.
+// The spacing of the points of a plane.
 struct RuleGrid {
   std::string id;
   std::optional<calc::GridRule> rule;  // empty: the project's own; spacing: along u = longer side
@@ -253,7 +254,7 @@ struct RuleGrid {
 };
 std::string grid_text(const RuleGrid& grid);  // "p = 0.2 * 5^log10 d, ..., rounding nearest"
 
-// What a workplace makes of a role.
+// The area that a workplace makes for a role.
 enum class ZoneArea {
   none,           // nothing
   task,           // the task area: as given, or the whole room
@@ -279,17 +280,17 @@ struct RulePlane {
   double missing_share = 0.1;      // of the points, that bodies or walls may take
 };
 
-// Which way planes of a role look, for a row (may be null): the row's, where the role is that of
-// the task or a band in its plane.
+// Returns the direction of planes of a role, for a row (may be null): the row's direction, if the
+// role is that of the task or a band in its plane.
 std::string orientation_of(const RulePlane& plane, const RuleRow* row);
 
-// What planes of a role are above the floor, for a row (may be null): its task heights, where the
-// role is that of the task, a band at the task's height, or upright without heights of its own.
-// Empty: anything, as for the task of a row that looks another way than the role and has no
-// heights.
+// Returns the heights above the floor of planes of a role, for a row (may be null). These are the
+// row's task heights if the role is the task, a band at the task's height, or upright without its
+// own heights. Empty: any height, as for the task of a row that faces another way than the role and
+// has no heights.
 std::optional<RuleRow::Heights> heights_of(const RulePlane& plane, const RuleRow* row);
 
-// What is left out along the walls of a room of this width.
+// Returns the width of the margin along the walls of a room of this width.
 double margin_in_room_m(const RulePlane& plane, double width_m);
 
 struct RulePack {
@@ -319,13 +320,13 @@ struct RulePack {
   std::vector<RuleClass> classes;
 
   std::string full_id() const { return id + ":" + edition; }
-  // nullptr if there is none.
+  // Return nullptr if there is none.
   const RuleRow* find_row(std::string_view ref) const;
   const RuleCheck* find_check(std::string_view check_id) const;
   const RuleTable* find_table(std::string_view table_id) const;
   const RuleScale* find_scale(std::string_view scale_id) const;
   const RuleScale* find_scale_of(std::string_view parameter_id) const;
-  // "required" and those of level_names() that change something in the row.
+  // Returns "required" and the levels of level_names() that change a value of the row.
   calc::Names levels_of(const RuleRow& row) const;
   const RuleName* find_parameter(std::string_view parameter_id) const;
   const RuleName* find_fact(std::string_view fact_id) const;
@@ -335,12 +336,12 @@ struct RulePack {
 };
 
 // Reads a pack from XML text. `file` is used in messages. Anything unknown, repeated or out of
-// range is an error, and so are formulas whose units do not fit or that go round in a circle; all
-// are reported, and the result is empty if and only if there was one.
+// range is an error, as are formulas with unfitting units or cycles. All errors are reported, and
+// the result is empty exactly if there was one.
 std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string& file,
                                         calc::Diagnostics& diagnostics);
 
-// The packs that are part of the program (rules/packs/*.xml).
+// Returns the packs that are part of the program (rules/packs/*.xml).
 std::vector<RulePack> builtin_rule_packs();
 
 }  // namespace rules

@@ -1,5 +1,5 @@
 #pragma once
-// What can only be seen with a whole rule pack at hand: names in formulas, their units, circles.
+// Checks that need a whole rule pack: names in formulas, their units, cycles.
 
 #include "calc/base/diagnostics.h"
 #include "rules/pack/rule_pack.h"
