@@ -1,6 +1,6 @@
 #pragma once
-// One project from file to document part: load, bind requirements, and per space grids, scene,
-// illuminance, verdicts. See Run, by which it is called.
+// Checks one project from file to document part: loading, binding requirements, and grids, scene,
+// illuminance and verdicts of each space. Run calls it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -16,8 +16,8 @@
 
 namespace check {
 
-// Run::check() and Run::light() but for failures of the machine: throws calc::BackendFailure and
-// std::bad_alloc.
+// Does the work of Run::check() and Run::light(), but throws calc::BackendFailure and
+// std::bad_alloc if the machine fails.
 report::ProjectPart check_project(const std::string& path, const Run& run, Observer& observer);
 calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& units,
                               const Run& run, Observer& observer);

@@ -1,5 +1,5 @@
 #pragma once
-// Which OpenGL device draws pictures of rooms and shadow maps, and why.
+// Chooses the OpenGL device that draws pictures of rooms and shadow maps, and says why.
 
 #include "calc/forecast/drawing_cost.h"
 #include "gpu/device/device_thread.h"
@@ -20,20 +20,21 @@ struct DrawingChoice {
   std::string why;
 };
 
-// The one that draws sooner, where there are both. Not even hardware is opened for it where no
-// hardware could be sooner. work is only asked for if there may be hardware. What is chosen does
-// not depend on --jobs.
+// Returns the faster device, if there are both kinds. Hardware is only opened if it could be
+// faster, and work is only called if there may be hardware. The choice does not depend on --jobs.
 DrawingChoice choose_to_draw(Hardware& hardware, const std::function<calc::DrawingWork()>& work);
 
-// The same for pictures. open: of the calculation, null = none; then nothing else is opened, but
-// where it is software that shadow maps took by cost. is_asked_for: by --gl-device.
+// Returns the device for pictures. open: the calculation's device, null = none. It is used if it is
+// hardware or requested; software that shadow maps chose by cost is compared again. is_asked_for:
+// requested by --gl-device.
 DrawingChoice choose_for_pictures(const gpu::Device* open, bool is_asked_for, Hardware& hardware,
                                   const std::function<calc::DrawingWork()>& work);
 
-// "pictures: software OpenGL: this machine has no graphics device\n"
+// Returns "pictures: software OpenGL: this machine has no graphics device
+// ".
 std::string pictures_line(const DrawingChoice& choice);
 
-// Who draws pictures, opened when first asked for.
+// The device that draws pictures; it is opened at the first request.
 class PictureDevice {
  public:
   struct Request {
@@ -41,14 +42,14 @@ class PictureDevice {
     gpu::Fault fault = gpu::Fault::none;
     std::string program_folder;
     std::shared_ptr<gpu::DeviceThread> open;  // of the calculation; null = none
-    // Told once if hardware that was chosen by cost failed, and how: software draws then.
+    // Called once if hardware that was chosen by cost fails, with the failure: software draws then.
     std::function<void(const std::string& failure)> warn;
   };
   explicit PictureDevice(Request request) : request_(std::move(request)) {}
 
-  // Null: `problem` says why.
+  // Returns the device; null: `problem` says why.
   gpu::DeviceThread* get(std::string& problem);
-  // After a failure while drawing: whether another device is there to try.
+  // Returns, after a failure while drawing, whether there is another device to try.
   bool falls_back(const std::string& failure);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What graphics hardware this machine has and how fast it is, for whoever chooses by that.
+// The graphics hardware of this machine and its speed, for choices between devices.
 
 #include "calc/forecast/device_cost.h"
 #include "gpu/device/device.h"
@@ -11,26 +11,26 @@
 
 namespace check {
 
-// Rates of a device. may_measure: whether the work is worth the second that measuring may take;
-// else only what was kept is asked for. Empty: nothing is known, or `problem` says how the device
+// Returns the rates of a device. may_measure: the work is worth the second that measuring may take;
+// otherwise only stored rates are used. Empty: nothing is known, or `problem` says how the device
 // failed.
 using RatesOf = std::function<std::optional<calc::DeviceRates>(
     const gpu::Device& device, bool may_measure, std::string& problem)>;
-// Measured by gpu::measured_rates(), and kept in the folder of compiled shaders: what cannot be
-// kept does not count, so that one machine chooses alike every time.
+// Returns rates measured by gpu::measured_rates(), stored with the compiled shaders. Rates that
+// cannot be stored do not count, so that a machine chooses alike every time.
 RatesOf rates_on_this_machine(gpu::Fault fault, const std::string& program_folder);
 
-// Looked for when it is first asked for, and once: that opens every device.
+// The graphics hardware, listed once and at the first request, because listing opens every device.
 class Hardware {
  public:
   using Find = std::function<gpu::DeviceList()>;
 
   // program_folder: as for gpu::DeviceRequest.
   Hardware(gpu::Fault fault, const std::string& program_folder);
-  // find: gpu::list_hardware(). may_exist: whether that is worth it.
+  // find: gpu::list_hardware(). may_exist: whether calling it is worthwhile.
   Hardware(bool may_exist, Find find, RatesOf rates_of);
 
-  // Quick.
+  // Returns quickly whether there may be hardware.
   bool may_exist() const { return may_exist_; }
   bool is_found() const { return list_.has_value(); }
   const gpu::DeviceList& list();
@@ -43,7 +43,7 @@ class Hardware {
   std::optional<gpu::DeviceList> list_;
 };
 
-// For messages: why there is none that can be used. note_on_software: "is software".
+// Returns for messages why there is no usable hardware. note_on_software: "is software".
 std::string why_no_hardware(const gpu::DeviceList& hardware, const std::string& note_on_software);
 
 }  // namespace check

@@ -1,5 +1,5 @@
 #pragma once
-// A project as every command takes it: read, with what is required, and within its budget.
+// Loads a project for a command: with its requirements, and within its budget.
 
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
@@ -20,17 +20,17 @@ struct ProjectInBudget {
   calc::MemoryNeed memory;
 };
 
-// See rules::load_judged_project(). Empty, too, after an error about more points or memory than the
-// budget has, of which none has been taken then. replicates: as of calc::RadiositySettings.
+// Loads a project as rules::load_judged_project() does. Also empty if it needs more points or
+// memory than the budget has; none is then allocated. replicates: as in calc::RadiositySettings.
 std::optional<ProjectInBudget> load_in_budget(const std::string& path,
                                               const calc::FileReader& files,
                                               const std::vector<rules::RulePack>& packs,
                                               int replicates, const calc::Budget& budget,
                                               calc::Diagnostics& diagnostics);
 
-// The same for commands that calculate planes without judging them, with the delivered packs and
-// those of `rule_files` (files or folders), and the budget by default. Empty after any error, also
-// of the requirements, which are not handed on.
+// Loads a project for commands that calculate planes without judging them, with the delivered
+// packs, those of `rule_files` (files or folders) and the default budget. Empty after any error,
+// also in requirements, which are not returned.
 std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const calc::FileReader& files,
                                                  const std::vector<std::string>& rule_files,

@@ -1,5 +1,5 @@
 #pragma once
-// Rule packs for a run: those that are part of the program, and those of --rules.
+// Loads the rule packs of a run: those that are part of the program, and those of --rules.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -10,11 +10,11 @@
 
 namespace check {
 
-// Files, and for a folder the *.xml files in it, in order of their names.
+// Returns the files, and for a folder the *.xml files in it, in order of their names.
 std::vector<std::string> rule_files(const std::vector<std::string>& paths,
                                     calc::Diagnostics& diagnostics);
 
-// Errors are reported; what has one is left out.
+// Returns the packs without errors; errors are reported.
 std::vector<rules::RulePack> load_rule_packs(const std::vector<std::string>& paths,
                                              const calc::FileReader& files,
                                              calc::Diagnostics& diagnostics);

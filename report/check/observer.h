@@ -1,7 +1,7 @@
 #pragma once
-// Who watches a check: tells people, stops it, adds pictures. Nothing of it changes a value. Where
-// spaces are checked at the same time (Run::concurrency()) several threads call at once, of
-// different spaces; judged() alone is called for one space after the other, in their order.
+// Observers of a check: they inform people, stop it, or add pictures, and never change a value. If
+// spaces are checked at the same time (Run::concurrency()), several threads call for different
+// spaces; only judged() is called for one space after the other, in their order.
 
 #include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
@@ -18,21 +18,21 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  // It is read, and has so many spaces.
+  // Called when the project is read, with its number of spaces.
   virtual void start_project(std::size_t /*spaces*/) {}
   virtual void start_space(const std::string& /*id*/) {}
-  // Between two pieces of work of a space. False stops the check: the project is not judged.
+  // Called between pieces of work of a space. False stops the check: the project is not judged.
   virtual bool go_on(const calc::SolveProgress& /*progress*/) { return true; }
-  // Asked between two spaces; true stops it as well.
+  // Called between two spaces; true stops the check, too.
   virtual bool is_stopped() const { return false; }
-  // The light of a space is known: of these tasks, in the order of solution.fields.
+  // Called when the light of a space is known, with its tasks in the order of solution.fields.
   virtual void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
                       const calc::PreparedScene& /*scene*/,
                       const std::vector<calc::PlaneTask>& /*tasks*/,
                       const calc::SpaceSolution& /*solution*/) {}
-  // Whether judged() is to be called; scenes are kept until then.
+  // Returns whether judged() is to be called; scenes are kept until then.
   virtual bool draws_rooms() const { return false; }
-  // Its verdicts too; pictures may be added to the part.
+  // Called with the verdicts of a space; may add pictures to the part.
   virtual void judged(const std::string& /*project_path*/, const calc::Space& /*space*/,
                       const calc::PreparedScene& /*scene*/, report::SpacePart& /*part*/) {}
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A project's text with other lamp packages. All else stays as it stands in the file.
+// Changes the lamp packages in a project's text. Everything else stays unchanged.
 
 #include "calc/base/diagnostics.h"
 
@@ -9,9 +9,9 @@
 
 namespace check {
 
-// article_of_type: for the id of a <luminaire-type> the article of one of its packages, which takes
-// the place of its flux and power. The text is in UTF-8. Empty after an error: what parse_xml()
-// refuses.
+// Returns the changed text in UTF-8. article_of_type: for the id of a <luminaire-type> the article
+// of one of its packages, which replaces its flux and power. Empty after an error: parse_xml()
+// refuses the text.
 std::optional<std::string> with_packages(const std::string& bytes, const std::string& file,
                                          const std::map<std::string, std::string>& article_of_type,
                                          calc::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// What a check would do, without doing it.
+// Plans a check without running it.
 
 #include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
@@ -42,7 +42,7 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const calc::Budget& budget = {}, const Selection& selection = {},
                          bool warns_of_one_source = false);
 
-// Of each.
+// Returns a plan for each project.
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
@@ -51,8 +51,8 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const Selection& selection = {},
                                        bool warns_of_one_source = false);
 
-// First looks at all of these projects, with their shadow maps, as far as they are planned, on the
-// threads that the machine has: what `auto` chooses must not depend on settings.jobs, as no result
+// Returns the work of the first sampling rounds of all planned projects, with their shadow maps, on
+// all threads of the machine: the choice of `auto` must not depend on settings.jobs, as no result
 // does.
 calc::DeviceWork first_look_work(const std::vector<ProjectPlan>& projects,
                                  const calc::RadiositySettings& settings);

@@ -1,6 +1,6 @@
 #pragma once
 // The planes of a space before any light: their points, and whether their requirements can be
-// judged on them. check, validate and plan say the same of them.
+// judged on them. check, validate and plan share this.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/message.h"
@@ -17,7 +17,7 @@
 
 namespace check {
 
-// A plane on its way; without a grid `reason` says why it cannot be computed.
+// A plane to be calculated; without a grid `reason` says why it cannot be computed.
 struct PlaneJob {
   const calc::CalcPlane* plane;
   std::vector<rules::Requirement> requirements;  // with the problems of those that do not fit
@@ -25,14 +25,14 @@ struct PlaneJob {
   calc::Message reason;
 };
 
-// Of all planes of the space, in order, and then of those that are no longer left out. A plane
-// without a grid is an error. day: YYYY-MM-DD, by which stated deviations end, and what is left out
-// is asked for again.
+// Returns the jobs of all planes of the space, in order, and then of those whose omission has
+// ended. A plane without a grid is an error. day: YYYY-MM-DD, which decides whether stated
+// deviations and omissions have ended.
 std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
                                       const std::vector<rules::RulePack>& packs,
                                       std::string_view day, calc::Diagnostics& diagnostics);
 
-// A warning for each <require> that counts and has a problem, whatever the light will be.
+// Warns of each <require> that counts and has a problem, whatever the light will be.
 void warn_of_unjudged(const std::vector<PlaneJob>& jobs, calc::Diagnostics& diagnostics);
 
 }  // namespace check

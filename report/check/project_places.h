@@ -1,5 +1,5 @@
 #pragma once
-// Every element of a project's file that the schema knows, and what paths mean.
+// Every element of a project's file that the schema knows, and the paths that name them.
 
 #include "calc/base/element_table.h"
 #include "calc/base/xml_document.h"
@@ -14,7 +14,7 @@ namespace check {
 using calc::XmlAttribute;
 using calc::XmlElement;
 
-// By what an element without an id is known.
+// Returns the attribute that names an element without an id.
 std::string_view key_attribute(std::string_view element);
 
 struct Place {
@@ -24,8 +24,8 @@ struct Place {
   std::string_view key;    // "" = none
 };
 
-// Every element that the schema knows, in the order of the file. Project data have a place also
-// where the file has none: CI knows the revision, whoever has written the file.
+// Every element that the schema knows, in the order of the file. Project data also have a place if
+// the file has none, because CI knows the revision of any file.
 class Places {
  public:
   explicit Places(const XmlElement& root);
@@ -36,16 +36,16 @@ class Places {
 
   const std::vector<Place>& all() const { return places_; }
 
-  // Those that the words before the attribute mean.
+  // Returns the elements that the words before the attribute name.
   std::vector<const Place*> find(std::string_view words) const;
 
-  // All ids around it, in full.
+  // Returns all ids around the element, in full.
   std::string path_of(const Place& place) const;
 
  private:
   void add(const XmlElement& element, const calc::ElementRow& row, std::size_t parent);
-  // The last of the words is about this element, those before it about elements around it. With
-  // names an element may be meant by its name, its id or both.
+  // Returns whether the last word names this element and the words before it elements around it.
+  // With names an element may be given by its name, its id or both.
   bool matches(std::size_t own, std::string_view words, bool with_names) const;
   bool is_rest_around(std::size_t own, std::string_view words, bool with_names) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// A project's text with another room: luminaires more, or a lighter surface. All else stays as it
-// stands in the file.
+// Changes a room in a project's text: more luminaires, or a lighter surface. Everything else stays
+// unchanged.
 
 #include "calc/base/diagnostics.h"
 
@@ -20,8 +20,8 @@ struct AddedLuminaire {
   std::string group;      // "" = none
 };
 
-// room: the id of a <room> that is a prism (with size or corners), else empty and `problem` says
-// why. The text is in UTF-8.
+// The changed text in UTF-8. room: the id of a <room> that is a prism (with size or corners);
+// otherwise the text is empty and `problem` says why.
 struct ChangedText {
   std::optional<std::string> text;
   std::string problem;
@@ -29,15 +29,15 @@ struct ChangedText {
 ChangedText with_luminaires(const std::string& bytes, const std::string& file,
                             const std::string& room, const std::vector<AddedLuminaire>& luminaires);
 
-// The elements at these places of the file, children of the room that place luminaires, and
-// luminaires instead of all of theirs.
+// Replaces all elements at these places of the file, children of the room that place luminaires, by
+// other luminaires.
 ChangedText with_luminaires_instead(const std::string& bytes, const std::string& file,
                                     const std::string& room,
                                     const std::vector<calc::SourceLocation>& elements,
                                     const std::vector<AddedLuminaire>& luminaires);
 
-// surface: an attribute of the room, "floor", "ceiling" or "walls", which then names a material of
-// its own with this reflectance, [0, 1]. Refused where single walls have materials of their own.
+// Gives a surface of the room its own material with this reflectance, [0, 1]. surface: an attribute
+// of the room, "floor", "ceiling" or "walls". Refused if single walls have their own materials.
 ChangedText with_reflectance(const std::string& bytes, const std::string& file,
                              const std::string& room, std::string_view surface, double reflectance);
 

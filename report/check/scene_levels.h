@@ -1,5 +1,5 @@
 #pragma once
-// A project file with other dimming levels: in its text, so that all else stays as it was written.
+// Changes dimming levels in the text of a project file; everything else stays unchanged.
 
 #include "calc/base/diagnostics.h"
 
@@ -23,8 +23,8 @@ struct TextWithLevels {
   std::size_t grouped = 0;  // luminaires, or rows of them, that were given `group_of_others`
 };
 
-// Levels that a scene has already are replaced, further ones
-// added. Empty after an error: what parse_xml() refuses.
+// Returns the text with these levels; existing levels of a scene are replaced, further ones added.
+// Empty after an error: parse_xml() refuses the text.
 std::optional<TextWithLevels> with_scene_levels(const std::string& bytes, const std::string& file,
                                                 const SceneLevels& levels,
                                                 calc::Diagnostics& diagnostics);

@@ -1,6 +1,6 @@
 #pragma once
-// A part of what a project requires, chosen by name: for a quick look at what one works on. What is
-// not chosen is neither calculated nor judged, and never counts as met.
+// Selects a part of a project's requirements by name, for a quick check of current work. The rest
+// is neither calculated nor judged, and never counts as met.
 
 #include "calc/base/diagnostics.h"
 #include "rules/binding/judged_project.h"
@@ -10,7 +10,7 @@
 
 namespace check {
 
-// Patterns of a shell ("office-*"). Of each list one must fit; an empty list takes all.
+// Shell patterns ("office-*"). In each list one must match; an empty list selects everything.
 struct Selection {
   std::vector<std::string> spaces;        // ids or names
   std::vector<std::string> planes;        // ids or names, those of planes that workplaces make too
@@ -23,14 +23,14 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-// As on a command line, quoted for a shell: "--plane 'desk-*' --plane board"; "" of all.
+// Returns the options as on a command line, quoted for a shell: "--plane 'desk-*' --plane board";
+// "" for everything.
 std::string selection_words(const Selection& selection);
 
-// Leaves in the project what is chosen: spaces, planes and requirements; if requirements are chosen
-// by their own names, only planes that have one of them. What a workplace asks has its tags, on
-// whatever plane it stands. Buildings go, since their sums are about more. Warns of how much is not
-// judged (part_selected), or that nothing is left, with the names that there are
-// (nothing_selected).
+// Keeps only selected spaces, planes and requirements in the project; if requirements are selected
+// by their own names, only planes that have one of them. A workplace's requirements have its tags
+// on every plane. Buildings are removed, because their sums need more. Warns how much is not judged
+// (part_selected), or that nothing is left, with the existing names (nothing_selected).
 void select(const Selection& selection, rules::JudgedProject& project,
             calc::Diagnostics& diagnostics);
 

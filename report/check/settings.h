@@ -1,5 +1,5 @@
 #pragma once
-// What a check is asked for, beside the project itself.
+// The settings of a check, beside the project itself.
 
 #include "calc/base/budget.h"
 #include "calc/radiosity/gather/settings.h"
@@ -22,11 +22,11 @@ struct Settings {
   std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
 };
 
-// The clock's day, UTC, if there is none.
+// Returns the day; today's, by the clock in UTC, if it is empty.
 std::string day_or_today(const std::string& day);
 inline std::string day_of(const Settings& settings) { return day_or_today(settings.today); }
 
-// "" if all values are allowed, else what is wrong and what is allowed.
+// Returns "" if all values are allowed, else the wrong value and the allowed ones.
 std::string problem_with(const Settings& settings);
 
 }  // namespace check

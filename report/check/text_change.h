@@ -1,6 +1,6 @@
 #pragma once
-// Changes of the text of an XML file that leave all else as it is: blanks, comments, the numbers of
-// lines.
+// Changes the text of an XML file and leaves everything else as it is: blanks, comments, line
+// numbers.
 
 #include "calc/base/xml_document.h"
 
@@ -14,23 +14,24 @@ namespace check {
 
 class TextChange {
  public:
-  // text: in UTF-8, as parse_xml() read it. The elements below are of its tree, and outlive this.
+  // text: in UTF-8, as parse_xml() read it. The elements below are from its tree, which must
+  // outlive this.
   explicit TextChange(std::string text);
 
-  // An attribute of this element, with a value that is escaped here.
+  // Sets an attribute of this element; the value is escaped here.
   void set(const calc::XmlElement& element, std::string_view name, std::string_view value);
-  // Without this attribute, if the element has it; later lines keep their numbers.
+  // Removes this attribute, if the element has it; later lines keep their numbers.
   void unset(const calc::XmlElement& element, std::string_view name);
-  // An attribute of a child which the element does not have: it becomes its first one, with all
-  // attributes that are set so. One such child at most.
+  // Sets an attribute of a child that the element lacks: the child is added first, with all
+  // attributes set this way. At most one such child.
   void set_in_new(const calc::XmlElement& parent, const calc::XmlElement& child,
                   std::string_view name, std::string_view value);
-  // All of an element; later lines keep their numbers.
+  // Removes all of an element; later lines keep their numbers.
   void remove(const calc::XmlElement& element);
-  // Finished XML before all children of this element; once per element.
+  // Adds finished XML before all children of this element; once per element.
   void add_children(const calc::XmlElement& parent, const std::string& xml);
 
-  // It is UTF-8 now, whatever it was.
+  // Returns the changed text, in UTF-8 whatever it was before.
   std::string apply();
 
  private:
@@ -41,7 +42,7 @@ class TextChange {
 
   std::size_t offset_of(const calc::SourceLocation& where) const;
   std::size_t end_of_attributes(const calc::XmlElement& element) const;
-  // Between its quotes.
+  // Returns the range between its quotes.
   std::pair<std::size_t, std::size_t> value_of(const calc::XmlAttribute& attribute) const;
   std::pair<std::size_t, std::size_t> declared_encoding() const;
 
@@ -53,7 +54,7 @@ class TextChange {
   std::string new_child_, new_attributes_;
 };
 
-// As the value of an attribute in double quotes.
+// Returns the text escaped for an attribute in double quotes.
 std::string escaped_attribute(std::string_view value);
 
 }  // namespace check

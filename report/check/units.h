@@ -1,6 +1,6 @@
 #pragma once
-// A batch in pieces that machines can calculate apart from each other, and how pieces are shared
-// out. What is calculated meets again in a store of looks.
+// Splits a batch into jobs that machines can calculate separately, and assigns them to shards. A
+// store of sampling rounds joins the results.
 
 #include "calc/radiosity/gather/settings.h"
 #include "report/check/plan.h"
@@ -11,32 +11,32 @@
 
 namespace check {
 
-// A space, or some planes of a large one.
+// A job: a space, or some planes of a large one.
 struct Unit {
   std::string project;              // path
   std::string space;                // id
   std::vector<std::string> planes;  // ids, in their order: those that have points
   bool is_whole_space = true;
   std::size_t points = 0;
-  // One core's, for the first look: what decides how much has to follow is not known before.
-  // Counts of work times costs of one machine, so the same on every machine.
+  // Predicted seconds of a core for the first sampling round; further rounds are not known before.
+  // Counts of work times the costs of a fixed machine, so equal on every machine.
   double first_look_s = 0.0;
 };
 
-// Of all projects that are planned, in their order. A space is split, between planes, where it is
-// predicted to take more than split_above_s.
+// Returns the units of all planned projects, in their order. A space predicted to take more than
+// split_above_s is split between planes.
 inline constexpr double kSplitAbove_s = 10.0;
 std::vector<Unit> units_of(const std::vector<ProjectPlan>& projects,
                            const calc::RadiositySettings& settings,
                            double split_above_s = kSplitAbove_s);
 
-// "projects/a.xml: meeting", with planes "projects/a.xml: hall (desk1, desk2)".
+// Returns "projects/a.xml: meeting", with planes "projects/a.xml: hall (desk1, desk2)".
 std::string unit_name(const Unit& unit);
 
-// Which of `count` >= 1 shards each unit belongs to, 0 .. count-1. The list is cut where the sum of
-// predicted seconds says, so that rooms of a project stay together: a shard reads few projects.
-// None has more than an equal share and half of its first and of its last unit. Equal lists of
-// units give equal shards.
+// Returns the shard of each unit, 0 .. count-1; count >= 1. The list is cut by the sum of predicted
+// seconds, so that rooms of a project stay together and a shard reads few projects. No shard has
+// more than an equal share and half of its first and of its last unit. Equal lists of units give
+// equal shards.
 std::vector<std::size_t> shards_of(const std::vector<Unit>& units, std::size_t count);
 
 }  // namespace check

@@ -1,5 +1,5 @@
 #pragma once
-// Light vertices from a file instead of tracing them: `luxgate check --vpl`.
+// Reads light vertices from a file instead of tracing them: `luxgate check --vpl`.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -12,27 +12,28 @@
 
 namespace check {
 
-// Of one space, with the settings of use_settings_of().
+// The vertices of one space, with the settings of use_settings_of().
 struct VertexSource {
   std::string file;
   calc::VertexCache cache;
 };
 
-// As in VertexCache::made_by: the program and the version of its numbers.
+// Returns the program and the version of its numbers, as in VertexCache::made_by.
 std::string vertex_maker();
 
-// Empty after an error: unreadable, changed, of another version, or too few replicates to judge by.
+// Returns the vertices; empty after an error: the file is unreadable, changed, of another version,
+// or has too few replicates to judge by.
 std::optional<VertexSource> read_vertex_source(const std::string& file,
                                                const calc::FileReader& files,
                                                calc::Diagnostics& diagnostics);
 
-// Seed, replicates and paths.
+// Sets seed, replicates and paths.
 void use_settings_of(const calc::VertexCache& cache, calc::RadiositySettings& settings);
 
-// False after an error.
+// Returns whether the project has the space; false after an error.
 bool has_space_of(const VertexSource& source, const calc::Project& project,
                   calc::Diagnostics& diagnostics);
-// skips: of the run that wants to use them.
+// Returns whether the vertices fit the scene. skips: of the run that is to use them.
 bool fits(const VertexSource& source, const calc::PreparedScene& scene, const calc::SkipSet& skips,
           calc::Diagnostics& diagnostics);
 
