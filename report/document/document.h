@@ -1,6 +1,6 @@
 #pragma once
-// Everything a report says, in no particular format. Renderers read this and nothing else, so that
-// every format tells the same story.
+// The contents of a report, without a format. Renderers read nothing else, so that every format
+// reports the same.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
@@ -34,7 +34,7 @@
 
 namespace report {
 
-// Seconds by phase; absent from formats unless timing was asked for, since they change from run to
+// Seconds by phase; formats have them only if timing was requested, because they change from run to
 // run.
 struct PhaseTimes {
   double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0,
@@ -42,8 +42,8 @@ struct PhaseTimes {
   double total_s = 0;
 };
 
-// On what machines the same command, with the same files, gives the same bits again: any x86-64
-// processor; those with the same graphics device and driver; none, since time cut it short.
+// The machines on which the same command with the same files gives the same bits again: any x86-64
+// processor; those with the same graphics device and driver; none, because time cut it short.
 enum class SameBits { any_processor, same_device, nowhere };
 
 struct Provenance {
@@ -61,16 +61,17 @@ struct Provenance {
   int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
   SameBits same_bits = SameBits::any_processor;
   bool is_redacted = false;  // see redact()
-  // The owner's policy that it was judged by: its name and the hash of its file; "" = none.
+  // The owner's policy of the check: its name and the hash of its file; "" = none.
   std::string policy = {}, policy_sha256 = {};
-  // Options that chose a part of what the projects require: "--plane 'desk-*'"; "" = all of it.
+  // Options that selected a part of the projects' requirements: "--plane 'desk-*'"; "" =
+  // everything.
   std::string selection = {};
-  // Options of the method that are not as by default: "--method instant-radiosity --clamp 10".
+  // Options of the method that differ from the defaults: "--method instant-radiosity --clamp 10".
   std::string method = {};
 };
 
-// The flux that people read of a light: as its file states it where its intensities, which give the
-// flux that is calculated with, agree to one percent. stated_lm: 0 = not stated.
+// Returns the flux to report: as the photometry file states it, if the flux from its intensities,
+// which is calculated with, agrees to one percent. stated_lm: 0 = not stated.
 inline double told_flux_lm(double calculated_lm, double stated_lm) {
   constexpr double kSame = 0.01;
   const double apart_lm =
@@ -80,21 +81,22 @@ inline double told_flux_lm(double calculated_lm, double stated_lm) {
 
 struct LuminaireRow {
   std::string type_id, photometry_file, name, format;
-  // As the photometry file has them, in its own words; "" = not stated.
+  // In the photometry file's own words; "" = not stated.
   std::string maker = {}, article_number = {}, lamp = {}, colour_temperature = {},
               colour_rendering = {};
-  // Article of the lamp package that the project takes, which is then the one to buy; "" = none.
+  // Article of the project's lamp package, which is then ordered; "" = none.
   std::string package = {};
   int count = 0;
   double flux_lm = 0;  // one luminaire, after any override
   double power_w = 0;  // 0 = not stated
-  // As the photometry file has them, without what the project overrides: 0 = not stated, not known.
+  // As in the photometry file, without the project's overrides: 0 = not stated, not known.
   double file_flux_lm = 0, file_power_w = 0;
   double stated_flux_lm = 0;  // in words of the file, see told_flux_lm(); 0 = not stated
   double max_intensity_cd = 0;
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
-  // Of the housing that shades: "" = none, light passes through the luminaire. Depth 0: its face.
+  // Material of the housing that shades: "" = none, light passes through the luminaire. Depth 0:
+  // its face.
   std::string housing_material = {};
   double housing_depth_m = 0;
   std::string sha256;  // of the photometry file
@@ -102,18 +104,19 @@ struct LuminaireRow {
   // 180; empty: not known.
   std::vector<double> c0_cd = {}, c90_cd = {};
 
-  // Of one luminaire and of its file, as people read them.
+  // Return the reported flux of one luminaire and of its file.
   double told_lm() const {
     const bool is_of_file = package.empty() && flux_lm == file_flux_lm;
     return is_of_file ? told_file_lm() : flux_lm;
   }
   double told_file_lm() const { return told_flux_lm(file_flux_lm, stated_flux_lm); }
-  // Of another lamp or flux than the photometry file's: what that says of colour is of another
-  // light.
+  // Returns whether lamp or flux differ from the photometry file's: its colour data are then of
+  // another light.
   bool is_of_other_light() const {
     return !package.empty() || (file_flux_lm > 0.0 && calc::is_other_flux(flux_lm, file_flux_lm));
   }
-  // What to order: the package, or the article that the photometry file is of. "" = not stated.
+  // Returns the article to order: the package, or the article of the photometry file. "" = not
+  // stated.
   const std::string& article() const { return package.empty() ? article_number : package; }
 };
 inline constexpr double kPolarStep_deg = 2.5;
@@ -127,26 +130,27 @@ struct MaterialRow {
 struct PointRow {
   glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
   int column = 0, row = 0;
-  // In the plane's unit: every luminaire at full output, times maintenance factors; glare ratings
-  // are of the new installation.
+  // In the plane's unit, with every luminaire at full output, times maintenance factors; glare
+  // ratings are of the new installation.
   calc::Estimate measured;
   double direct_lx = 0;  // maintained, mean over replicates
   double indirect_lx = 0;
 };
 
-// What one dimming group gives to a plane, alone and at full output, reflections included.
+// The light of one dimming group on a plane, alone and at full output, reflections included.
 struct GroupShare {
   std::string group;          // "" = luminaires without a group
   calc::Estimate average_lx;  // maintained
   double direct_lx = 0;       // of it, on average over the points
-  // [point] as PlanePart::points, maintained, to kShareDigits digits: what other levels would give
-  // follows from it. Empty: this group is the only one, or kMostShareValues are not enough.
+  // [point] as PlanePart::points, maintained, to kShareDigits digits, for calculating the light at
+  // other levels. Empty: this group is the only one, or kMostShareValues are not enough.
   std::vector<double> point_lx = {};
 };
 inline constexpr int kShareDigits = 6;
 inline constexpr std::size_t kMostShareValues = 20'000;  // of all groups of a plane
 
-// What one luminaire gives to a plane, alone and at full output, reflections included; maintained.
+// The light of one luminaire on a plane, alone and at full output, reflections included;
+// maintained.
 struct LuminaireShare {
   std::string id;              // "" = the project gives none
   std::string type_id, group;  // group "" = none
@@ -164,8 +168,8 @@ struct LuminaireShares {
   glm::dvec3 minimum_at_m{0.0};         // the point with the least light of all luminaires
 };
 
-// The light that all requirements of a plane ask for, where that is not all luminaires at full
-// output with reflected light, maintained: what drawings of emergency lighting are to show.
+// The light for which all requirements of a plane ask, if it is not all luminaires at full output
+// with reflected light, maintained: drawings of emergency lighting show it.
 struct AskedPoint {
   calc::Estimate measured;
   double direct_lx = 0, indirect_lx = 0;
@@ -176,7 +180,7 @@ struct AskedLight {
   bool direct_only = false;
   std::vector<AskedPoint> points;  // as PlanePart::points
   calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
-  // The values above and those of the plane have been exchanged, see ShownPlane.
+  // The values above and those of the plane are exchanged, see ShownPlane.
   bool is_shown = false;
 
   bool is_asked_by(const rules::Requirement& requirement) const {
@@ -185,7 +189,7 @@ struct AskedLight {
   }
 };
 
-// A plane as it was after one look at its growing results.
+// A finding of a plane after one sampling round of its growing results.
 struct LookFinding {
   rules::Verdict verdict = rules::Verdict::not_judged;
   calc::Estimate measured;  // meaningless when not judged
@@ -201,7 +205,7 @@ struct PlaneLook {
 struct PlanePart {
   std::string id, was, name, space_id;  // was: as of a room
   calc::SourceLocation where;
-  // What all values below are that do not name a unit; calc::unit_of(derived) is theirs.
+  // The quantity of all values below that do not name a unit; calc::unit_of(derived) is their unit.
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
   std::vector<calc::Message> remarks;  // how the quantity was come by, where that is to be told
@@ -210,7 +214,7 @@ struct PlanePart {
   calc::Message made_by, changed;  // see calc::CalcPlane
   calc::SensorGrid grid;           // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
-  // Maintained; of ratings and ratios only minimum and maximum exist.
+  // Maintained; ratings and ratios have only minimum and maximum.
   calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
   std::vector<rules::Finding> findings;
   std::optional<AskedLight> asked_light;  // of illuminances; with points and statistics alone
@@ -246,13 +250,13 @@ struct BodyMark {  // furniture, for plans
   std::string materials = {};                      // ids, in the order of their first triangles
 };
 
-// Of the shell of a room: floor, ceiling and walls.
+// The finish of a room's shell: floor, ceiling and walls.
 struct SurfaceFinish {
   std::string surface;    // "floor", "wall1"
   std::string materials;  // ids, as of a body
 };
 
-// Which colours stand for low and for high values.
+// The colours for low and for high values.
 enum class ColourMap {
   cividis,       // dark blue to yellow: for all common forms of colour vision, and for grey print
   false_colour,  // blue, cyan, green, yellow, red, magenta, as lighting programs have it
@@ -293,12 +297,13 @@ struct SpacePart {
   std::vector<SurfaceFinish> finishes;
   std::vector<BodyMark> bodies;
   std::size_t bodies_left_out = 0;  // too many to draw
-  // Where surfaces of a room from a file bend or end, two ends each; the longest, if too many.
+  // Edges and bends of surfaces of a room from a file, two ends each; only the longest, if too
+  // many.
   std::vector<glm::dvec3> surface_lines_m;
   std::size_t surface_lines_left_out = 0;
   calc::FluxBalance balance;
-  // Of everything here that light depends on but maintenance and dimming, see scene_digest(); "" in
-  // results of earlier versions. Equal ones: the same light.
+  // Hash of everything here that light depends on except maintenance and dimming, see
+  // scene_digest(); "" in results of earlier versions. Equal hashes: the same light.
   std::string scene_sha256;
   std::vector<PlanePart> planes;
   std::vector<calc::Message> notes;          // zones of workplaces that were not made, and why
@@ -312,7 +317,7 @@ struct SceneRow {  // luminaires that are dimmed
   std::vector<std::pair<std::string, double>> level_of_group;  // [0, 1]; others are at 1
 };
 
-// Of luminaires of that group, "" = of none.
+// Returns the level of luminaires of that group, "" = of no group.
 double level_of(const SceneRow& scene, const std::string& group);
 
 struct ProjectPart {
@@ -322,14 +327,14 @@ struct ProjectPart {
   calc::MaintenancePlan maintenance_plan;
   bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
   std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
-  // Ids of those warnings that count like errors, because somebody asked for it (--strict).
+  // Ids of those warnings that count like errors, as --strict requires.
   std::vector<calc::DiagnosticId> strict_warnings;
   std::vector<LuminaireRow> luminaires;
   std::vector<MaterialRow> materials;
   std::vector<SceneRow> scenes;
   std::vector<SpacePart> spaces;
   std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
-  // Of scenes in which something is not met, see check --advice; nothing: nobody has asked.
+  // Advice for scenes with unmet requirements, see check --advice; empty: not requested.
   std::optional<std::vector<LevelAdvice>> advice;
   std::vector<calc::InputFile> inputs;
   PhaseTimes times;
@@ -355,41 +360,41 @@ struct Document {
   std::optional<Revision> revision;  // against a baseline, where one was given
 };
 
-// Of what does not exist: not a number, which renderers show as a dash.
+// Returns the estimate of something that does not exist: NaN, which renderers show as a dash.
 calc::Estimate no_estimate();
-// As every document has them: of a value that is not finite no_estimate(), but of what
-// is_nothing(), and ends that are not finite (files cannot hold them, nor tell why) as open ones,
-// -infinity and +infinity.
+// Returns the estimate for documents: no_estimate() for a value that is not finite, except for
+// is_nothing(); ends that are not finite become open ends, -infinity and +infinity, because files
+// can neither hold nor explain them.
 calc::Estimate settled(const calc::Estimate& estimate);
-// All of a plane's.
+// Settles all estimates of a plane.
 void settle_estimates(PlanePart& plane);
 
-// It has a waiver or a stated deviation, so that its verdicts hang on the day.
+// Returns whether there is a waiver or a stated deviation, so that verdicts depend on the day.
 bool hangs_on_the_day(const Document& document);
 
-// Over all findings; a project that could not be judged at all counts as one not_judged.
+// Counts verdicts over all findings; a project that could not be judged at all counts as one
+// not_judged.
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);
 VerdictCounts count_verdicts(const SpacePart& space);  // of its planes, without aggregates
 
 bool is_warning(const calc::Diagnostic& diagnostic);
-// It is a warning that counts like an error.
+// Returns whether it is a warning that counts like an error.
 bool is_strict_warning(const ProjectPart& project, const calc::Diagnostic& diagnostic);
 WarningCounts count_warnings(const Document& document);
 WarningCounts count_warnings(const ProjectPart& project);
 
-// Options chose a part of what projects require, and this one has nothing of it; what could not be
-// judged may have it.
+// Returns whether options selected a part of the requirements and this project has none of it; a
+// project that could not be judged may have it.
 bool is_nothing_chosen(const ProjectPart& project);
 
-// The gravest of everything in it. not_judged: also a project that could not be judged at all, and
-// a plane without result, even one of which nothing is required, and projects of which none has
-// what options chose.
+// Returns the gravest outcome in it. not_judged: also for a project that could not be judged at
+// all, for any plane without result, and if no project has what options selected.
 rules::Outcome outcome_of(const Document& document);
 rules::Outcome outcome_of(const ProjectPart& project);
 
-// What a document says of all its projects together, summed up one by one: the projects themselves
-// need not be kept for it.
+// The sums over all projects of a document, added one by one: the projects themselves need not be
+// kept.
 struct Totals {
   int projects = 0;
   int projects_not_judged = 0;
@@ -405,17 +410,17 @@ struct Totals {
   std::vector<calc::Message> one_source_rows = {};
 
   void add(const ProjectPart& project);
-  // Options chose nothing in any of the projects.
+  // Returns whether options selected nothing in any of the projects.
   bool is_selection_empty() const { return projects > 0 && projects_unchosen == projects; }
 };
 Totals totals_of(const Document& document);
 
-// A document whose projects are rendered one by one, and forgotten.
+// The frame of a document whose projects are rendered one by one and then dropped.
 struct DocumentFrame {             // what is known before the first of them
   Provenance provenance;           // judged_on and same_bits come at the end
   std::vector<std::string> paths;  // of all projects, in order
-  // What a revision says of a finding is known only when all projects are: with a baseline the
-  // whole document is kept, and stands here. Null without one.
+  // The revision of a finding is known only when all projects are: with a baseline the whole
+  // document is kept here. Null without a baseline.
   const Document* revised = nullptr;
 };
 struct DocumentEnd {  // what is known after the last one
@@ -423,10 +428,10 @@ struct DocumentEnd {  // what is known after the last one
   Totals totals;
   std::string own_revision = {};  // with which a gate of regressions compared HEAD itself; else ""
 };
-// Of one that is there as a whole, which the frame refers to.
+// Return the frame and the end of a whole document, to which the frame refers.
 DocumentFrame frame_of(const Document& document);
 DocumentEnd end_of(const Document& document);
-// Errors of no single project, which every format says beside those of projects.
+// Returns errors of no single project, which every format shows beside those of projects.
 std::vector<calc::Diagnostic> document_errors(const DocumentEnd& end);
 
 }  // namespace report

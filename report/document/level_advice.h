@@ -1,5 +1,5 @@
 #pragma once
-// Dimming levels that would make a project pass, as reports say them: see check --advice.
+// Dimming levels that would make a project pass, for reports: see check --advice.
 
 #include "calc/base/message.h"
 #include "calc/base/names.h"
@@ -10,7 +10,7 @@
 
 namespace report {
 
-// How many times the light of the luminaires is looked for at most.
+// Advice never raises the luminaires' light by more than this factor.
 inline constexpr double kMostAdvisedLight = 20.0;
 
 enum class AdviceOutcome {
@@ -21,7 +21,7 @@ enum class AdviceOutcome {
   none_found,     // the search ended, or its levels did not pass the check
 };
 
-// What levels are to take the least of.
+// The quantity that advised levels minimize.
 enum class CostUnit {
   watt,
   lumen,          // the power of a luminaire is not known
@@ -37,22 +37,22 @@ struct AdvisedGroup {
   double level = 1.0;                   // advised; above 1: so many times the light
 };
 
-// Of a requirement, by ids.
+// Names a requirement by ids.
 struct RequirementName {
   std::string plane, requirement;
 };
 
-// Of one light scene.
+// The advice for one light scene.
 struct LevelAdvice {
   std::string scene;  // "" = full output
   AdviceOutcome outcome = AdviceOutcome::none_found;
   calc::Message reason;  // of none_found, in words
   CostUnit unit = CostUnit::watt;
-  // At the levels of now and at those advised; 0 without levels.
+  // The quantity at the current levels and at the advised ones; 0 without levels.
   double now = 0.0, advised = 0.0;
   std::vector<AdvisedGroup> groups;  // of levels and more_light
-  // Of the scene's requirements that count: with these levels, checked with other random numbers;
-  // of more_light by the same light. 0 without levels.
+  // Counts of the scene's requirements that count: passing with these levels, checked with other
+  // random numbers; for more_light with the same light. 0 without levels.
   std::size_t passing = 0, asked = 0;
   std::vector<RequirementName> not_met;         // of them
   std::vector<std::string> aggregates_not_met;  // of rule packs, likewise, in words

@@ -1,5 +1,5 @@
 #pragma once
-// The luminaires of a project as a tender lists them: a line for each type that is used.
+// The luminaires of a project as in a tender: a line for each type in use.
 
 #include "report/document/document.h"
 #include "report/document/luminaire_totals.h"
@@ -11,15 +11,16 @@
 
 namespace report {
 
-// Points into the project.
+// One line of the schedule. It points into the project.
 struct ScheduleRow {
   const LuminaireRow* type = nullptr;
   std::string position;  // see position_letter()
-  // Of the luminous opening, along C0 and C90 around its centre; empty: a point, or not known.
+  // Outline of the luminous opening, along C0 and C90 around its centre; empty: a point, or not
+  // known.
   std::vector<glm::dvec2> outline_m = {};
   glm::dvec2 opening_m{0.0};  // its sides; 0: likewise
-  // Of the openings' centres, each once, ascending, to the centimetre: above the floor of rooms
-  // with a floor plan, and else above z = 0.
+  // Heights of the openings' centres, each once, ascending, to the centimetre: above the floor in
+  // rooms with a floor plan, otherwise above z = 0.
   std::vector<double> heights_m = {}, heights_above_zero_m = {};
   std::vector<const SpacePart*> spaces = {};  // where it is, in the project's order
 };
@@ -30,7 +31,7 @@ struct LuminaireSchedule {
   std::vector<const SpacePart*> roads;  // with luminaires, see is_power_of_spacing()
 };
 
-// Valid as long as the project.
+// Returns the schedule, which is valid as long as the project.
 LuminaireSchedule schedule_of(const ProjectPart& project);
 
 }  // namespace report

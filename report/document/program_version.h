@@ -1,5 +1,5 @@
 #pragma once
-// Which luxgate made something.
+// The version of luxgate that made something.
 
 #include <string>
 

@@ -1,6 +1,5 @@
 #pragma once
-// What a revision of designs has done to what a document says, against a baseline: plain data.
-// report/revision makes it.
+// The changes from a baseline to a revised design: plain data. report/revision makes it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
@@ -17,8 +16,8 @@
 
 namespace report {
 
-// What became of a requirement, gravest first. Worse and better: provably, beyond the interval of
-// the difference.
+// The change of a requirement's result, gravest first. Worse and better are proved: beyond the
+// interval of the difference.
 enum class ResultChange : std::uint8_t {
   broken,       // did not fail, and fails
   new_failing,  // was not asked before, and fails
@@ -31,10 +30,10 @@ enum class ResultChange : std::uint8_t {
   same
 };
 
-// What is asked now, beside what was asked before. Exchanged: neither is proved to ask less.
+// The change of a requirement itself. exchanged: neither is proved to require less.
 enum class QuestionChange : std::uint8_t { weaker, exchanged, stricter };
 
-// What of a question.
+// The part of a requirement that changed.
 enum class QuestionPart : std::uint8_t {
   project,  // all of it
   room,
@@ -65,7 +64,7 @@ enum class QuestionPart : std::uint8_t {
   stated   // of a road or a field, what its values rest on
 };
 
-// Where in the design; later parts are "" where something is about all of the earlier one. Ids.
+// A place in the design, by ids; later parts are "" if it is all of the earlier part.
 struct RevisionPlace {
   std::string project;  // its path; as it was, of what is gone
   std::string space, plane;
@@ -84,16 +83,17 @@ struct ChangedResult {
   std::optional<rules::Verdict> verdict_before, verdict_after;  // none: it was not asked
   bool is_waived_before = false, is_waived_after = false;
   bool counts = true;  // for the exit code: not advice, nor a member of aggregates alone
-  // Not a number where it was not judged or not asked. difference: after - before; an open interval
-  // is infinite.
+  // NaN if it was not judged or not required. difference: after - before; an open interval is
+  // infinite.
   calc::Estimate before, after, difference;
-  // For the requirement: (after - before) / |before|, negative is worse; as the difference.
+  // The gain for the requirement: (after - before) / |before|, negative is worse; the interval as
+  // for the difference.
   calc::Estimate gain;
-  // Replicate by replicate: what both share by the same random numbers is not in the interval.
+  // Compared replicate by replicate: the interval omits the common part of equal random numbers.
   bool is_paired = false;
-  // Worse, and passes: what is lost, a question takes that asks more of the design than before. By
-  // the maintenance factor: no more than the lower one of all luminaires takes. By the grid: it is
-  // finer, and nothing else in the room has changed.
+  // The part of the requirement that explains a worse result that still passes: the requirement is
+  // stricter than before. Maintenance factor: the loss is at most that of the lower factor over all
+  // luminaires. Grid: it is finer, and nothing else in the room has changed.
   std::optional<QuestionPart> excused_by;
 };
 
@@ -104,20 +104,21 @@ struct ChangedQuestion {
   std::string before, after;  // "" = there was none, or is none
 };
 
-// Of the input, and no question: luminaires, photometry, materials, bodies.
+// A change of the input that is no change of requirements: luminaires, photometry, materials,
+// bodies.
 struct ChangedInput {
   RevisionPlace place;
   std::string what;  // "luminaires", "photometry", ...
   std::string before, after;
 };
 
-// Values of a plane that are others than before, at the same points.
+// Values of a plane that differ from before, at the same points.
 struct ChangedPlane {
   RevisionPlace place;
   std::vector<double> before_lx;  // [point of the plane]: maintained, as PointRow::measured
 };
 
-// Warnings of a project that it had before, word for word.
+// Warnings of a project that are equal to earlier ones, word for word.
 struct KnownWarnings {
   std::string project;                   // its path
   std::vector<std::size_t> diagnostics;  // which of its diagnostics, from 0
@@ -125,7 +126,7 @@ struct KnownWarnings {
 
 enum class GateMode : std::uint8_t { all, regression };
 
-// Of a value: what may be lost without a word.
+// The loss of a value that is allowed without being reported.
 struct AllowedLoss {
   rules::Metric metric = rules::Metric::average;
   double share = 0.0;  // 0 to 1
@@ -146,9 +147,9 @@ struct Revision {
   std::vector<ChangedResult> results;  // without those that are the same; gravest first
   std::size_t same = 0;
   std::size_t known_failures = 0;  // that count, and failed before
-  // Of `same`: the interval of the difference holds a loss of more than is allowed.
+  // Part of `same`: the interval of the difference includes a loss greater than allowed.
   std::size_t untold = 0;
-  // HEAD compared with itself: nothing can have become worse, whatever the projects say.
+  // HEAD is compared with itself: nothing can be worse, whatever the projects contain.
   bool is_of_itself = false;
   std::vector<ChangedQuestion> questions;
   std::vector<ChangedInput> inputs;

@@ -1,5 +1,5 @@
 #pragma once
-// A street of a project, with what its drivers see. In the road's own frame, see
+// A street of a project, with the values for its drivers. In the road's own frame, see
 // calc/road/road_light.h: x along it, y across it from its right edge, metres.
 
 #include "calc/road/road_light.h"
@@ -20,7 +20,7 @@ struct RoadRowPart {
   double maintenance_factor = 1;
 };
 
-// A part of the street with a plane of its own: carriageway or footway.
+// A part of the street with its own plane: carriageway or footway.
 struct RoadAreaPart {
   std::string plane_id, name;
   double from_y_m = 0, to_y_m = 0;  // from < to

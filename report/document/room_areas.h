@@ -1,6 +1,6 @@
 #pragma once
-// The tasks of a room: places of work, boards, carriageways and footways, each with what is asked
-// of it. See room_summary.h.
+// The tasks of a room: workplaces, boards, carriageways and footways, each with its requirements.
+// See room_summary.h.
 
 #include "report/document/document.h"
 #include "rules/verdict/outcome.h"
@@ -11,7 +11,7 @@
 
 namespace report {
 
-// A row of a rule pack that something of a room is asked by.
+// A row of a rule pack that some requirement of a room comes from.
 struct AskedRow {
   std::string pack, row;  // "en12464-1:2021", "34.2"
   bool is_user_supplied = false;
@@ -19,13 +19,13 @@ struct AskedRow {
   bool operator==(const AskedRow&) const = default;
 };
 
-// Of several requirements together. Points into the project.
+// Key values of several requirements. Points into the project.
 struct KeyValues {
-  // The gravest of what counts: advice and what is waived do not.
+  // The gravest outcome of requirements that count: advice and waived ones do not.
   rules::Outcome outcome = rules::Outcome::nothing_asked;
   int required = 0, met = 0;  // of the requirements that count
-  // The requirement of the gravest verdict, and of these the one with the least margin, of the task
-  // or of planes that the project describes by itself. Glare: of all planes. Null: none is asked.
+  // The requirement with the gravest verdict and then the least margin, of the task or of planes
+  // that the project describes itself. Glare: of all planes. Null: none is required.
   const rules::Finding* average = nullptr;      // of illuminance, or of a carriageway's luminance
   const rules::Finding* uniformity = nullptr;   // minimum / average of either
   const rules::Finding* minimum = nullptr;      // as on the line of an escape route
@@ -38,8 +38,8 @@ void add_to_values(const PlanePart& plane, const rules::Finding& finding, bool i
                    KeyValues& values);
 void add_row(const rules::RuleOrigin& origin, std::vector<AskedRow>& rows);
 
-// A workplace with all of its planes, or a plane that the project describes by itself; where
-// several rows are asked of it, what one of them asks. Points into the project.
+// A workplace with all of its planes, or a plane that the project describes itself; if several rows
+// require something of it, the part of one row. Points into the project.
 struct RoomArea : KeyValues {
   const PlanePart* task = nullptr;  // the first plane of its task, for its name
   std::string workplace;            // id; "" = a plane by itself
@@ -55,8 +55,9 @@ struct RoomArea : KeyValues {
   bool has(const rules::Finding* finding) const;
 };
 
-// Gravest first, of these the one with the least margin. Requirements that workplaces share, such
-// as of walls, are of each of them. Empty: there are fewer than two. aggregates: about the room.
+// Returns the areas, gravest first and then by least margin. Requirements that workplaces share,
+// such as on walls, belong to each of them. Empty: fewer than two areas. aggregates: about the
+// room.
 std::vector<RoomArea> room_areas(const SpacePart& space,
                                  const std::vector<const rules::AggregateFinding*>& aggregates);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The requirements of a room, a line each: what walls or observers meet alike is one line.
+// The requirements of a room, one line each: requirements that walls or observers meet alike share
+// a line.
 
 #include "report/document/room_summary.h"
 
@@ -8,19 +9,19 @@
 
 namespace report {
 
-// Points into the project.
+// A line of requirements. It points into the project.
 struct RoomLine {
   std::string role;  // of a rule pack, that the planes have: "wall"; "" = none
-  // In document order, never empty. Several: all have the same requirement and the same verdict,
-  // which nothing weakens.
+  // In document order, never empty. Several parts have the same requirement and the same verdict,
+  // without waiver or deviation.
   std::vector<RoomCause::Part> parts;
 
-  // The one with the least margin.
+  // Returns the part with the least margin.
   const RoomCause::Part& worst() const { return worst_of(parts); }
 };
 
-// All requirements of the room's planes, in document order. What fails, is waived, is close to its
-// limit or rests on a deviation has a line of its own.
+// Returns all requirements of the room's planes, in document order. Those that fail, are waived,
+// are close to their limit or rest on a deviation have their own lines.
 std::vector<RoomLine> room_lines(const SpacePart& space);
 
 }  // namespace report

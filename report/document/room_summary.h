@@ -1,6 +1,6 @@
 #pragma once
-// A line for each room: is it met, what are its main values, what is nearest to its limit. Made
-// once for all formats.
+// A line for each room: whether it is met, its main values, and the value nearest to its limit.
+// Made once for all formats.
 
 #include "report/document/document.h"
 #include "report/document/room_areas.h"
@@ -11,8 +11,8 @@
 
 namespace report {
 
-// What keeps a room from passing, for one reason: what could not be judged for one cause, or the
-// same requirement that several of its planes do not meet. Points into the project.
+// One reason why a room does not pass: requirements not judged for one cause, or the same
+// requirement that several planes do not meet. Points into the project.
 struct RoomCause {
   struct Part {
     const PlanePart* plane = nullptr;
@@ -27,15 +27,16 @@ struct RoomCause {
   const Part& worst() const;
 };
 
-// The part with the least margin; the first one where none was judged. parts: not empty.
+// Returns the part with the least margin; the first part if none was judged. parts: not empty.
 const RoomCause::Part& worst_of(const std::vector<RoomCause::Part>& parts);
 
-// Of the walls that rows ask something of, each once.
+// Counts of the walls on which rows require something, each once.
 struct WallCounts {
   int asked = 0, met = 0, not_judged = 0;
 };
 
-// Its values are of requirements of its planes and aggregates about it. Points into the project.
+// The summary of a room. Its values are of requirements on its planes and aggregates about it.
+// Points into the project.
 struct RoomSummary : KeyValues {
   const SpacePart* space = nullptr;
   WallCounts walls;
@@ -45,7 +46,7 @@ struct RoomSummary : KeyValues {
   std::vector<RoomArea> areas;                          // gravest first; empty: one task, or none
 };
 
-// Of all rooms of which something is asked, in their order. Valid as long as the project.
+// Returns summaries of all rooms with requirements, in their order; valid as long as the project.
 std::vector<RoomSummary> room_summaries(const ProjectPart& project);
 
 }  // namespace report

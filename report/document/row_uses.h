@@ -1,6 +1,6 @@
 #pragma once
-// All rooms of a project that are asked the same row of a rule pack, taken together: what they come
-// to, and where it is closest.
+// All rooms of a project that use the same row of a rule pack, taken together: their outcome, and
+// the smallest margin.
 
 #include "report/document/document.h"
 #include "rules/verdict/outcome.h"
@@ -20,19 +20,21 @@ struct RowUse {
   int open = 0;                    // of the whole: something of the row cannot be judged there
   int excepted = 0;                // of these: something of the row is waived or left out
   int requirements = 0, met = 0;   // that count, each once
-  // The gravest of them, and of the pack's aggregates that they are members of.
+  // The gravest outcome of them, and of the pack's aggregates that they are members of.
   rules::Outcome outcome = rules::Outcome::nothing_asked;
-  // The smallest margin of what was judged and has one, and whose it is; empty: nothing has.
+  // The smallest margin of judged requirements, and its place; empty: nothing has a margin.
   std::optional<double> margin = {};
   std::string room = {}, plane = {}, requirement = {};
 
-  // Wherever it is asked all of the row has a verdict.
+  // Returns whether all of the row has a verdict wherever it is required.
   bool is_wholly_judged() const { return whole - open == times; }
-  // Asked as a whole wherever it is asked, and everything met that can be judged.
+  // Returns whether all of the row is required wherever it is used, and everything that can be
+  // judged is met.
   bool is_met() const { return outcome == rules::Outcome::pass && whole == times && excepted == 0; }
 };
 
-// In the order in which rows are first asked. Rows with levels of their own are rows by themselves.
+// Returns the rows in the order of their first use. Rows at different levels count as different
+// rows.
 std::vector<RowUse> row_uses(const ProjectPart& project);
 
 }  // namespace report

@@ -1,11 +1,11 @@
 #pragma once
-// Where the same command, with the same files, gives the same bits again.
+// The machines on which the same command with the same files gives the same bits again.
 
 #include "report/document/document.h"
 
 namespace report {
 
-// totals: of all projects.
+// totals: over all projects.
 SameBits same_bits_of(const Totals& totals, bool uses_graphics_device);
 
 }  // namespace report

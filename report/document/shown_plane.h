@@ -1,5 +1,5 @@
 #pragma once
-// A plane as people are shown it.
+// A plane as reports show it.
 
 #include "report/document/document.h"
 
@@ -7,11 +7,11 @@
 
 namespace report {
 
-// In the light that its requirements ask for, where they ask for one alone: points and statistics
-// are of it, and the others wait in asked_light. All else is as in the document.
+// If all requirements are for a single light, points and statistics are of that light, and the
+// others are in asked_light. Everything else is as in the document.
 class ShownPlane {
  public:
-  // plane: outlives this.
+  // plane: must outlive this.
   explicit ShownPlane(const PlanePart& plane);
 
   const PlanePart& operator*() const { return changed_ ? *changed_ : plane_; }

@@ -1,5 +1,5 @@
 #pragma once
-// Which rooms of a project share a floor plan.
+// Groups the rooms of a project by floor plan.
 
 #include "report/document/document.h"
 
@@ -16,8 +16,8 @@ struct Storey {
 };
 inline constexpr double kStoreyStep_m = 1.2;
 
-// Labels look for a place among all corners of an outline; a results file may hold any number, and
-// an outline of more than these is not usable.
+// Most corners of a usable outline: labels try places among all corners, and a results file may
+// have any number of them.
 inline constexpr std::size_t kMostPlanCorners = 2000;
 
 struct Storeys {
@@ -27,17 +27,17 @@ struct Storeys {
   std::vector<std::size_t> outdoors;         // open spaces and roads, which have no outline
 };
 
-// Whether the outlines of two rooms share more of the smaller one than walls and doors make.
-// Outlines that are not usable share nothing.
+// Returns whether the outlines of two rooms overlap by more of the smaller one than walls and doors
+// cause. Unusable outlines do not overlap.
 bool overlap_in_plan(const SpacePart& a, const SpacePart& b);
 
-// A storey may lie beside another of the same height where their rooms overlap, as in projects that
-// are alternatives of each other; a room that is alone there is `overlapping`, because most such
-// rooms are described around an origin of their own.
+// Returns the storeys. Two may have the same height if their rooms overlap, as in projects that are
+// alternatives of each other; a room that is alone there is `overlapping`, because most such rooms
+// are drawn around an origin of their own.
 Storeys storeys_of(const ProjectPart& project);
 
-// Places of all spaces as documents have them one after another: by storeys, lowest first, and
-// there as people sort names; spaces that are on no storey come last.
+// Returns the places of all spaces in the order of documents: by storeys, lowest first, then as
+// people sort names; spaces on no storey come last.
 std::vector<std::size_t> spaces_in_order(const ProjectPart& project);
 
 }  // namespace report
