@@ -1,5 +1,5 @@
 #pragma once
-// What a project says of itself, as every format for people words it.
+// The words that every format uses for the project data.
 
 #include "calc/scene/about_project.h"
 #include "report/text/texts.h"
@@ -14,10 +14,10 @@ struct AboutWords {
   std::string words;  // on one line, printable; not escaped
 };
 
-// Those that are said.
+// Returns the data that the project states.
 std::vector<AboutWords> about_words(const Texts& t, const calc::AboutProject& about);
 
-// All on one line: "Client: A. Meier · Revision: b". "" = nothing is said.
+// Returns all of it on one line: "Client: A. Meier · Revision: b"; "" = nothing is stated.
 std::string about_line(const Texts& t, const calc::AboutProject& about);
 
 }  // namespace report

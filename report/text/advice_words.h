@@ -1,5 +1,5 @@
 #pragma once
-// Levels that would make a project pass, in words that every format shares. Names in them are
+// Words for levels that would make a project pass, shared by every format. Names in them are
 // printable; nothing is escaped.
 
 #include "report/document/document.h"
@@ -10,14 +10,14 @@
 
 namespace report {
 
-// "Full output", "Light scene evening"
+// Returns "Full output", "Light scene evening".
 std::string advice_scene(const Texts& t, const LevelAdvice& advice);
-// What came of it: sentences. reason: of none_found, in the reader's language.
+// Returns sentences about the outcome. reason: of none_found, in the reader's language.
 std::string advice_outcome(const Texts& t, const LevelAdvice& advice, const std::string& reason);
-// The same with its own reason.
+// Returns the sentences with the advice's own reason.
 std::string advice_outcome(const Texts& t, const LevelAdvice& advice);
 
-// There is something to be said: somebody has asked, and something is not met.
+// Returns whether there is advice to report: it was requested, and something is not met.
 bool has_advice(const ProjectPart& project);
 
 struct AdviceRow {                              // of a group with levels
@@ -29,7 +29,8 @@ struct AdviceList {
   std::string title;
   std::vector<std::string> items;  // "Office, Desk: average ≥ 500 lx"
 };
-// What excludes each other, what is not met: those that there are.
+// Returns the lists that exist: requirements that exclude each other, requirements that are not
+// met.
 std::vector<AdviceList> advice_lists(const Texts& t, const ProjectPart& project,
                                      const LevelAdvice& advice);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes as text.  [RFC 4648, section 4]
+// Converts bytes to text and back.  [RFC 4648, section 4]
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@ namespace report {
 
 std::string base64(std::string_view bytes);
 
-// Of text that base64() may have written, to the letter; else empty.
+// Returns the bytes of a text exactly as base64() writes it; otherwise empty.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
 }  // namespace report

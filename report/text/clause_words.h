@@ -1,5 +1,5 @@
 #pragma once
-// What a limit is from, for people.
+// Words for the source of a limit.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -16,11 +16,10 @@ namespace report {
 std::string clause_words(const Texts& t, const calc::Message& clause, rules::LimitSource source);
 std::string clause_words(const Texts& t, const rules::Requirement& requirement);
 std::string clause_words(const Texts& t, const rules::AggregateFinding& finding);
-// For formats that show no clauses: "" of packs that come with luxgate.
+// Returns the source for formats that show no clauses; "" for packs that come with luxgate.
 std::string foreign_clause_words(const Texts& t, const rules::Requirement& requirement);
 
-// What rules::level_words() says of a row's level, in the reader's language; other words as they
-// are.
+// Returns the words of rules::level_words() in the reader's language; other words unchanged.
 std::string level_words(const Texts& t, std::string_view english);
 
 }  // namespace report

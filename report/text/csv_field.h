@@ -1,13 +1,13 @@
 #pragma once
-// One field of a CSV table.
+// Writes one field of a CSV table.
 
 #include <string>
 #include <string_view>
 
 namespace report {
 
-// The text made safe to show (plain_text.h), in quotes where RFC 4180 wants them. What a
-// spreadsheet would take for a formula has an apostrophe before it.
+// Returns the text made safe to show (plain_text.h), in quotes where RFC 4180 requires them. A text
+// that a spreadsheet would read as a formula gets an apostrophe before it.
 std::string csv_field(std::string_view text);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// A maintenance factor in words of its own.
+// Words for a maintenance factor.
 
 #include "report/text/text_numbers.h"
 
@@ -7,7 +7,8 @@
 
 namespace report {
 
-// "0.8" as "0.80", "0.857": a product of four factors has more digits than anybody states.
+// Returns "0.80" for "0.8", and "0.857": a product of four factors has more digits than are ever
+// stated.
 inline std::string factor_words(const Texts& t, double factor) {
   const std::string text = format_fixed(factor, 3);
   return t.number(text.ends_with('0') ? text.substr(0, text.size() - 1) : text);

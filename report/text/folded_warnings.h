@@ -1,5 +1,5 @@
 #pragma once
-// Warnings of a project of several rooms for a terminal: what comes again and again has a line.
+// Warnings of a project with several rooms for a terminal: repeated ones share a line.
 
 #include "report/document/document.h"
 
@@ -8,10 +8,10 @@
 
 namespace report {
 
-// Lines in English, in the order in which they were found. Errors, warnings that count and what is
-// said once are whole; of other warnings there is one line for each id, with their number and the
-// first of them, cut where it is wider than `columns`; 0: never. The last line says how all are
-// shown, where that is not all of them.
+// Returns lines in English, in the order in which the warnings were found. Errors, warnings that
+// count and single ones are whole; other warnings have one line for each id, with their number and
+// the first of them, cut at `columns`; 0: never cut. If anything is hidden, the last line says how
+// to show it.
 std::vector<std::string> folded_warnings(const ProjectPart& project, int columns);
 
 }  // namespace report

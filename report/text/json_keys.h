@@ -1,6 +1,6 @@
 #pragma once
-// The keys of a JSON file, each said once: with its value for the file, and with what its schema
-// (draft 7) says of it. A schema is made of the keys of an empty value.
+// The keys of a JSON file, each in one place: with its value for the file, and its words for the
+// schema (draft 7). A schema is made of the keys of an empty value.
 
 #include "calc/base/names.h"
 
@@ -57,7 +57,7 @@ inline KeyedJson described_key(KeyedJson schema, const char* words) {
 
 inline KeyedJson type_of(const char* name) { return {{"type", name}}; }
 inline KeyedJson number_or_null_type() { return {{"type", {"number", "null"}}}; }
-// A count, a sum.
+// Returns the type of a count or a sum.
 inline KeyedJson at_least_type(const char* name, int least) {
   return {{"type", name}, {"minimum", least}};
 }

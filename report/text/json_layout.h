@@ -1,5 +1,6 @@
 #pragma once
-// JSON text that people can read and diff: objects one key per line, arrays of numbers on one line.
+// Writes JSON text that people can read and diff: objects one key per line, arrays of numbers on
+// one line.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,14 +10,16 @@
 
 namespace report {
 
-// Ends in '\n'. Broken UTF-8 becomes U+FFFD, a number that is not finite null.
+// Returns text that ends in '
+// '. Broken UTF-8 becomes U+FFFD, and a number that is not finite null.
 std::string json_layout(const nlohmann::ordered_json& json);
 
-// As it stands in another, depth lists and objects deep: its lines are indented, but not the first,
-// and nothing is behind it.
+// Returns the text inside another JSON text, `depth` lists and objects deep: its lines are
+// indented, but not the first, and nothing follows it.
 std::string json_layout_within(const nlohmann::ordered_json& json, std::size_t depth);
 
-// A value that is filled in later, and the layout in pieces: before, between and after such gaps.
+// Return a gap for a value that is filled in later, and the text in pieces before, between and
+// after such gaps.
 nlohmann::ordered_json json_gap();
 std::vector<std::string> json_layout_around_gaps(const nlohmann::ordered_json& json,
                                                  std::size_t depth);

@@ -1,5 +1,5 @@
 #pragma once
-// How a luminaire is turned, as fitters read it.
+// The orientation of a luminaire, in the form that fitters use.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -18,7 +18,7 @@ struct LuminaireAim {
 
 LuminaireAim aim_of(const LuminaireMark& mark);
 
-// "30.0° → 90.0°": tilt, and heading where there is one; "" = not known.
+// Returns "30.0° → 90.0°": tilt, and heading if there is one; "" = not known.
 std::string aim_words(const Texts& t, const LuminaireAim& aim);
 
 }  // namespace report

@@ -22,7 +22,7 @@ enum class NoticeKind {
   doubt      // of a plane: points whose samples do not tell enough
 };
 
-// Valid as long as the project.
+// A notice, valid as long as the project.
 struct Notice {
   NoticeKind kind = NoticeKind::note;
   const SpacePart* space = nullptr;              // never null
@@ -32,22 +32,22 @@ struct Notice {
   const rules::LeftOutZone* left_out = nullptr;  // of left_out
 };
 
-// In document order: room by room, of each its own first.
+// Returns the notices in document order: room by room, each with its own first.
 std::vector<Notice> notices_of(const ProjectPart& project);
 std::vector<Notice> notices_of(const SpacePart& space);
 
-// Without its place; printable().
+// Returns the notice without its place; printable().
 std::string notice_words(const Texts& t, const Notice& notice);
-// "Room" or "Room / Plane"; printable().
+// Returns "Room" or "Room / Plane"; printable().
 std::string notice_place(const Texts& t, const Notice& notice);
-// Both: "Room / Plane: words".
+// Returns both: "Room / Plane: words".
 std::string notice_line(const Texts& t, const Notice& notice);
 
 }  // namespace report
 
 namespace calc {
 
-// As tables have them beside verdicts.
+// Names in tables beside verdicts.
 template <>
 struct EnumNames<report::NoticeKind> {
   static constexpr EnumName<report::NoticeKind> list[] = {

@@ -1,5 +1,5 @@
 #pragma once
-// Which limits the values of a plane's points are held against, wherever these are shown.
+// The limits for the values of a plane's points, wherever these are shown.
 
 #include "report/document/document.h"
 #include "report/text/number_format.h"
@@ -8,21 +8,21 @@
 
 namespace report {
 
-// Whether a requirement is about the points as they are shown: all of them, in the light that is
-// shown.
+// Returns whether a requirement is about the points as shown: all of them, in the shown light.
 bool is_about_points(const PlanePart& plane, const rules::Requirement& requirement);
 
-// The strictest limit that single points must meet: of minima at least or more than something, of
-// maxima at most or less than something. Only requirements that is_about_points() holds for.
+// The strictest limits for single points: lower limits of minima, upper limits of maxima. Only from
+// requirements with is_about_points().
 enum class PointSide { from_below, from_above };
 std::optional<Threshold> point_threshold(const PlanePart& plane, PointSide side);
 
-// Whether the value misses the threshold, if there is one.
+// Returns whether the value misses the threshold, if there is one.
 bool misses(const std::optional<Threshold>& threshold, double value);
 
-// All limits of that statistic of the plane as the report shows it: what its digits must respect.
+// Returns all limits on that statistic of the plane as the report shows it: its digits must respect
+// them.
 Thresholds statistic_thresholds(const PlanePart& plane, rules::Metric metric);
-// Those of single points, both sides.
+// Returns the limits for single points, both sides.
 Thresholds point_thresholds(const PlanePart& plane);
 
 }  // namespace report

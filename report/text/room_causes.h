@@ -1,5 +1,5 @@
 #pragma once
-// Why rooms do not pass, in words: the same for every format.
+// Words for why rooms do not pass: the same for every format.
 
 #include "report/document/room_summary.h"
 #include "report/text/plane_names.h"
@@ -17,13 +17,13 @@ struct CauseWords {
   bool operator==(const CauseWords&) const = default;
 };
 
-// room: it is one of its causes.
+// Returns the words of a cause of this room.
 CauseWords cause_words(const Texts& t, const RoomSummary& room, const RoomCause& cause);
 
 // Rooms that do not pass for the same reasons.
 struct CauseEntry {
   std::vector<std::string> rooms;
-  // What several in a row have in common to be read below stands below the last of them.
+  // The causes. What several in a row share is in the last of them.
   std::vector<CauseWords> causes;
 };
 struct CauseBlock {
@@ -31,10 +31,10 @@ struct CauseBlock {
   const char* title = "";                         // "Not met"
   std::vector<CauseEntry> entries;                // in document order
 };
-// What keeps rooms from passing, gravest first.
+// Returns the causes that keep rooms from passing, gravest first.
 std::vector<CauseBlock> cause_blocks(const Texts& t, const ProjectPart& project);
 
-// "a, b, c and 3 more", in the report's language.
+// Returns "a, b, c and 3 more", in the report's language.
 std::string some_names(const Texts& t, std::vector<std::string> names);
 
 }  // namespace report

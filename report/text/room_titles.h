@@ -1,5 +1,5 @@
 #pragma once
-// What rooms are called where they stand beside each other.
+// Titles of rooms in lists.
 
 #include "report/document/document.h"
 
@@ -8,8 +8,8 @@
 
 namespace report {
 
-// Of all spaces, in their order: their names; with their ids behind, where several have the same;
-// of those without a name the id. Not printable().
+// Returns the titles of all spaces, in their order: the name; with the id behind it if several have
+// that name; the id if there is no name. Not printable().
 std::vector<std::string> room_titles(const ProjectPart& project);
 
 }  // namespace report

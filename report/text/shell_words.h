@@ -1,5 +1,5 @@
 #pragma once
-// Command lines as text that a POSIX shell reads back to the same words.
+// Writes and reads command lines of a POSIX shell.
 
 #include <string>
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace report {
 
-// The word as it must be written: plain where nothing in it is special, else in single quotes.
+// Returns the word as it must be written: plain if nothing in it is special, else in single quotes.
 std::string shell_quoted(const std::string& word);
 
-// The words of a line made of shell_quoted() words with blanks between. Of other lines: knows
-// blanks, single quotes and backslashes outside them; a quote without end reaches to the end.
+// Returns the words of a line made of shell_quoted() words with blanks between. In other lines it
+// knows blanks, single quotes and backslashes outside them; an unclosed quote reaches to the end.
 std::vector<std::string> shell_words(std::string_view line);
 
 }  // namespace report

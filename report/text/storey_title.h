@@ -1,5 +1,5 @@
 #pragma once
-// What a storey is called in plans and drawings.
+// The title of a storey in plans and drawings.
 
 #include "report/text/texts.h"
 
@@ -7,7 +7,8 @@
 
 namespace report {
 
-// "Storey at +3.10 m": to 5 cm, because floors of a storey differ by their coverings.
+// Returns "Storey at +3.10 m", rounded to 5 cm, because floors of a storey differ by their
+// coverings.
 std::string storey_title(const Texts& t, double floor_z_m);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of SVG drawings that more than one drawing has.
+// Pieces of SVG shared by several drawings.
 
 #include <string>
 #include <string_view>
@@ -7,14 +7,15 @@
 
 namespace report {
 
-// Coordinates in an SVG: two decimals at most, no trailing zeros.
+// Returns a coordinate in an SVG: two decimals at most, no trailing zeros.
 std::string svg_number(double value);
 
-// Text at a point; escaped. anchor: which end of it stands there, "start", "middle" or "end".
+// Returns text at a point; escaped. anchor: the part of the text at the point, "start", "middle" or
+// "end".
 std::string svg_text(double x, double y, const char* anchor, std::string_view text);
 
-// Multiples of 1, 2 or 5 times a power of ten in [low, high], ascending, at most `most` >= 2 of
-// them. Empty unless low < high, both finite.
+// Returns multiples of 1, 2 or 5 times a power of ten in [low, high], ascending, at most `most` >=
+// 2 of them. Empty unless low < high, both finite.
 std::vector<double> round_ticks(double low, double high, int most);
 
 // A picture with room for axes around a field; in pixels.
@@ -24,7 +25,7 @@ struct PlotFrame {
 
   double x_end() const { return width - right; }
   double y_end() const { return height - bottom; }
-  // Places in the field: 0 left, 1 right; 0 at the bottom, 1 at the top.
+  // Return places in the field: 0 left, 1 right; 0 at the bottom, 1 at the top.
   double x(double share) const { return left + share * field_width(); }
   double y(double share) const { return y_end() - share * field_height(); }
   double field_width() const { return width - left - right; }

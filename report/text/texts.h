@@ -1,7 +1,7 @@
 #pragma once
-// Our own texts in the reader's language. A language is a file of texts (english.def is the first
-// of them) with its include in texts.cpp, one of sentences with that in sentences.cpp, and its row
-// in kLanguages. Data formats and everything that comes from files stay as they are.
+// The program's texts in the reader's language. A language is a file of texts (english.def is the
+// first) included in texts.cpp, a file of sentences included in sentences.cpp, and a row in
+// kLanguages. Data formats and texts from files stay unchanged.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ enum class Text : std::uint16_t {
 #undef TEXT
 };
 
-// With the placeholders of fmt.
+// A text with its fmt placeholders.
 struct TextEntry {
   std::string_view id;
   const char* text;
@@ -54,10 +54,10 @@ constexpr const char* english_text(Text id) {
   return kEnglishTexts[static_cast<std::size_t>(id)].text;
 }
 
-// All of a language, in the order of Text.
+// Returns all texts of a language, in the order of Text.
 std::span<const TextEntry> texts_of(Language language);
 
-// How a report is worded: a value that renderers hand on.
+// The wording of a report: a value that renderers pass on.
 class Texts {
  public:
   Texts() = default;  // English, decimal points
@@ -67,22 +67,23 @@ class Texts {
   Language language() const { return language_; }
   std::string_view language_tag() const { return language_row(language_).tag; }
 
-  // As it is in the table.
+  // Returns the text as it is in the table.
   const char* operator[](Text id) const;
 
-  // With its placeholders filled in. The compiler holds the English text against the arguments, a
-  // test those of other languages against the English one.
+  // Returns the text with its placeholders filled in. The compiler checks the arguments against the
+  // English text, and a test checks other languages against the English text.
   template <Text id, class... Args>
   std::string say(const Args&... args) const {
     static_cast<void>(fmt::format_string<const Args&...>(english_text(id)));
     return fmt::vformat((*this)[id], fmt::make_format_args(args...));
   }
 
-  // Numbers as number_format.h makes them, for prose: with decimal comma "(4.20, 1.10, 0.80)"
-  // becomes "(4,20; 1,10; 0,80)". text: nothing but numbers, units and signs.
+  // Returns numbers from number_format.h for prose: with decimal comma "(4.20, 1.10, 0.80)" becomes
+  // "(4,20; 1,10; 0,80)". text: only numbers, units and signs.
   std::string number(std::string text) const;
 
-  // Finished HTML of text that is English in every report: marked where the report is not.
+  // Returns finished HTML of text that is English in every report, marked as such in other
+  // languages.
   std::string english_html(const std::string& html) const;
 
  private:
