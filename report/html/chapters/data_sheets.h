@@ -12,17 +12,18 @@
 
 namespace report {
 
-// Where the light of luminaires comes from: documents hold only two curves of it.
+// The source of the light of luminaires: documents hold only two curves of it.
 class SheetSource {
  public:
   virtual ~SheetSource() = default;
-  // Of each project, as it was before redact(). result: the file that it was read from, "" = none.
+  // Sees each project as it was before redact(). result: the file that it was read from, "" = none.
   virtual void see(const ProjectPart& project, const std::string& result) = 0;
-  // That which the row was calculated with, or why there is none: Text::sheet_not_found and others.
+  // Returns the light that the row was calculated with, or why there is none: Text::sheet_not_found
+  // and others.
   virtual std::variant<SheetLight, Text> light_of(const LuminaireRow& row) const = 0;
 };
 
-// A report has at most so many sheets.
+// The most sheets of a report.
 inline constexpr std::size_t kMostSheets = 200;
 
 struct DataSheets {
@@ -33,8 +34,9 @@ struct DataSheets {
   std::vector<Entry> entries;  // for the contents
 };
 
-// One for each photometry that types have, in order of the types; types with the same light share
-// one. index: of the project. sheets_before: how many the report has already, at most kMostSheets.
+// Returns one sheet for each photometry of the types, in their order; types with the same light
+// share a sheet. index: of the project. sheets_before: sheets that the report already has, at most
+// kMostSheets.
 DataSheets data_sheets(const Texts& t, const ProjectPart& project, std::size_t index,
                        const SheetSource& source, std::size_t sheets_before);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a project says of itself, for the head of the page.
+// The project data for the head of the page.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -8,7 +8,7 @@
 
 namespace report {
 
-// Logo and a list of names and texts; "" where nothing is said.
+// Returns the logo and a list of names and texts; "" if there are none.
 std::string html_about(const Texts& t, const calc::AboutProject& about);
 
 }  // namespace report

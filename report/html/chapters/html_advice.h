@@ -9,7 +9,7 @@
 
 namespace report {
 
-// index: of the project. "" = nobody has asked, or everything is met.
+// Returns the chapter. index: of the project. "" = not requested, or everything is met.
 std::string html_advice(const Texts& t, const ProjectPart& project, std::size_t index);
 
 }  // namespace report

@@ -10,16 +10,17 @@
 
 namespace report {
 
-// Who reads it: clients are told how many checks are met, not the ids of them, and find the classes
-// of a street in its own chapter alone.
+// The reader: clients see how many checks are met instead of their ids, and find the classes of a
+// street only in its own chapter.
 enum class AggregatesFor { planner, client };
 
-// All of one project, with their members; "" if there is none. index: of the project.
+// Returns all aggregates of a project with their members; "" if there are none. index: of the
+// project.
 std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index,
                             AggregatesFor reader = AggregatesFor::planner);
 
-// <li> of every aggregate of one project with this verdict that counts, for the list of what needs
-// attention.
+// Returns an <li> for every aggregate of a project with this verdict that counts, for the list of
+// open points.
 std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart& project,
                                               std::size_t index, rules::Verdict verdict);
 

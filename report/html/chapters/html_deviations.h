@@ -1,6 +1,6 @@
 #pragma once
-// What a reader must know before relying on "all met": waivers, deviations from the standard,
-// limits that are weaker than their row, and zones that are left out of it.
+// Facts that a reader must know before relying on "all met": waivers, deviations from the standard,
+// limits weaker than their row, and omitted zones.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -10,8 +10,8 @@
 
 namespace report {
 
-// A section, which says so where there is nothing of the kind; "" where nothing is asked at all.
-// index: of the project. folder: of the planes' pages, see plane_href().
+// Returns a section, which says so if there is nothing of the kind; "" if nothing is required at
+// all. index: of the project. folder: of the planes' pages, see plane_href().
 std::string html_deviations(const Texts& t, const ProjectPart& project, std::size_t index,
                             const std::string& folder);
 

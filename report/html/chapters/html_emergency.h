@@ -1,5 +1,5 @@
 #pragma once
-// Emergency lighting in one table: what holds at the end of what its batteries last.
+// Emergency lighting in one table: the results at the end of the battery's duration.
 
 #include "report/document/document.h"
 #include "report/html/page/html_footnotes.h"
@@ -10,7 +10,8 @@
 
 namespace report {
 
-// "" where nothing of the kind is asked. index: of the project. folder: see plane_href().
+// Returns the table; "" if nothing of the kind is required. index: of the project. folder: see
+// plane_href().
 std::string html_emergency(const Texts& t, const ProjectPart& project, std::size_t index,
                            const std::string& folder, const Footnotes& footnotes);
 

@@ -9,7 +9,7 @@
 
 namespace report {
 
-// "" where no room has a luminaire. index: of the project.
+// Returns the table; "" if no room has a luminaire. index: of the project.
 std::string html_energy(const Texts& t, const ProjectPart& project, std::size_t index);
 
 }  // namespace report

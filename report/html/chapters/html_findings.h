@@ -1,6 +1,6 @@
 #pragma once
-// Requirements and verdicts as HTML: the verdict at the top, what needs attention, the summary, and
-// one plane's table.
+// Requirements and verdicts as HTML: the verdict at the top, open points, the summary, and the
+// table of a plane.
 
 #include "report/document/document.h"
 #include "report/html/page/html_footnotes.h"
@@ -16,19 +16,20 @@
 
 namespace report {
 
-// Of a part that was chosen it says so first, and is green for nothing.
+// Returns the verdict. If options selected a part of the requirements it says so first and is never
+// green.
 std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const DocumentEnd& end,
                                 const std::string& link = {});
 
-// What must be read with a finding's quantity: clause, state, scene, remarks; "" if there is
-// nothing.
+// Returns remarks to be read with a finding's quantity: clause, state, scene, notes; "" if there
+// are none.
 std::string html_finding_notes(const Texts& t, const rules::Finding& finding,
                                const Footnotes& footnotes);
-// Its badge; of one that does not count with the words for that, of advice that is not kept to with
-// what is recommended. plane: it is one of its findings.
+// Returns the badge; if the finding does not count, with words that say so; if advice is not
+// followed, with the recommended range. plane: has this finding.
 std::string html_verdict(const Texts& t, const PlanePart& plane, const rules::Finding& finding);
 
-// Everything that does not pass, gravest first.
+// The list of everything that does not pass, gravest first.
 class HtmlAttention {
  public:
   // folder: of the planes' pages, see plane_href().
@@ -60,15 +61,14 @@ class HtmlAttention {
   std::map<rules::Verdict, Items> by_verdict_;
 };
 
-// Building, room, plane; sorted and filtered by the page's script. What comes before, between and
-// after the rows of projects.
-// is_folded: behind a line of words.
+// Returns parts of the table by building, room and plane, which the page's script sorts and
+// filters: before, between and after the rows of projects. is_folded: behind a line of words.
 std::string html_summary_title(const Texts& t, bool is_folded);
 std::string html_summary_start(const Texts& t, const std::string& region, double confidence);
 std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
                               bool is_only, const std::string& folder, const Footnotes& footnotes);
 std::string html_summary_end(bool is_folded);
-// The requirements of one plane; "" when it has none.
+// Returns the requirements of a plane; "" if it has none.
 std::string html_plane_findings(const Texts& t, const SpacePart& space, const PlanePart& plane,
                                 const Footnotes& footnotes);
 

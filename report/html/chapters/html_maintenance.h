@@ -1,5 +1,5 @@
 #pragma once
-// The maintenance plan: what must be done so that the maintained values of a report come true.
+// The maintenance plan: the work on which the maintained values of a report rest.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -9,7 +9,7 @@
 
 namespace report {
 
-// "" where a project has no luminaire. index: of the project.
+// Returns the plan; "" if a project has no luminaire. index: of the project.
 std::string html_maintenance(const Texts& t, const ProjectPart& project, std::size_t index);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// How the values were calculated and what the words mean, for readers who are no lighting
+// Explains how values are calculated and what the words mean, for readers who are not lighting
 // engineers.
 
 #include "report/document/document.h"
@@ -10,7 +10,7 @@
 
 namespace report {
 
-// What its rooms leave to be said once.
+// Explanations that the rooms leave to this section.
 struct ClientMethod {
   bool has_pictures = false;
   bool has_rendered = false;  // rendered views among them

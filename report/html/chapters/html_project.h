@@ -1,6 +1,5 @@
 #pragma once
-// What belongs to a whole project or to the run: luminaires, messages, the calculation itself,
-// where it all came from.
+// Parts about a whole project or the run: luminaires, messages, the calculation, its sources.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -10,8 +9,8 @@
 
 namespace report {
 
-// index: of the project, from 0; for anchors.
-// with_places: with the files and lines that they are about.
+// Returns the messages. index: of the project, from 0; for anchors. with_places: with the files and
+// lines of the messages.
 std::string html_messages(const Texts& t, const ProjectPart& project, bool with_places = true);
 std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index);
 std::string html_calculation(const Texts& t, const Provenance& provenance,

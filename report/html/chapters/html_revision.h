@@ -1,5 +1,5 @@
 #pragma once
-// What a revision did, as HTML.
+// The changes of a revision as HTML.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -8,9 +8,9 @@
 
 namespace report {
 
-// "" without a revision. Its id is "revision".
+// Returns the section with the id "revision"; "" without a revision.
 std::string html_revision(const Texts& t, const Document& document);
-// Its title: "Against main.json"; finished HTML.
+// Returns its title: "Against main.json"; finished HTML.
 std::string html_revision_title(const Texts& t, const Document& document);
 
 }  // namespace report

@@ -11,13 +11,13 @@
 
 namespace report {
 
-// Headings (h3) and figures to scale: for each storey its installation and its results; for each
-// outdoor space a plan with both. "" where no storey has two rooms and no outdoor space is larger
-// than its own plan shows well. index: of the project.
+// Returns headings (h3) and figures to scale: for each storey its installation and its results; for
+// each outdoor space a plan with both. "" if no storey has two rooms and no outdoor space needs
+// more than its own plan. index: of the project.
 std::string html_storeys(const Texts& t, const ProjectPart& project, std::size_t index,
                          Paper paper);
 
-// Of the section: "Floor plans", or "Site plan: School" where there is no storey; escaped.
+// Returns the title of the section: "Floor plans", or "Site plan: School" without storeys; escaped.
 std::string storeys_title(const Texts& t, const ProjectPart& project);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// What the data sheet of a luminaire's photometry holds: figures, polar diagram, light cone,
+// The contents of the data sheet of a luminaire's photometry: figures, polar diagram, light cone,
 // luminances, the table of glare ratings, intensities.
 
 #include "calc/photometry/web.h"
@@ -10,7 +10,7 @@
 
 namespace report {
 
-// The light that a sheet shows, and what the light alone does not say.
+// The light that a sheet shows, with facts that the light does not include.
 struct SheetLight {
   calc::PhotometricWeb web;
   double flux_lm = 0.0;
@@ -19,13 +19,12 @@ struct SheetLight {
   std::string file_name, sha256;  // of the photometry file
 };
 
-// Its name as the file has it, or else the file's; not escaped.
+// Returns the luminaire name in the file, or else the file's name; not escaped.
 std::string sheet_name(const SheetLight& light);
 
-// A part of a page, well-formed. heading: the element of the heading within it ("h2").
-// more_facts: rows of fact() that follow those of the product. has_intensities: the table of
-// intensities, too; where the photometry has more than kMostSheetPlanes x kMostSheetAngles values,
-// of a part of them, which it says.
+// A part of a page, well-formed. heading: the element of the heading within it ("h2"). more_facts:
+// rows of fact() after those of the product. has_intensities: adds the table of intensities; of
+// more than kMostSheetPlanes x kMostSheetAngles values it shows a part and says so.
 struct SheetParts {
   const char* heading = "h2";
   std::string more_facts = {};
@@ -34,7 +33,7 @@ struct SheetParts {
 inline constexpr std::size_t kMostSheetPlanes = 13, kMostSheetAngles = 37;
 std::string sheet_body(const Texts& t, const SheetLight& light, const SheetParts& parts = {});
 
-// Rules for the style sheet of a page with such parts.
+// Returns the style rules for pages with such parts.
 const char* sheet_style();
 
 }  // namespace report

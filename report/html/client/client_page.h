@@ -1,7 +1,7 @@
 #pragma once
-// The document that people send: cover, contents, rooms in brief, plans, a page for each room,
-// schedule, energy, maintenance, and how to read it. Of what only a checker needs (grids, sampling,
-// hashes, messages with element names, all values) it has nothing: the full report has.
+// The document for clients: cover, contents, rooms in brief, plans, a page for each room, schedule,
+// energy, maintenance, and how to read it. Details for checkers (grids, sampling, hashes, messages
+// with element names, all values) are only in the full report.
 
 #include "report/document/document.h"
 #include "report/html/page/page_style.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// One HTML file without script, made for paper. numbers: see html_writer().
+// Writes one HTML file without script, made for paper. numbers: see html_writer().
 std::unique_ptr<FormatWriter> client_writer(const DocumentFrame& frame, const SpillPlace& place,
                                             const Texts& t, const PageStyle& style,
                                             const PageNumbers* numbers = nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// A room of the document that people send: what it is, whether it meets its requirements, and its
+// A room of the document for clients: its description, whether it meets its requirements, and its
 // light.
 
 #include "report/document/room_summary.h"
@@ -13,17 +13,17 @@
 
 namespace report {
 
-// room: the place of its first plane. title: see room_titles(). summary: null where nothing is
-// asked of it.
+// Returns the room. room: the place of its first plane. title: see room_titles(). summary: null if
+// nothing is required of it.
 std::string client_room(const Texts& t, const ProjectPart& project, PlaneIndex room,
                         const std::string& title, const RoomSummary* summary,
                         const ColourScales& scales, Paper paper, const Footnotes& footnotes);
 
-// What is to be known of rooms and weakens nothing there: how quantities were come by, which rows
-// are met as a whole, what of them is judged otherwise. Each once, with its rooms; "" = nothing.
+// Returns remarks on rooms that weaken nothing: the source of quantities, rows that are met as a
+// whole, parts judged otherwise. Each once, with its rooms; "" = none.
 std::string client_notes(const Texts& t, const ProjectPart& project, const Footnotes& footnotes);
 
-// Causes of a room that does not pass, a list item each; "" where there are none.
+// Returns the causes for a room that does not pass, one list item each; "" if there are none.
 std::string client_causes(const Texts& t, const RoomSummary& room);
 
 }  // namespace report

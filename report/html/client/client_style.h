@@ -4,7 +4,7 @@
 
 namespace report {
 
-// client_style.css, embedded when the build is configured; it goes behind html_style().
+// Returns client_style.css, embedded when the build is configured; it follows html_style().
 std::string client_style();
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// Where the light of planes has changed against a baseline, as drawings.
+// Drawings of the change of the light on planes from a baseline.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -8,8 +8,8 @@
 
 namespace report {
 
-// A heading and a <figure> for each plane of the revision that has cells, those first that changed
-// most; a few of them only, which is said. "" if there are none. Needs a revision.
+// Returns a heading and a <figure> for each plane of the revision that has cells, with the largest
+// changes first; only a few, and the text says so. "" if there are none. Needs a revision.
 std::string html_differences(const Texts& t, const Document& document);
 
 }  // namespace report

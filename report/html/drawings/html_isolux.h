@@ -1,5 +1,5 @@
 #pragma once
-// Isolux lines of a plan as SVG, with labels where there is room for them.
+// Isolux lines of a plan as SVG, with labels where they fit.
 
 #include "report/html/drawings/isolux.h"
 #include "report/html/drawings/plan_layout.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Axis-parallel boxes of what labels must not cover.
+// An axis-parallel box that labels must not cover.
 struct LabelBox {
   glm::dvec2 low, high;
   bool meets(const LabelBox& other) const {
@@ -29,17 +29,17 @@ struct IsoluxDrawing {
   std::string lines, labels;
 };
 
-// How labels are drawn: their size, and the names of their styles.
+// The style of labels: their size, and the names of their styles.
 struct LabelStyle {
   double font_px = 10.5;
   const char* names = "isolux-label";
 };
-// taken: what labels must not cover; no label covers another one either.
+// Returns the drawing. taken: boxes that labels must not cover; no label covers another, either.
 IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
                          const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken,
                          const LabelStyle& style = {});
 
-// Corners in metres as a closed path's data; "" without corners.
+// Returns a closed path's data with corners in metres; "" without corners.
 std::string svg_path(const PlanLayout& layout, const std::vector<glm::dvec2>& corners);
 
 }  // namespace report

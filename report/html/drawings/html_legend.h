@@ -12,22 +12,23 @@
 
 namespace report {
 
-// An inline <svg>: one box per band, round numbers below, each limit above where it lies (an arrow
-// when it is off the scale).
-// counts: points in each band, drawn as bars on the boxes; empty: none.
+// Returns an inline <svg>: one box per band, round numbers below, each limit above at its place (an
+// arrow when it is off the scale). counts: points in each band, drawn as bars on the boxes; empty:
+// none.
 std::string html_colour_bar(const Texts& t, const ColourScale& scale,
                             const std::vector<PlanLimit>& limits,
                             const std::vector<std::size_t>& counts = {},
                             std::string_view unit = "lx");
 
-// The same for paper, in the pixels of its style sheet and with words of 6.5 points; no bars.
+// Returns the bar for paper, in the pixels of its style sheet and with words of 6.5 points; no
+// bars.
 std::string html_paper_colour_bar(const Texts& t, const ColourScale& scale,
                                   const std::vector<PlanLimit>& limits, std::string_view unit);
 
-// How high the first picture is, in pixels.
+// Returns the height of the first picture in pixels.
 double colour_bar_height_px(std::size_t limits, bool has_counts);
 
-// What the key has to explain.
+// The signs that the key explains.
 struct PlanSigns {
   std::string anchor;        // of the plane, for the hatch pattern
   std::string unit = "lx";   // of its values; "" of ratings and ratios

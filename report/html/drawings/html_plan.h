@@ -1,5 +1,5 @@
 #pragma once
-// The drawing of one plane: heat map, outlines, luminaires, and the legend that explains it.
+// The drawing of a plane: heat map, outlines, luminaires, and the legend.
 
 #include "report/document/document.h"
 #include "report/html/drawings/isolux.h"
@@ -16,27 +16,27 @@
 
 namespace report {
 
-// Points whose cells are drawn one by one; more go in as one embedded picture.
+// Most cells drawn singly; more are embedded as one picture.
 inline constexpr std::size_t kMostSvgCells = 2500;
 
-// The room that a plan has on paper.
+// The space that a plan has on paper.
 struct PlanPlace {
   glm::dvec2 most_mm{72, 43};
-  // A long plane may be cut across into so many pieces, which stand below or beside each other, so
+  // A long plane may be cut across into at most this many pieces, below or beside each other, so
   // that its values can be read.
   int most_pieces = 1;
 };
-// Beside the tables of a plane, as html_style.css has it.
+// Returns the space beside the tables of a plane, as in html_style.css.
 PlanPlace place_beside_tables(Paper paper);
 
-// A <figure> with inline SVG pictures: plan, legend, and the legend as paper has it. Printed values
-// and words have at least 6.5 points: where values have no room there, every second, third ... of a
-// row or column is printed, and the caption says so. anchor: unique in the page, used for ids.
-// Needs has_cells(plane).
+// Returns a <figure> with inline SVG pictures: plan, legend, and the legend for paper. Printed
+// values and words have at least 6.5 points: if values do not fit, every second, third ... of a row
+// or column is printed, and the caption says so. anchor: unique in the page, used for ids. Needs
+// has_cells(plane).
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
                       const PlaneScale& scale, std::string_view anchor, const PlanPlace& place);
 
-// Its isolux lines alone, for other drawings of the same plane. Needs has_cells(plane) and
+// Isolux lines for other drawings of the same plane. Needs has_cells(plane) and
 // has_all_values(plane).
 struct PlanIsolux {
   std::vector<IsoluxLevel> levels;
@@ -45,7 +45,7 @@ struct PlanIsolux {
 PlanIsolux plan_isolux(const Texts& t, const SpacePart& space, const PlanePart& plane,
                        const PlaneScale& scale);
 
-// The same two pictures for a file of their own, one below the other, and how large they are.
+// The same two pictures for their own file, one below the other, with their sizes.
 struct PlanPictures {
   std::string plan, colour_bar;  // <svg> elements without name space or style
   double width_px = 0.0, plan_height_px = 0.0, bar_height_px = 0.0;

@@ -7,7 +7,7 @@
 
 namespace report {
 
-// A small polar diagram of a luminaire, C0-C180 solid and C90-C270 dashed; "" where its
+// Returns a small polar diagram of a luminaire, C0-C180 solid and C90-C270 dashed; "" if its
 // intensities are not known or all zero.
 std::string html_polar(const Texts& t, const LuminaireRow& row);
 

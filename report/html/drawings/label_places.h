@@ -1,5 +1,5 @@
 #pragma once
-// Where labels of a drawing cover nothing. All in millimetres on paper.
+// Finds free places for the labels of a drawing. All in millimetres on paper.
 
 #include "report/html/drawings/flat_box.h"
 #include "report/html/drawings/html_isolux.h"
@@ -17,36 +17,36 @@ struct LabelPlace {
   glm::dvec2 middle{0.0};
 };
 
-// A label outside of what it names, with a line to it.
+// A label outside the outline that it names, with a line to it.
 struct LeaderPlace {
   glm::dvec2 middle{0.0}, from{0.0}, to{0.0};
 };
 
-// What is taken: boxes of signs and labels, and lines that no label may cross.
+// The occupied places: boxes of signs and labels, and lines that no label may cross.
 class LabelPlaces {
  public:
-  // paper: finite; labels stay on it, and what is taken outside of it does not matter.
+  // paper: finite; labels stay on it, and signs outside of it do not matter.
   explicit LabelPlaces(const FlatBox& paper);
 
-  // Returns the number of the box.
+  // Occupies the box and returns its number.
   std::size_t take(const LabelBox& box);
   void take_line(const glm::dvec2& from, const glm::dvec2& to);
   void take_outline(const std::vector<glm::dvec2>& outline);
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  // ignored: number of a box that does not matter.
+  // Returns whether the box is free. ignored: number of a box that does not matter.
   bool is_free(const LabelBox& box, std::size_t ignored = kNone) const;
 
-  // Whether a way crosses a line that is taken.
+  // Returns whether a way crosses an occupied line.
   bool is_crossed(const glm::dvec2& from, const glm::dvec2& to) const;
 
-  // The first of these sizes that fits into the outline, as near to its middle as possible; it is
-  // taken then. Requires that the sides of the outline are taken. Nothing: none fits.
+  // Returns the first of these sizes that fits into the outline, as near to its middle as possible,
+  // and occupies it. Requires that the sides of the outline are occupied. Empty: none fits.
   std::optional<LabelPlace> put_inside(const std::vector<glm::dvec2>& outline,
                                        const std::vector<glm::dvec2>& sizes);
-  // As near as possible to the outline, which has three corners or more, and not across a line;
-  // outside of all outlines if possible. Label and leader are taken then. Nothing: there is no free
-  // place within reach.
+  // Returns a place as near as possible to the outline, which has three corners or more, not across
+  // a line, and outside of all outlines if possible. Occupies label and leader. Empty: there is no
+  // free place within reach.
   std::optional<LeaderPlace> put_beside(const std::vector<glm::dvec2>& outline,
                                         const glm::dvec2& size);
 
@@ -57,10 +57,11 @@ class LabelPlaces {
   struct Cell {
     std::vector<std::size_t> boxes, lines;
   };
-  // Calls visit(index) for all cells that the box meets, until it returns false; then it is false.
+  // Calls visit(index) for all cells that the box meets, until it returns false; then returns
+  // false.
   template <class Visit>
   bool visit_cells(const LabelBox& box, const Visit& visit) const;
-  // The box around what of a line lies in a row of cells that it meets.
+  // Returns the box around the part of a line in a row of cells that it meets.
   LabelBox part_in_row(const Line& line, std::size_t row) const;
   bool is_leader_free(const Line& leader) const;
   bool is_in_outline(const glm::dvec2& place) const;

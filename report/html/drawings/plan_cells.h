@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a plane's points, where they lie in its drawing.
+// The cells of a plane's points at their places in its drawing.
 
 #include "report/html/drawings/plan_layout.h"
 #include "report/images/heatmap.h"
@@ -13,26 +13,27 @@
 
 namespace report {
 
-// Of a plane with has_cells(); must not outlive it.
+// The cells of a plane with has_cells(), which must outlive them.
 struct PlanCells {
   const PlanePart& plane;
   PlanLayout layout;
   std::optional<calc::RouteCells> route = {};  // whose cells lie along a line
 
-  // Of a route a square that fits into its cells; some at bends are smaller.
+  // Returns the size of a cell; for a route a square that fits into its cells, some of which are
+  // smaller at bends.
   glm::dvec2 cell_px() const;
   glm::dvec2 cell_middle_px(int column, int row) const;
   std::string cell_path(int column, int row) const;
-  // Upper left corner of a cell in the picture.
+  // Returns the upper left corner of a cell in the picture.
   glm::dvec2 cell_corner_px(int column, int row) const;
 };
 PlanCells plan_cells(const SpacePart& space, const PlanePart& plane, const glm::dvec2& wanted_px);
 
-// Points by colour band, in the order in which they are drawn: one group each keeps the file small.
+// Returns the points by colour band, in drawing order: one group for each keeps the file small.
 std::map<int, std::vector<const PointRow*>> points_by_band(const PlanePart& plane,
                                                            const ColourScale& scale);
 
-// For the attribute d of a path.
+// Returns a rectangle for the attribute d of a path.
 std::string svg_rectangle(const glm::dvec2& corner, const glm::dvec2& size);
 
 }  // namespace report

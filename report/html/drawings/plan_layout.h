@@ -1,6 +1,6 @@
 #pragma once
-// Where things lie in the drawing of a plane: (u, v) of the plane to picture coordinates, and the
-// limits that can be read off it.
+// The layout of a plane's drawing: (u, v) of the plane to picture coordinates, and the limits that
+// can be read from it.
 
 #include "report/document/document.h"
 #include "report/images/heatmap.h"
@@ -29,7 +29,7 @@ struct PlanLine {
   bool is_above = false;  // all of that piece is above the plane
 };
 
-// What the drawing shows, in metres from grid.origin_m along u and v.
+// The contents of the drawing, in metres from grid.origin_m along u and v.
 struct PlanLayout {
   glm::dvec2 low_m{0.0}, high_m{0.0};  // of the picture
   double pixels_per_metre = 1.0;
@@ -39,18 +39,18 @@ struct PlanLayout {
 
   double width_px() const { return (high_m.x - low_m.x) * pixels_per_metre; }
   double height_px() const { return (high_m.y - low_m.y) * pixels_per_metre; }
-  // v points up in the plan, y down in the picture.
+  // Returns the place in the picture: v points up in the plan, y down in the picture.
   glm::dvec2 pixel(const glm::dvec2& uv_m) const {
     return {(uv_m.x - low_m.x) * pixels_per_metre, (high_m.y - uv_m.y) * pixels_per_metre};
   }
 };
 
-// The whole room if the plane fills a fair part of it, else the plane and its surroundings. Fits
-// wanted_px.
+// Returns a layout of the whole room if the plane fills a fair part of it, else of the plane and
+// its surroundings. Fits wanted_px.
 PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
                         const glm::dvec2& wanted_px);
 
-// Limits that can be read off the points of the drawing: maintained, every luminaire at full
+// A limit that can be read from the points of the drawing: maintained, every luminaire at full
 // output, in the plane's unit.
 struct PlanLimit {
   std::string words;  // "average ≥ 500 lx"
@@ -58,7 +58,8 @@ struct PlanLimit {
 };
 std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane);
 
-// Length of a scale bar: 1, 2 or 5 times a power of ten, at most a third of width_m > 0.
+// Returns the length of a scale bar: 1, 2 or 5 times a power of ten, at most a third of width_m >
+// 0.
 double scale_bar_m(double width_m);
 
 }  // namespace report

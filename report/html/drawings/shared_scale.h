@@ -14,31 +14,30 @@
 
 namespace report {
 
-// Among whom a plane shares its colours.
+// The planes that share their colours.
 enum class ScaleSharing { project, room, plane };
 
-// A plane's own scale, with its limits where these do not squeeze the colours.
+// Returns a plane's own scale, with its limits unless they would compress the colours.
 ColourScale own_scale(const PlanePart& plane);
 
 struct PlaneScale {
   ColourScale scale;
   ScaleSharing among = ScaleSharing::plane;  // plane: it is the plane's own
 };
-// "One colour scale for all planes of the project."
+// Returns "One colour scale for all planes of the project."
 std::string_view sharing_words(const Texts& t, ScaleSharing sharing);
 
-// Planes share a scale that are of one unit: bands of equal width, or classes (make_class_scale())
-// where those give the plane that has the fewest colours more of them; finer classes where it would
-// be of one colour all the same. What is far below the
-// brightest of them (less than a tenth, as emergency light is of a workplace's) would be of one
-// colour, and has a scale of its own.
+// Planes of the same unit share a scale: bands of equal width, or classes (make_class_scale()) if
+// they give more colours to the plane with the fewest; finer classes if it would still have only
+// one. Planes with less than a tenth of the brightest value, such as emergency light beside a
+// workplace, would have one colour and get their own scale.
 class ColourScales {
  public:
   ColourScales() = default;  // every plane has its own
   ColourScales(const ProjectPart& project, ScaleSharing sharing,
                ColourMap map = ColourMap::cividis);
 
-  // space, plane: of the project. The plane has cells, and all values.
+  // Returns the scale of a plane. space, plane: of the project; the plane has cells and all values.
   PlaneScale of(const SpacePart& space, const PlanePart& plane) const;
 
  private:

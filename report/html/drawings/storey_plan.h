@@ -1,5 +1,5 @@
 #pragma once
-// Plans of storeys and sites as SVG that is to scale on paper.
+// Plans of storeys and sites as SVG at a drawing scale.
 
 #include "report/document/document.h"
 #include "report/html/drawings/flat_box.h"
@@ -20,8 +20,8 @@ namespace report {
 struct PlanArea {
   std::vector<glm::dvec2> outline_m;  // three corners or more, finite
   bool is_room = true;                // walls around it; else dashed
-  // Lines below each other, the first one bold; the best first. The last one is short: the name in
-  // a list below the plan. Not empty.
+  // Labels as lines below each other, the first line bold; the best label first. The last is short:
+  // its name is explained in a list below the plan. Not empty.
   std::vector<std::vector<std::string>> labels;
   std::optional<rules::Outcome> outcome;  // its tint; nothing: it has none
   std::string sign = {};                  // of it, where not even the short name has room
@@ -40,14 +40,14 @@ struct PlanContents {
   std::optional<double> north_deg;  // from +x counter-clockwise
 };
 
-// 1:scale; turned: +x points up.
+// The scale 1:scale; turned: +x points up.
 struct PlanFit {
   double scale = 100.0;
   bool is_turned = false;
 };
-// The largest of 1:50, 1:100, 1:200, 1:250, 1:500, 1:1000 and so on, but no larger than
-// 1:least_scale, with which so many metres fit on a page beside its heading. Turned only where that
-// makes the scale larger. Nothing: none fits up to 1:10 000, or the size is not finite.
+// Returns the largest of 1:50, 1:100, 1:200, 1:250, 1:500, 1:1000 and so on, but no larger than
+// 1:least_scale, at which this size fits on a page beside its heading. Turned only if that makes
+// the scale larger. Empty: none fits up to 1:10 000, or the size is not finite.
 std::optional<PlanFit> fit_plan(const glm::dvec2& size_m, Paper paper, double least_scale);
 
 struct PlanDrawing {
@@ -58,8 +58,8 @@ struct PlanDrawing {
   std::size_t without_letter = 0;
   bool is_as_points = false;  // too many luminaires for outlines and letters
 };
-// extent_m: what the page shows. title: for screen readers, not escaped. anchor: unique in the
-// page.
+// Draws the plan. extent_m: the part that the page shows. title: for screen readers, not escaped.
+// anchor: unique in the page.
 PlanDrawing draw_plan(const Texts& t, const PlanContents& contents, const FlatBox& extent_m,
                       const PlanFit& fit, const std::string& title, const std::string& anchor);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What several values have to be read with is told once, at the end of the page; a small number
-// stands beside each of them.
+// Remarks shared by several values appear once, at the end of the page; a small number beside each
+// value refers to them.
 
 #include "calc/base/message.h"
 #include "report/document/document.h"
@@ -21,39 +21,40 @@ struct RoomPlane {
 };
 std::vector<RoomPlane> planes_of(const ProjectPart& project);
 
-// One thing that must be read with a value. html: finished, of a sentence part.
+// A remark to be read with a value. html: finished, a part of a sentence.
 struct NoteItem {
   std::string html;
   // How well a number of a standard is founded: one_source, of grids alone, since the report says
   // it once of requirements, or unverified.
   std::optional<calc::Sentence> source = {};
 };
-// Those of a finding: what note_parts() has, one by one, a mask without the number of its points.
+// Returns the items of a finding: the parts of note_parts(), a mask without the number of its
+// points.
 std::vector<NoteItem> note_items(const Texts& t, const rules::Finding& finding);
-// A message one by one, as "; " separates it.
+// Returns the parts of a message, which "; " separates.
 std::vector<NoteItem> note_items(const Texts& t, const calc::Message& message);
 
-// Names without the words about their source, which a footnote tells: "EN 12464-1:2021" of "EN
-// 12464-1:2021 [one public source]".
+// Returns names without the words about their source, which a footnote has: "EN 12464-1:2021" for
+// "EN 12464-1:2021 [one public source]".
 calc::Message without_source(const calc::Message& message);
-// These words, as items.
+// Returns these words as items.
 std::vector<NoteItem> source_items(const Texts& t, const calc::Message& message);
 
 class Footnotes {
  public:
   explicit Footnotes(const Texts& t) : t_(t) {}
 
-  // What two or more findings, or planes, of these have to be read with gets a number, if it has
-  // none yet. To be called before any of them is rendered.
+  // Numbers the remarks that two or more of these findings or planes share, unless they have a
+  // number. To be called before any of them is rendered.
   void add(const std::vector<RoomPlane>& planes);
 
-  // Those that have no number, with "; " between them.
+  // Returns the items without a number, with "; " between them.
   std::string inline_html(const std::vector<NoteItem>& items) const;
-  // The numbers of all others, as links to the list; "" = none.
+  // Returns the numbers of all others, as links to the list; "" = none.
   std::string marks(const std::vector<NoteItem>& items) const;
   bool has(const NoteItem& item) const { return numbers_.contains(item.html); }
 
-  // A heading and the list; "" = nothing has a number.
+  // Returns a heading and the list; "" = nothing has a number.
   std::string list() const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// The report as several pages: one with everything that counts, and the planes room by room.
+// The report as several pages: a main page with everything that counts, and the planes room by
+// room.
 
 #include "report/document/document.h"
 #include "report/html/page/page_style.h"
@@ -19,16 +20,17 @@ struct HtmlPage {
 };
 inline constexpr std::size_t kPlanesPerPage = 24;
 
-// In document order; a room without planes has a page, too. index: of the project.
+// Returns the pages in document order; a room without planes has a page, too. index: of the
+// project.
 std::vector<HtmlPage> html_pages(const ProjectPart& project, std::size_t index);
 
-// One page, with a link back to `index` (a relative address from the page's folder).
+// Returns a page with a link back to `index` (a relative address from the page's folder).
 std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
                              const HtmlPage& page, const std::string& index, const Texts& t = {},
                              const PageStyle& style = {});
 
-// A file name as it stands in a relative address: everything but letters, digits and "-._~" as
-// %XX.  [RFC 3986, section 2]
+// Returns a file name for a relative address: everything but letters, digits and "-._~" as %XX.
+// [RFC 3986, section 2]
 std::string url_name(const std::string& file_name);
 
 }  // namespace report

@@ -4,7 +4,7 @@
 
 namespace report {
 
-// html_style.css, embedded when the build is configured.
+// Returns html_style.css, embedded when the build is configured.
 std::string html_style();
 
 }  // namespace report

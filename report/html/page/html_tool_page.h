@@ -1,5 +1,5 @@
 #pragma once
-// The frame of pages that have no script: those of tools, data sheets, and what is sent to clients.
+// The frame of pages without a script: those of tools, data sheets, and documents for clients.
 
 #include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
@@ -18,9 +18,10 @@ struct ToolPage {
   bool has_cover = false;  // the header begins with a <div class="cover">, which it has to close
 };
 
-// Up to the heading in the open <header>; what follows closes that and begins <main id="main">.
+// Returns the start up to the heading in the open <header>; the next part closes that and begins
+// <main id="main">.
 std::string tool_page_start(const Texts& t, const ToolPage& page);
-// From the end of <main>; footer: finished HTML.
+// Returns the end from the end of <main>; footer: finished HTML.
 std::string tool_page_end(const std::string& footer);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// What whole pages are made of: names of landmarks, and contents.
+// Parts of whole pages: names of landmarks, and contents.
 
 #include "report/html/page/page_style.h"
 #include "report/text/texts.h"
@@ -12,8 +12,9 @@
 
 namespace report {
 
-// Regions are landmarks, which must differ in name; planes of several rooms may have one name.
-// Repeats of "name" are "name (2)", "name (3)" ..., unless another region is called so.
+// Makes names of regions unique, because landmarks must differ in name and planes of several rooms
+// may share a name. Repeats of "name" are "name (2)", "name (3)" ..., unless another region has
+// that name.
 class RegionNames {
  public:
   // html: made by our own renderers, so that no name from a file can hold a quote.
@@ -32,7 +33,7 @@ struct ContentsEntry {
   bool is_on_paper = false;    // alone
 };
 
-// <nav> with the pages that the entries are on, where they are known. numbers: null = they are not.
+// Returns a <nav> with the page numbers of the entries, if known. numbers: null = not known.
 std::string html_contents(const Texts& t, const std::vector<ContentsEntry>& entries,
                           const PageNumbers* numbers);
 

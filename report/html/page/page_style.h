@@ -1,5 +1,5 @@
 #pragma once
-// What may be chosen of the look of pages.
+// Choices for the appearance of pages.
 
 #include "report/html/drawings/shared_scale.h"
 #include "report/html/page/print_pages.h"
@@ -13,12 +13,13 @@ namespace report {
 
 class SheetSource;  // data_sheets.h
 
-// Tables of all values at the end of what is printed. automatic: where there are at most so many.
+// Tables of all values at the end of printed pages. automatic: if there are at most
+// kMostAnnexValues.
 enum class Annex { automatic, always, never };
 inline constexpr std::size_t kMostAnnexValues = 2500;
 
-// A page of its own before all else, on paper. automatic: where the only project names a
-// client, author, company or logo.
+// A separate first page on paper. automatic: if the only project names a client, author, company or
+// logo.
 enum class Cover { automatic, always, never };
 
 // The unit of lengths in a drawing for CAD.
@@ -32,8 +33,8 @@ struct DrawingStyle {
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").
 using PageNumbers = std::map<std::string, int>;
 
-// What a document is for. client: what people send, room first, without what only a checker needs;
-// full: everything. automatic: client of a PDF, full of HTML.
+// The purpose of a document. client: for sending, room by room, without details for checkers; full:
+// everything. automatic: client for PDF, full for HTML.
 enum class Detail { automatic, client, full };
 
 struct PageStyle {

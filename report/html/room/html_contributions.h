@@ -1,5 +1,5 @@
 #pragma once
-// What single luminaires give to a plane.
+// The light of single luminaires on a plane.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -8,7 +8,7 @@
 
 namespace report {
 
-// A folded table of the luminaires that give the most; "" where the document has none.
+// Returns a folded table of the luminaires that give the most; "" if the document has none.
 std::string html_contributions(const Texts& t, const PlanePart& plane);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// How a run got to its numbers: intervals after every look.
+// The course of a run: intervals after every sampling round.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -8,11 +8,11 @@
 
 namespace report {
 
-// Relative half widths of every requirement's interval over light paths, all planes of a project in
-// one picture; "" where nothing was sampled.
+// Returns the relative half widths of every requirement's interval over light paths, all planes of
+// a project in one picture; "" if nothing was sampled.
 std::string html_convergence(const Texts& t, const ProjectPart& project);
 
-// One plane's looks as a folded table; "" where nothing was sampled.
+// Returns the sampling rounds of a plane as a folded table; "" if nothing was sampled.
 std::string html_looks(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
 }  // namespace report

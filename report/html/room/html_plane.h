@@ -1,5 +1,5 @@
 #pragma once
-// The card of one plane: requirements, heat map, statistics, how it was measured, values.
+// The card of a plane: requirements, heat map, statistics, sampling, values.
 
 #include "report/document/document.h"
 #include "report/html/drawings/shared_scale.h"
@@ -13,14 +13,14 @@
 
 namespace report {
 
-// A card that can be folded. Folded from the start: with folds_passed, one all of whose
-// requirements are met or waived. groups: level_groups() of the room.
+// Returns a card that can be folded. folds_passed: it starts folded if all its requirements are met
+// or waived. groups: level_groups() of the room.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, const ColourScales& scales, bool folds_passed,
                        const std::vector<std::string>& groups, Paper paper,
                        const Footnotes& footnotes);
 
-// A report of so few planes has room for them all.
+// A report of at most this many planes can show them all.
 inline constexpr std::size_t kFewPlanes = 3;
 
 }  // namespace report

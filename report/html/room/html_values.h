@@ -11,7 +11,7 @@
 
 namespace report {
 
-// To be unfolded on the screen; a list of points is printed, too.
+// Returns a table that can be unfolded on the screen; a list of points is printed, too.
 std::string html_values(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
 struct AnnexPlane {
@@ -21,8 +21,8 @@ struct AnnexPlane {
   bool has_table() const;  // lists of points have none: they are printed with the plane
 };
 
-// A section that is printed only, or only words where its tables would be too long and nobody asked
-// for them; "" where there are no such values. id: of its heading.
+// Returns a section for print only, or only words if its tables would be too long and were not
+// requested; "" if there are no such values. id: of its heading.
 std::string html_annex(const Texts& t, const std::vector<AnnexPlane>& planes, Annex annex,
                        std::string_view id);
 
