@@ -1,6 +1,6 @@
 #pragma once
-// What CI systems are told: the document as a flat list of findings, each with words of its own, a
-// place in a file and a fingerprint that stays the same from revision to revision.
+// The document for CI systems: a flat list of findings, each with its own words, a place in a file
+// and a fingerprint that is the same in every revision.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -19,18 +19,18 @@ struct CiFinding {
   const SpacePart* space = nullptr;         // null: the whole project
   const PlanePart* plane = nullptr;         // null: the whole project
   const rules::Finding* finding = nullptr;  // null: nothing of the plane or project was judged
-  // Not null: it is this aggregate of the project; finding is null.
+  // Not null: the entry is this aggregate of the project, and finding is null.
   const rules::AggregateFinding* aggregate = nullptr;
   rules::Verdict verdict = rules::Verdict::not_judged;
   bool counts = true;  // false: waived, advice, or known: it does not decide the exit code
-  // Failed in the baseline, too, and the gate is for regressions.
+  // It failed in the baseline, too, and the gate is for regressions.
   bool is_known = false;
-  // Since the baseline; none: there is no baseline.
+  // Change since the baseline; none: there is no baseline.
   std::optional<ResultChange> change = {};
 
   // "average", "Uo", ..., "aggregate", "class"; "plane" or "project" without a finding.
   std::string rule;
-  // Unique among the findings of a project: "room/plane/requirement", of ids.
+  // Unique among the findings of a project, made of ids: "room/plane/requirement".
   std::string key;
   calc::SourceLocation where;  // of the <require>, the plane or the project
   std::string place;           // "Office / Desk 1", or the project's path
@@ -40,26 +40,27 @@ struct CiFinding {
   std::string fingerprint;
 };
 
-// What must be known of a project beside its findings: zones of workplaces that were not made or
-// left out, what of rows is asked, planes that somebody changed, remarks on planes and doubts of
-// their points. "room: what", "room / plane: what"; printable(), in document order.
+// Returns everything to be known of a project beside its findings: zones of workplaces that were
+// not made or are omitted, the required parts of rows, planes changed by the project, remarks on
+// planes and doubts about their points. "room: what", "room / plane: what"; printable(), in
+// document order.
 std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {});
 
-// What workplaces leave out, who lives with that and up to which day: "room: desk, EN ... 34.2:
-// left out: wall.2 (glass, by A. Meier until 2027-06-30)"; printable(), in document order. For
-// formats that have no ci_notes().
+// Returns the zones that workplaces omit, with who accepts that and the last day: "room: desk, EN
+// ... 34.2: left out: wall.2 (glass, by A. Meier until 2027-06-30)"; printable(), in document
+// order. For formats without ci_notes().
 std::vector<std::string> ci_left_out(const ProjectPart& project, const Texts& t = {});
 
-// Waived, requirement or aggregate.
+// Returns whether the requirement or aggregate is waived.
 bool is_waived(const CiFinding& entry);
 
-// Of a project, in its order: every requirement, every plane that was not computed although nothing
-// that counts is required of it, and every project that could not be judged; then every aggregate
-// and class. Text is printable(). Valid as long as the project. t: of the messages of planes and
-// projects; those of findings are English.
+// The findings of a project, in its order: every requirement, every plane that was not computed
+// although nothing that counts is required of it, and every project that could not be judged; then
+// every aggregate and class. Text is printable(). Valid as long as the project. t: for messages of
+// planes and projects; those of findings are English.
 class CiFindings {
  public:
-  // revision: that the projects are in; null: none. It must outlive this.
+  // revision: contains the projects; null: none. It must outlive this.
   CiFindings(const Texts& t, const Revision* revision);
   explicit CiFindings(const DocumentFrame& frame, const Texts& t = {});
   std::vector<CiFinding> of(const ProjectPart& project) const;

@@ -1,6 +1,6 @@
 #pragma once
-// What a revision did, as CI systems are told beside the findings of the result: values that became
-// worse although they pass, and questions that ask for less or for something else.
+// The changes of a revision for CI systems, beside the findings of the result: values that became
+// worse although they pass, and requirements that are weaker or different.
 
 #include "report/document/document.h"
 
@@ -19,7 +19,7 @@ struct CiChange {
   bool stops = false;       // the gate; else it is told only
 };
 
-// In the revision's order; empty without one.
+// Returns the changes in the revision's order; empty without a revision.
 std::vector<CiChange> ci_changes(const Document& document);
 
 }  // namespace report

@@ -1,6 +1,6 @@
 #pragma once
-// The document as a table for terminals and logs: verdicts first, one line per requirement; those
-// of workplaces that pass share lines, see folded_passes.h.
+// The document as a table for terminals and logs: verdicts first, one line per requirement; passing
+// requirements of workplaces share lines, see folded_passes.h.
 
 #include "report/document/document.h"
 #include "report/stream/format_writer.h"
@@ -21,12 +21,12 @@ struct TextOptions {
   bool has_messages = true;   // warnings and errors below each table; else they are said elsewhere
 };
 
-// UTF-8, every line ends in '\n'. Holds the table of each project and one summary line, which
-// counts the warnings.
+// Writes UTF-8 in which every line ends in '
+// ': the table of each project and one summary line, which counts the warnings.
 std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const TextOptions& options, const Texts& t);
 
-// What the document's revision did, as it stands at the head of that; "" without one.
+// Returns the changes of the document's revision, for the head of the document; "" without one.
 // terminal_width: as TextOptions::width.
 std::string render_revision_text(const Texts& t, const Document& document, bool colour,
                                  int terminal_width = 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Of a project of several rooms on a terminal: a line for each room, why rooms do not pass, what
-// must be read with the results, and the names that matter for the end of the report.
+// Parts of a terminal report for a project of several rooms: a line for each room, why rooms do not
+// pass, notes to be read with the results, and the important names for the end of the report.
 
 #include "report/document/document.h"
 #include "report/formats/console.h"
@@ -13,11 +13,12 @@
 
 namespace report {
 
-// "" = of a single room. On a narrow terminal names and uses give way, then columns go: what stays
-// longest is the verdict, the room, average, uniformity and glare.
+// Returns the overview; "" = of a single room. On a narrow terminal names and uses are shortened,
+// then columns are dropped; the last to stay are verdict, room, average, uniformity and glare.
 std::string overview_text(const Texts& t, const ProjectPart& project, const TextOptions& options);
 
-// What keeps rooms from passing, room by room; rooms with the same reasons together. "" = nothing.
+// Returns what keeps rooms from passing, room by room; rooms with the same reasons together. "" =
+// nothing.
 std::string causes_text(const Texts& t, const ProjectPart& project, const TextOptions& options);
 
 struct RoomNotesText {
@@ -27,10 +28,10 @@ struct RoomNotesText {
 };
 RoomNotesText notes_text(const Texts& t, const ProjectPart& project, const TextOptions& options);
 
-// Names of rooms by what they came to.
+// Names of rooms by their outcome.
 class RoomsToName {
  public:
-  // path: of the project, where there are several; else "".
+  // Adds the rooms. path: of the project if there are several; else "".
   void add(const ProjectPart& project, const std::string& path);
 
   // Returns "1 room fails: Office · 2 rooms not judged: Hall, Store · 1 project not judged: a.xml";

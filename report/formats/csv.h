@@ -10,15 +10,15 @@
 
 namespace report {
 
-// results_table(), and what a revision made worse.
+// Writes results_table(), and the losses of a revision.
 std::unique_ptr<FormatWriter> results_csv_writer(const DocumentFrame& frame,
                                                  const SpillPlace& place);
 
-// points_table()
+// Writes points_table().
 std::unique_ptr<FormatWriter> points_csv_writer(const DocumentFrame& frame,
                                                 const SpillPlace& place);
 
-// luminaires_table()
+// Writes luminaires_table().
 std::unique_ptr<FormatWriter> luminaires_csv_writer(const DocumentFrame& frame,
                                                     const SpillPlace& place);
 

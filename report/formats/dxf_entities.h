@@ -1,7 +1,7 @@
 #pragma once
-// Entities of a DXF file of R12, and the tables that stand before them. Lengths are given in metres
-// and written in the unit of the drawing; each function appends to `dxf`. Layers and blocks: names
-// that dxf_name() makes.
+// Entities of a DXF file of R12, and the tables before them. Lengths are given in metres and
+// written in the unit of the drawing; each function appends to `dxf`. Layers and blocks: names from
+// dxf_name().
 
 #include <glm/glm.hpp>
 
@@ -18,12 +18,12 @@ struct DxfText {
   double per_metre = 1.0;  // units of the drawing
 };
 
-// A group: its code and its value, which must be on one line.
+// Appends a group: its code and its value, which must be on one line.
 void dxf_group(int code, std::string_view value, DxfText& dxf);
 void dxf_group(int code, int value, DxfText& dxf);
 void dxf_group(int code, double value, DxfText& dxf);
 void dxf_length(int code, double metres, DxfText& dxf);
-// Of a code for x; y and z have the codes 10 and 20 further.
+// Appends a point. code: for x; the codes of y and z are 10 and 20 higher.
 void dxf_point(int code, const glm::dvec3& point, DxfText& dxf);
 
 // Colours by their numbers (AutoCAD's).
@@ -42,7 +42,8 @@ enum class DxfColour {
 
 void dxf_line(std::string_view layer, const glm::dvec3& from, const glm::dvec3& to, DxfText& dxf);
 
-// Flat where all corners are of one height, else in space. Nothing of less than two corners.
+// Appends a polyline, flat if all corners have one height, else in space; nothing for less than two
+// corners.
 void dxf_polyline(std::string_view layer, const std::vector<glm::dvec3>& corners, bool is_closed,
                   DxfColour colour, DxfText& dxf);
 
@@ -50,14 +51,14 @@ void dxf_circle(std::string_view layer, const glm::dvec3& middle, double radius_
 
 enum class DxfAlign { start, middle };  // its base line's start, or its middle, is at the point
 
-// words: as dxf_text() or dxf_lines() make them; nothing of "".
+// Appends words from dxf_text() or dxf_lines(); nothing for "".
 void dxf_words(std::string_view layer, const glm::dvec3& at, double height_m,
                std::string_view words, DxfAlign align, DxfColour colour, DxfText& dxf);
 
-// How wide words are at most, with the font "txt".
+// Returns an upper limit on the width of words with the font "txt".
 double dxf_width_m(std::string_view words, double height_m);
 
-// Tag and value, as dxf_text() makes it.
+// An attribute: tag and value from dxf_text().
 struct DxfAttribute {
   std::string_view tag;
   std::string value;
@@ -65,12 +66,12 @@ struct DxfAttribute {
   bool is_visible = false;
 };
 
-// text_m: height of its attributes, which do not turn with it.
+// Appends an insert. text_m: height of its attributes, which do not turn with it.
 void dxf_insert(std::string_view layer, std::string_view block, const glm::dvec3& at,
                 double rotation_deg, const std::vector<DxfAttribute>& attributes, double text_m,
                 DxfText& dxf);
-// entities: of the block, around its base point 0. attributes: those that its inserts have, with
-// the values that a new insert is offered.
+// Appends a block. entities: of the block, around its base point 0. attributes: those of its
+// inserts, with the default values for a new insert.
 void dxf_block(std::string_view layer, std::string_view block, std::string_view entities,
                const std::vector<DxfAttribute>& attributes, double text_m, DxfText& dxf);
 
@@ -84,7 +85,7 @@ struct DxfHead {
   double text_m = 0.0;                     // height of texts
   int unit = 0;                            // of the drawing, as $INSUNITS numbers them
 };
-// Header and tables: all layers, one style "STANDARD", one line type.
+// Appends header and tables: all layers, one style "STANDARD", one line type.
 void dxf_head(const DxfHead& head, DxfText& dxf);
 void dxf_section(std::string_view name, DxfText& dxf);
 void dxf_section_end(DxfText& dxf);

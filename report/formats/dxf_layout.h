@@ -1,5 +1,5 @@
 #pragma once
-// Where texts of a drawing have room. Lengths in metres; all texts of a drawing have one height.
+// Places for the texts of a drawing. Lengths in metres; all texts of a drawing have one height.
 
 #include "report/html/drawings/html_isolux.h"
 
@@ -13,23 +13,23 @@
 
 namespace report {
 
-// Which texts get their places before others.
+// The order in which texts get their places.
 enum class DxfTurn { first, second, other };
 
-// A text whose middle is at that place.
+// A text with the place of its middle.
 struct DxfPlacedText {
   glm::dvec2 at{0.0};
   std::string words;
   DxfTurn turn = DxfTurn::other;
 };
 
-// The place that a text takes, with a little air above and below.
+// Returns the box of a text, with a little air above and below.
 LabelBox text_box(const glm::dvec2& middle_m, const std::string& words, double text_m);
 
-// Places that are taken. A place far beyond any building is never taken.
+// The occupied places. A place far beyond any building is never occupied.
 class TakenPlaces {
  public:
-  // text_m: > 0, of the texts that will be asked about.
+  // text_m: > 0, height of the texts that will be tested.
   explicit TakenPlaces(double text_m) : cell_m_(8.0 * text_m) {}
 
   bool meets(const LabelBox& box) const;
@@ -45,21 +45,21 @@ class TakenPlaces {
   std::map<Cell, std::vector<LabelBox>> boxes_;
 };
 
-// Which of the texts can be shown, so that none meets another: turn by turn and in their order,
-// each that meets none before it.
+// Returns which texts can be shown without overlap: turn by turn and in their order, each that
+// overlaps no earlier text.
 std::vector<bool> shown_texts(const std::vector<DxfPlacedText>& texts, double text_m);
 
-// Height of texts that are 2.5 mm high on paper at 1:scale.
+// Returns the height of texts that are 2.5 mm high on paper at 1:scale.
 double text_height_m(int scale);
 
-// The coarsest of 1:20, 1:25, 1:50, 1:100, 1:200, 1:250, 1:500 and 1:1000 at which the plan is 150
-// mm long on paper and at least half of all texts can be shown: none overlaps another then, and
-// most of them are there. Else 1:20; 1:50 without a plan. planes: each has its own texts. plan_m:
-// the longest side of the plan, 0 without one.
+// Returns the coarsest of 1:20, 1:25, 1:50, 1:100, 1:200, 1:250, 1:500 and 1:1000 at which the plan
+// is 150 mm long on paper and at least half of all texts can be shown without overlap. Else 1:20;
+// 1:50 without a plan. planes: each has its own texts. plan_m: the longest side of the plan, 0
+// without one.
 int chosen_scale(const std::vector<std::vector<DxfPlacedText>>& planes, double plan_m);
 
-// The upper left corner of a free place of that size inside the outline: the highest one, and of
-// these the leftmost. Tried are 59 x 59 places; none in an outline of more than 1,000 corners.
+// Returns the upper left corner of a free place of that size inside the outline: the highest, and
+// of these the leftmost. Tries 59 x 59 places; empty for outlines of more than 1,000 corners.
 std::optional<glm::dvec2> free_place(const std::vector<glm::dvec2>& outline_m,
                                      const glm::dvec2& size_m, const TakenPlaces& taken);
 

@@ -14,7 +14,7 @@
 
 namespace report {
 
-// From base line to base line, in heights of the text.
+// Distance between base lines, in heights of the text.
 inline constexpr double kDxfLine = 1.6;
 
 // A line in pieces, each with its distance from the left edge in characters.
@@ -28,20 +28,20 @@ class DxfColumns {
   // columns: characters at which long texts are broken; >= 1.
   explicit DxfColumns(std::size_t columns) : columns_(columns) {}
 
-  // A text, in as many lines as it needs.
+  // Adds a text in as many lines as it needs.
   void add(std::string_view utf8, DxfColour colour = DxfColour::by_layer);
-  // All lines of another one.
+  // Adds all lines of another legend.
   void add(const DxfColumns& other) {
     lines_.insert(lines_.end(), other.lines_.begin(), other.lines_.end());
   }
-  // A table: rows as long as the head, whose columns are as wide as they must be, each at most 40
-  // characters, of longer cells the start and the end. colours: of the rows.
+  // Adds a table: rows as long as the head. Columns are as wide as needed, at most 40 characters;
+  // longer cells show their start and end. colours: of the rows.
   void add_table(const std::vector<std::string>& head,
                  const std::vector<std::vector<std::string>>& rows,
                  const std::vector<DxfColour>& colours);
 
-  // From the corner (upper left, metres) to the right and down, in as many columns as are needed
-  // for that height (one line at least), in a frame. The box of the frame.
+  // Draws a frame from the corner (upper left, metres) to the right and down, in as many columns as
+  // that height needs (at least one line). Returns the box of the frame.
   FlatBox draw(std::string_view layer, const glm::dvec2& corner_m, double height_m, double text_m,
                DxfText& dxf) const;
 

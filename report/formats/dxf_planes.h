@@ -1,5 +1,5 @@
 #pragma once
-// Planes of a drawing: what they are called there, where they are drawn, and on which layers.
+// Planes of a drawing: their names, places and layers there.
 
 #include "calc/scene/sensor_grid.h"
 #include "report/document/document.h"
@@ -15,26 +15,26 @@
 
 namespace report {
 
-// What follows the names of the layers of planes that are no task areas.
+// The suffix of layers of planes that are no task areas.
 inline constexpr const char* kOtherLayers = "_OTHER";
 
-// Of its requirements; not_judged where it was not computed.
+// Returns the gravest outcome of its requirements; not_judged if it was not computed.
 rules::Outcome gravest_outcome(const PlanePart& plane);
 
 bool is_level_plane(const PlanePart& plane);
 
-// "Task: pass", with what it measures where that is not plain illuminance. Not yet dxf_text().
+// Returns "Task: pass", with the quantity if it is not plain illuminance. Not yet dxf_text().
 std::string plane_label(const Texts& t, const SpacePart& space, const PlanePart& plane);
 
-// Whether it is what the room is lit for: a task area, or a plane that the project itself describes
-// - of these only those of which something is required, where there are any.
+// Returns whether the room is lit for this plane: a task area, or a plane that the project itself
+// describes - only those with requirements, if there are any.
 bool is_task_area(const SpacePart& space, const PlanePart& plane);
 
-// Where a plane is drawn: at its place in the world, or flat beside the plan.
+// The place where a plane is drawn: its place in the world, or flat beside the plan.
 class Placing {
  public:
   static Placing world(const glm::dvec2& shift_m) { return Placing(shift_m); }
-  // grid: outlives it. corner_m: where its origin is drawn.
+  // grid: must outlive this. corner_m: place of its origin in the drawing.
   static Placing flat(const calc::SensorGrid& grid, const glm::dvec2& corner_m) {
     Placing placing(corner_m);
     placing.grid_ = &grid;
@@ -58,21 +58,21 @@ class Placing {
   const calc::SensorGrid* grid_ = nullptr;
 };
 
-// Layers of what is drawn of a plane.
+// The layers of a plane's parts.
 struct PlaneLayers {
   std::string outlines, names, values, isolux, limits, labels;
 };
 
-// "LUX_VALUES", "LUX_VALUES_2", "LUX_VALUES_OTHER", ...
+// Returns "LUX_VALUES", "LUX_VALUES_2", "LUX_VALUES_OTHER", ...
 PlaneLayers plane_layers(bool is_task, std::size_t tier);
 
-// Of its outline and its points, in the world; empty without either.
+// Returns the box of its outline and its points, in the world; empty without either.
 FlatBox drawn_box(const PlanePart& plane);
 
-// Levels in which no plane's values lie over another's.
+// Assigns planes to levels in which no plane's values overlap another's.
 class Tiers {
  public:
-  // From 0. plane: outlives it.
+  // Returns the level, from 0. plane: must outlive this.
   std::size_t tier_of(const PlanePart& plane);
 
  private:

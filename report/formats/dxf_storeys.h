@@ -1,6 +1,6 @@
 #pragma once
-// Where the storeys of a project are drawn: beside each other where their rooms lie above each
-// other, else all at their true places.
+// Places of a project's storeys in a drawing: beside each other if rooms overlap in plan, else all
+// at their true places.
 
 #include "report/document/document.h"
 #include "report/html/drawings/flat_box.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Of all that is drawn of a space at its true place; empty where that is nothing.
+// Returns the box of everything drawn of a space at its true place; empty if there is nothing.
 FlatBox drawn_box(const SpacePart& space);
 FlatBox drawn_box(const ProjectPart& project);
 
@@ -26,27 +26,27 @@ struct DxfStorey {
 class DxfStoreys {
  public:
   DxfStoreys() = default;
-  // Storeys are apart where their floors differ by kStoreyStep_m and a room of one lies above a
-  // room of another. Rooms of one height stay together, also where they overlap. Roads and outdoor
-  // areas are with the storey whose floor is nearest to their lowest plane. Rooms without a usable
-  // outline are with the storey that they are in by their height. What is more than 10,000 km away
-  // is with the lowest storey and takes no place.
+  // Storeys are apart if their floors differ by kStoreyStep_m and a room of one is above a room of
+  // another. Rooms of one height stay together, even if they overlap. Roads and outdoor areas
+  // belong to the storey with the floor nearest to their lowest plane. Rooms without a usable
+  // outline belong to the storey at their height. Anything more than 10,000 km away belongs to the
+  // lowest storey and takes no place.
   explicit DxfStoreys(const ProjectPart& project);
 
-  // Storeys that are apart; else one.
+  // Returns the number of storeys that are apart; else 1.
   std::size_t count() const { return storeys_.size(); }
   bool are_apart() const { return count() > 1; }
   const DxfStorey& operator[](std::size_t storey) const { return storeys_[storey]; }
-  // Of a space of the project.
+  // Returns the storey of a space of the project.
   std::size_t storey_of(const SpacePart& space) const;
 
-  // Puts storeys that are apart beside each other: the lowest at its true place, each other one
-  // right of the storey below it where it is not there already. The gap is a tenth of the largest
-  // extent of a storey, 2 m at least. least_width_m: of each, for its title.
+  // Puts storeys that are apart beside each other: the lowest at its true place, each other to the
+  // right of the storey below unless it is there already. The gap is a tenth of the largest extent
+  // of a storey, 2 m at least. least_width_m: of each, for its title.
   void put_beside(double least_width_m);
 
-  // The layer of what belongs to a storey: "LUX_ROOMS_S2"; the layer itself where storeys are not
-  // apart or R12 has no room for the name. Storeys from the 99th on share their layers.
+  // Returns the layer for a storey: "LUX_ROOMS_S2"; the layer itself if storeys are not apart or
+  // R12 has no room for the name. Storeys from the 99th on share their layers.
   std::string layer(std::string_view name, std::size_t storey) const;
 
  private:
@@ -55,7 +55,7 @@ class DxfStoreys {
   std::vector<DxfStorey> storeys_ = std::vector<DxfStorey>(1);
 };
 
-// Whether a room lies over another one of its storey.
+// Returns whether a room overlaps another room of its storey.
 bool has_overlap_in_storey(const ProjectPart& project, const DxfStoreys& storeys);
 
 }  // namespace report

@@ -1,6 +1,6 @@
 #pragma once
-// Requirements of workplaces that pass, many in a line: of a wall of numbers in which everything is
-// right nobody finds the one that is not.
+// Folds many passing requirements of workplaces into one line, because in a wall of good numbers
+// nobody finds the bad one.
 
 #include "report/document/document.h"
 
@@ -10,19 +10,20 @@
 
 namespace report {
 
-// Planes of a space, of one workplace or (several = true) of several that share them.
+// Planes of a space that share a line, of one workplace or (several = true) of several.
 struct FoldedPasses {
   std::vector<const PlanePart*> planes;  // in the order of the report
   bool of_several = false;
   std::size_t requirements() const;  // without advice
-  // Of the requirements that count, or else of all, the one with the least margin, and its plane.
+  // Returns the finding with the least margin, among those that count if there are any, and its
+  // plane.
   const rules::Finding& nearest() const;
   const PlanePart& plane_of_nearest() const;
 };
 
-// Only planes that a workplace has made, all requirements of which pass with nothing to decide
-// about: no deviation, no waiver, nothing changed, no doubt about the light, not close to the
-// limit. A plane for itself is not folded.
+// Returns groups of planes made by workplaces whose requirements all pass without anything to
+// decide: no deviation, waiver, change or doubt about the light, and not close to the limit. A
+// single plane is not folded.
 std::vector<FoldedPasses> folded_passes(const SpacePart& space);
 
 }  // namespace report

@@ -1,6 +1,5 @@
 #pragma once
-// Every format that a document can be written in. A new one is a row here, and a pair of files that
-// renders it.
+// All formats of a document. A new format is a row here and a pair of files that renders it.
 
 #include "report/document/document.h"
 #include "report/formats/console.h"
@@ -16,7 +15,7 @@
 
 namespace report {
 
-// What formats for people need besides the document.
+// The style that formats for people need besides the document.
 struct FormatStyle {
   TextOptions terminal;            // of `text`
   Texts texts = {};                // of `text`, `html` and `markdown`
@@ -33,13 +32,13 @@ struct Format {
   bool is_html = false;     // has pictures of rooms, and may be an index with pages
   bool is_printed = false;  // is HTML as one page, which needs a printer
 
-  // Of a document that is there as a whole.
+  // Renders a whole document.
   std::string render(const Document& document, const FormatStyle& style) const;
 };
 
-// In the order that the help names them; `text` is the first.
+// Returns the formats in the order of the help; `text` is the first.
 std::span<const Format> formats();
-// Null if there is none of that name.
+// Returns the format of this name; null if there is none.
 const Format* find_format(std::string_view name);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// A summary for a pull request.
+// Writes a summary for a pull request.
 
 #include "report/document/document.h"
 #include "report/stream/format_writer.h"
@@ -10,12 +10,12 @@
 
 namespace report {
 
-// The verdict, a table of what did not pass, and a folded table of what did. Hosts cut long
-// comments off, so each table has at most 100 rows and says what it leaves out.
+// Writes the verdict, a table of requirements that did not pass, and a folded table of the others.
+// Hosts cut long comments, so each table has at most 100 rows and says how many it omits.
 std::unique_ptr<FormatWriter> markdown_writer(const DocumentFrame& frame, const SpillPlace& place,
                                               const Texts& t);
 
-// What the document's revision did, as it stands at the head of that; "" without one.
+// Returns the changes of the document's revision, for the head of the document; "" without one.
 std::string render_revision_markdown(const Texts& t, const Document& document);
 
 }  // namespace report

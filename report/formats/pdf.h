@@ -1,5 +1,5 @@
 #pragma once
-// The page of html.h as a PDF: another program prints it.
+// Writes the page of html.h as a PDF: another program prints it.
 
 #include "report/document/document.h"
 #include "report/html/page/page_style.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Prints HTML, however it does that.
+// Prints HTML by any means.
 class PagePrinter {
  public:
   PagePrinter() = default;
@@ -20,27 +20,27 @@ class PagePrinter {
   PagePrinter& operator=(const PagePrinter&) = delete;
   virtual ~PagePrinter() = default;
 
-  // write_page: writes HTML. The PDF. Throws WriteFailure, and what write_page throws.
+  // Returns the PDF. write_page: writes HTML. Throws WriteFailure, and what write_page throws.
   virtual std::string print(const std::function<void(Sink&)>& write_page) = 0;
-  // On which pages of a PDF that it made the targets of links are; empty if it cannot tell.
+  // Returns the pages of link targets in a PDF that it made; empty if it cannot tell.
   virtual PageNumbers places_in(const std::string& pdf) = 0;
 };
 
-// Same document and same printer, same bytes. Longer ones are printed twice: the contents name
-// pages that are known only then. printer: null: what it would print, as HTML.
+// Same document and same printer, same bytes. Longer documents are printed twice, because their
+// contents name pages that are known only then. printer: null: writes the HTML to be printed.
 std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
                                          const Texts& t, const PageStyle& style,
                                          PagePrinter* printer);
 
-// With the same day for the two times at which a PDF says it was made and changed: reports tell
-// times only where somebody asks for one. As long as it was, so that all offsets in it hold.
+// Sets the two times at which a PDF was made and changed to the same day: reports show times only
+// on request. The length stays, so that all offsets remain valid.
 std::string with_fixed_dates(std::string pdf);
 
-// With the elements of its structure ("node00000113") counted from 1 in the order of their numbers:
-// Chromium counts everything it ever made, which is one more now and then. As long as it was.
+// Renumbers the elements of its structure ("node00000113") from 1 in the order of their numbers,
+// because Chromium's counter sometimes includes more elements. The length stays.
 std::string with_counted_ids(std::string pdf);
 
-// A PDF of Chromium without what chance puts into it: both of the above.
+// Returns a PDF of Chromium without random parts: applies both functions above.
 std::string reproducible_pdf(std::string pdf);
 
 }  // namespace report

@@ -13,11 +13,10 @@ enum class SarifContent {
   all        // passes too, as kind "pass"
 };
 
-// One run. Results have kind "fail" (level error), "review" (undecided) or "open" (not judged,
-// or advice: level note); what is waived
-// is suppressed, with its reason; ruleId is the quantity, the location is the
-// requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
-// diagnostics are notifications of the invocation.  [SARIF]
+// Writes one run. Results have kind "fail" (level error), "review" (undecided) or "open" (not
+// judged, or advice: level note); waived results are suppressed, with the reason; ruleId is the
+// quantity, the location is the requirement's line, the fingerprint depends only on ids. Inputs
+// with their hashes are artifacts, diagnostics are notifications of the invocation.  [SARIF]
 std::unique_ptr<FormatWriter> sarif_writer(const DocumentFrame& frame, const SpillPlace& place,
                                            SarifContent content);
 

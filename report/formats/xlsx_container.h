@@ -1,5 +1,5 @@
 #pragma once
-// A ZIP file that is written piece by piece. The only owner of zlib's deflate.
+// Writes a ZIP file piece by piece. The only user of zlib's deflate.
 
 #include "report/stream/sink.h"
 #include "report/stream/spill.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// One file of it, packed as it comes. All members throw WriteFailure.
+// A file in the archive, packed while it is written. All members throw WriteFailure.
 class PackedFile {
  public:
   explicit PackedFile(const SpillPlace& place);
@@ -21,7 +21,7 @@ class PackedFile {
   ~PackedFile();
 
   void write(std::string_view bytes);
-  // Once, after all is written; gives back the memory of packing.
+  // Ends the file, once, after all is written; frees the memory for packing.
   void finish();
 
  private:
@@ -35,13 +35,13 @@ class PackedFile {
   std::uint32_t checksum_ = 0;
 };
 
-// Files have the date 1980-01-01, so that the same content gives the same bytes.
+// A ZIP file. Its files have the date 1980-01-01, so that the same content gives the same bytes.
 class ZipFile {
  public:
   explicit ZipFile(Sink& sink) : sink_(sink) {}
 
-  // In the order of the calls; file: finished; name: ASCII. Throws WriteFailure, also where the
-  // archive would have 4 GiB, which this kind of ZIP file cannot hold.
+  // Adds a file, in the order of the calls; file: finished; name: ASCII. Throws WriteFailure, also
+  // if the archive would reach 4 GiB, which this kind of ZIP file cannot hold.
   void add(const std::string& name, const PackedFile& file);
   void finish();  // once
 

@@ -1,6 +1,6 @@
 #pragma once
-// A workbook of Office Open XML (ISO/IEC 29500, .xlsx), sheet by sheet and row by row: nothing of
-// it waits in memory. It knows nothing of light.
+// A workbook of Office Open XML (ISO/IEC 29500, .xlsx), written sheet by sheet and row by row: none
+// of it is held in memory. It does not depend on light.
 
 #include "report/formats/table.h"
 #include "report/formats/xlsx_container.h"
@@ -20,8 +20,8 @@ inline constexpr std::size_t kMostSheetRows =
     1'048'576;  // of every spreadsheet, the head with them
 inline constexpr std::size_t kMostCellCharacters = 32'767;  // UTF-16 units
 
-// Cells of `verdict` get a colour by their word, but where the row's cell of `counts` has a word
-// that says that it does not count.
+// Cells of `verdict` are coloured by their word, unless the row's cell of `counts` says that it
+// does not count.
 enum class ColumnRole { other, verdict, counts };
 
 struct SheetColumn {
@@ -33,14 +33,14 @@ struct SheetColumn {
   bool is_printed = true;  // false: for programs. Such columns come last, and are not on paper
 };
 
-// The first row: it stays in sight, and filters the others.
+// The first row, which stays visible and filters the others.
 enum class SheetHead { with, without };
 
 enum class TextLook { plain, wrapped, head, label, title };
 
 enum class CellColour { good, bad, unsure, unjudged };
 
-// What all sheets of a workbook have in common.
+// Settings shared by all sheets of a workbook.
 struct WorkbookLook {
   bool is_letter = false;                                 // paper; else A4
   std::vector<std::pair<std::string, CellColour>> words;  // of verdicts, in the reader's language;
@@ -49,30 +49,30 @@ struct WorkbookLook {
   std::string cut_mark;  // at the end of a text that is longer than a cell may be; short
 };
 
-// How a sheet is printed: all columns that are printed on one page width, whatever that takes.
+// The print settings of a sheet: all printed columns fit on the width of one page.
 struct SheetPage {
   bool is_portrait = false;
   int frozen_columns = 0;  // that stay in sight, as the head does
 };
 
-// Rows of one kind; beyond `most_rows` they go on in a sheet "NAME 2", which has the same head.
+// Rows of one kind; beyond `most_rows` they continue in a sheet "NAME 2" with the same head.
 class SheetSeries {
  public:
-  // name: up to 25 letters. most_rows: of one sheet, >= 2. look: outlives it.
+  // name: up to 25 letters. most_rows: of one sheet, >= 2. look: must outlive this.
   SheetSeries(std::string name, std::vector<SheetColumn> columns, const WorkbookLook& look,
               const SpillPlace& place, std::size_t most_rows = kMostSheetRows,
               SheetHead head = SheetHead::with, const SheetPage& page = {});
 
-  // As many cells as columns. Texts are made safe, and never taken for a formula. Throws
-  // WriteFailure.
+  // Adds a row with as many cells as columns. Texts are made safe, and never become a formula.
+  // Throws WriteFailure.
   void add(std::span<const TableCell> row);
   void add(std::span<const TableCell> row, TextLook look);  // of all its texts
-  // The same of a sheet without a head: a label in the first column (two, where there are more than
+  // Adds a row to a sheet without a head: a label in the first column (two, if there are more than
   // two), and its value in all others that are printed.
   void add_pair(std::string_view label, const TableCell& value, TextLook look = TextLook::wrapped);
-  // The head of a table in a sheet without a head: on every page from here on.
+  // Adds the head of a table in a sheet without a head; it is on every page from here on.
   void add_head();
-  // At the top of its pages; before the first row. "" = nothing.
+  // Sets the title at the top of its pages; call it before the first row. "" = none.
   void set_title(std::string title) { title_ = std::move(title); }
 
   std::size_t rows() const { return rows_; }  // all sheets together, without heads
@@ -96,7 +96,7 @@ class SheetSeries {
   void add_row(std::span<const TableCell> row, LookOf look_of);
   void begin_row();
   void end_row();
-  // width: of the cell, characters.
+  // Adds a cell. width: of the cell, in characters.
   void add_cell(std::size_t column, const TableCell& cell, TextLook look, int width);
   std::size_t printed_columns() const;
   std::string colours(std::size_t column, std::size_t first, std::size_t last,
