@@ -1,5 +1,5 @@
 #pragma once
-// Reads the command line. command_line.cpp alone includes CLI11.
+// Reads the command line. Only command_line.cpp includes CLI11.
 
 #include "report/shell/command/command.h"
 
@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// Either the command (or action) that was chosen, its options set, or what to print and the exit
+// Either the chosen command (or action), with its options set, or the text to print and the exit
 // code: 0 for --help and --version, 2 for every usage error.
 struct ParsedLine {
   const Command* command = nullptr;
@@ -16,7 +16,7 @@ struct ParsedLine {
   std::string out, err;
 };
 
-// argv[0] is the program. The answer points into `commands`.
+// Reads the line; argv[0] is the program. The result points into `commands`.
 ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
                               const char* const* argv, const Environment& environment);
 

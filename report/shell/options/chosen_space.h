@@ -1,5 +1,5 @@
 #pragma once
-// --space ID.
+// The option --space ID.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// The space of that id, or the only one if the id is ""; null after an error.
+// Returns the space of that id, or the only space if the id is ""; null after an error.
 const calc::Space* find_chosen_space(const calc::Project& project, const std::string& id,
                                      calc::Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What `check`, `plan` and `validate` need before they start, or a message.
+// Opens rule packs and backend before `check`, `plan` and `validate` start, or prints a message.
 
 #include "report/check/backend.h"
 #include "report/shell/options/recording_reader.h"
@@ -11,11 +11,12 @@
 
 namespace cli {
 
-// Delivered packs and those of `paths`. Empty after an error, which has been printed.
+// Returns delivered packs and those of `paths`; empty after an error, which is printed.
 std::optional<std::vector<rules::RulePack>> load_packs_or_print(
     const std::vector<std::string>& paths, const calc::FileReader& files);
 
-// Empty after an error, which has been printed. Another backend is never taken instead.
+// Returns the backend; empty after an error, which is printed. Another backend is never used
+// instead.
 std::optional<check::OpenBackend> open_or_complain(const check::BackendChoice& choice,
                                                    gpu::Fault fault,
                                                    const std::string& program_folder, bool quiet);

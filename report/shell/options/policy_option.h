@@ -1,5 +1,5 @@
 #pragma once
-// --policy: what the owner of the gate wants of every project.
+// The option --policy: conditions that the owner of the gate sets for every project.
 
 #include "calc/base/file_reader.h"
 #include "report/policy/policy.h"
@@ -11,7 +11,7 @@
 namespace cli {
 
 Option policy_option(std::string& target);
-// Empty after an error, which has been printed.
+// Returns the policy; empty after an error, which is printed.
 std::optional<report::Policy> read_policy_or_print(const std::string& file,
                                                    const calc::FileReader& files);
 

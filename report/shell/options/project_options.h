@@ -1,5 +1,5 @@
 #pragma once
-// The projects that a command is about, and the packs that they are judged by.
+// The projects of a command, and the packs that judge them.
 
 #include "report/shell/command/command.h"
 
@@ -23,23 +23,23 @@ struct ProjectOptions {
   std::string standard_input_file = {};            // that it was sent from, if it is one; else ""
 };
 Place projects_place(ProjectOptions& options);
-// --files-from, --rules, --allow, --config, --no-config and --verbose
+// Returns --files-from, --rules, --allow, --config, --no-config and --verbose.
 std::vector<Option> project_options(ProjectOptions& options);
 
-// Reads standard input, if that is meant. Adds the projects of the list behind the others, and puts
-// those of folders in their place. "", or why not, or what is wrong with all: none is given, one is
-// given twice, or is an id that was meant for --strict.
+// Reads standard input, if it is named. Adds the projects of the list behind the others, and
+// replaces folders by their projects. Returns "", or what is wrong: a read error, no project, a
+// project given twice, or an id that was meant for --strict.
 std::string complete_projects(ProjectOptions& options);
 
-// Files and folders from which they are read: the folder of each project with all below it, rule
-// files, folders of --allow.
+// Returns the files and folders from which they are read: the folder of each project with all below
+// it, rule files, folders of --allow.
 std::vector<std::string> places_of(const ProjectOptions& options);
 
-// A list that --files-from reads: a path a line. Where a path has a line break in it, each path has
-// a byte 0 behind it instead.
+// Returns a list for --files-from: a path a line. If a path contains a line break, a byte 0 follows
+// each path instead.
 std::string render_project_list(const std::vector<std::string>& projects);
-// The paths of such a list; empty lines are left out, and so is what Windows puts at the ends of
-// lines and files. Empty: `problem` says what is wrong.
+// Returns the paths of such a list without empty lines and the endings of lines and files that
+// Windows adds. Empty: `problem` says what is wrong.
 std::vector<std::string> parse_project_list(const std::string& bytes, std::string& problem);
 
 }  // namespace cli

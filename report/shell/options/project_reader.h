@@ -1,6 +1,6 @@
 #pragma once
-// Reads what projects are made of, as the command line has it: also from standard input, and, if
-// asked, says what is read.
+// Reads the files of projects for a command line: also from standard input, and, if requested,
+// reporting each file.
 
 #include "calc/base/file_reader.h"
 #include "report/shell/options/project_options.h"
@@ -13,8 +13,8 @@ namespace cli {
 
 class ProjectReader : public calc::FileReader {
  public:
-  // With --verbose tells to standard error which luxgate.toml holds, and of each file once that it
-  // is read. The options must live as long.
+  // With --verbose reports on standard error which luxgate.toml applies, and each file once when it
+  // is read. The options must outlive this.
   explicit ProjectReader(const ProjectOptions& options);
 
   calc::FileContent read_within(const std::string& folder, const std::string& path) const override;

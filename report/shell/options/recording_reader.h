@@ -1,5 +1,5 @@
 #pragma once
-// Remembers which files were read, so that no output takes the place of an input.
+// Remembers which files were read, so that no output replaces an input.
 
 #include "calc/base/file_reader.h"
 
@@ -22,12 +22,12 @@ class RecordingReader : public calc::FileReader {
     return reader_.read_within(folder, path);
   }
 
-  // As they were asked for, also those that could not be read.
+  // Returns the paths as requested, also of files that could not be read.
   std::set<std::string> paths() const {
     const std::scoped_lock lock(mutex_);
     return paths_;
   }
-  // Those of them that are new since this was asked before.
+  // Returns the paths that are new since the previous call.
   std::set<std::string> new_paths() const {
     const std::scoped_lock lock(mutex_);
     return std::exchange(new_paths_, {});

@@ -9,12 +9,12 @@
 
 namespace cli {
 
-// Empty after an error, which has been printed.
+// Returns the result; empty after an error, which is printed.
 std::optional<report::Document> read_result_or_print(const std::string& path,
                                                      const calc::FileReader& files);
 
-// The same of what a gate compares with, or has compared: also empty, with an error, if only a part
-// of what the projects require was judged in it.
+// Returns a result for a gate: also empty, with an error, if only a part of the projects'
+// requirements was judged in it.
 std::optional<report::Document> read_whole_result_or_print(const std::string& path,
                                                            const calc::FileReader& files);
 

@@ -1,6 +1,6 @@
 #pragma once
-// --sandbox: the process gives up by itself what it does not need, before it reads anything that a
-// stranger may have written. Who takes it over by a mistake in a reader has no more than that.
+// --sandbox: the process gives up the rights it does not need before it reads untrusted files. An
+// attacker who exploits a mistake in a reader then has only the remaining rights.
 
 #include "report/shell/command/command.h"
 
@@ -13,25 +13,24 @@ enum class SandboxMode { automatic, on, off };
 
 Option sandbox_option(SandboxMode& target);
 
-// Files, and folders with all that is below them; links are followed now, not later.
+// Files, and folders with everything below; links are followed at once, not later.
 struct SandboxRules {
   std::vector<std::string> read;  // what is not there is left out
-  // To be read, too. Where something is to be made: the closest folder above it that exists, so
-  // that whatever is in that folder can be written.
+  // These can also be read. For a file to be created this is the closest existing folder above it,
+  // and everything in that folder can be written.
   std::vector<std::string> write;
-  // Where OpenGL's drivers may keep what they compile, instead of in the user's folder; "" = they
-  // keep nothing.
+  // Folder where OpenGL's drivers store compiled programs, instead of the user's folder; "" = none.
   std::string driver_folder = {};
 };
 
-// For the rest of the process, as far as the kernel can do it: no other file than those and the
-// system's own libraries, devices and tables can be opened (Landlock); no program started, no
-// socket made, no other process touched (seccomp). What is refused is an error like any other and
-// ends nothing. Files are not closed to threads that run already. "" or what this kernel, or who
-// rules over the process, does not allow.
+// Restricts the rest of the process, as far as the kernel can: it opens only these files and the
+// system's own libraries, devices and tables (Landlock); it starts no program, makes no socket and
+// touches no other process (seccomp). A refused call is an ordinary error and ends nothing. Threads
+// that already run keep access to files. Returns "" or what this kernel, or the limits of the
+// process, do not allow.
 std::string enter_sandbox(const SandboxRules& rules, const Environment& environment);
 
-// The same as `mode` wants it. False after an error, which has been printed.
+// Does the same according to `mode`. Returns false after an error, which is printed.
 bool enter_sandbox_or_print(SandboxMode mode, const SandboxRules& rules,
                             const Environment& environment);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Options that choose a part of what projects require.
+// Options that select a part of the projects' requirements.
 
 #include "report/check/selection.h"
 #include "report/shell/command/command.h"
@@ -8,10 +8,10 @@
 
 namespace cli {
 
-// --space, --plane, --tag, --require
+// Returns --space, --plane, --tag and --require.
 std::vector<Option> selection_options(check::Selection& selection);
 
-// Where one fits nothing in all projects.
+// Prints the options that match nothing in any project.
 void print_nothing_chosen(const check::Selection& selection);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// --set: values that attributes of projects have instead of those in their files.
+// The option --set: values of projects' attributes that replace those in their files.
 
 #include "calc/base/file_reader.h"
 #include "report/check/set_values.h"
@@ -12,8 +12,8 @@
 namespace cli {
 
 Option set_option(std::vector<check::SetValue>& set);
-// False after an error, which has been printed: a project cannot have these values. option: whose
-// they are, "set".
+// Returns false after an error, which is printed: a project cannot have these values. option: name
+// of the option, "set".
 bool check_values_or_print(const ProjectOptions& input, const std::vector<check::SetValue>& set,
                            std::string_view option, const calc::FileReader& files);
 

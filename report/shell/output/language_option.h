@@ -1,5 +1,5 @@
 #pragma once
-// The language of what people read, as an option: its values come from report::kLanguages.
+// The option for the language of texts for people; its values are report::kLanguages.
 
 #include "report/shell/command/option_values.h"
 #include "report/text/texts.h"
@@ -11,7 +11,7 @@
 
 namespace cli {
 
-// "en, de or fr"
+// Returns "en, de or fr".
 inline std::string language_names() {
   std::string names;
   for (const report::LanguageRow& row : report::kLanguages) {

@@ -14,7 +14,7 @@
 
 namespace cli {
 
-// As the name of a file that is written.
+// Names standard output as a file.
 inline constexpr const char* kStandardOutput = "-";
 inline constexpr const char* kOnlyOneToStdout =
     "--format: only one kind can go to standard output; give the others as KIND=FILE";
@@ -39,28 +39,28 @@ struct OutputOptions {
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
   ColorChoice color = ColorChoice::automatic;
-  // Of `pdf`, see open_printer_or_print() in pdf_printer.h.
+  // The printer for `pdf`, see open_printer_or_print() in pdf_printer.h.
   std::shared_ptr<report::PagePrinter> printer = nullptr;
-  // For what has no folder of its own, standard output and pipes; none: opened when needed.
+  // For outputs without a folder, standard output and pipes; none: opened when needed.
   std::shared_ptr<report::SpillFiles> spill_files = nullptr;
 };
 
 std::vector<Option> output_options(OutputOptions& options);
-// --passes and --notes
+// Returns --passes and --notes.
 std::vector<Option> text_options(OutputOptions& options);
-// --color
+// Returns --color.
 Option color_option(ColorChoice& target);
-// "" = nothing is wrong.
+// Returns a contradiction between the options; "" = none.
 std::string output_contradiction(const OutputOptions& options);
 
-// How reports for people are worded.
+// Returns the wording of reports for people.
 report::Texts report_texts(const OutputOptions& options);
 
-// --format items and the files of --output, in that order. Standard output has an empty file name
-// and is not here.
+// Returns --format items and the files of --output, in that order, without standard output, which
+// has an empty file name.
 std::vector<OutputFormat> planned_files(const OutputOptions& options);
 
-// The format for standard output: as asked for, else text; null with --quiet.
+// Returns the requested format for standard output, else text; null with --quiet.
 const report::Format* stdout_format(const OutputOptions& options);
 
 }  // namespace cli

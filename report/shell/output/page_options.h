@@ -1,5 +1,5 @@
 #pragma once
-// How pages are worded and printed, as options that several commands have.
+// Options for the wording and printing of pages, shared by several commands.
 
 #include "report/html/page/print_pages.h"
 #include "report/shell/command/command.h"
@@ -12,14 +12,14 @@ namespace cli {
 
 enum class DecimalSign { of_language, point, comma };
 
-// Words in this language, numbers with this sign.
+// Returns texts in this language, with numbers in this decimal style.
 report::Texts texts_with(report::Language language, DecimalSign decimal);
 
-// --decimal and --paper; of: what they are of, "html".
+// Returns --decimal and --paper. of: the format, "html".
 Option decimal_option(DecimalSign& target, const std::string& of);
 Option paper_option(report::Paper& target, const std::string& of);
 
-// Of a tool whose page is its only output in other languages than English.
+// Choices for a tool whose page is its only output in other languages than English.
 struct PageChoice {
   report::Language language = report::Language::english;
   DecimalSign decimal = DecimalSign::of_language;
@@ -27,7 +27,7 @@ struct PageChoice {
 
   report::Texts texts() const { return texts_with(language, decimal); }
 };
-// --language, --decimal and --paper; of: what the page is, "html".
+// Returns --language, --decimal and --paper. of: the format of the page, "html".
 std::vector<Option> page_options(PageChoice& target, const std::string& of);
 
 }  // namespace cli

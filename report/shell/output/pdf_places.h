@@ -1,13 +1,13 @@
 #pragma once
-// Where in a PDF the targets of its links are.
+// Finds the pages of link targets in a PDF.
 
 #include <map>
 #include <string>
 
 namespace cli {
 
-// Of a PDF as Chromium makes it: its catalogue names the targets. As report::PageNumbers has them;
-// empty if it cannot be told.
+// Returns report::PageNumbers of a PDF made by Chromium, whose catalogue names the targets; empty
+// if they cannot be found.
 std::map<std::string, int> places_in_pdf(const std::string& pdf);
 
 }  // namespace cli

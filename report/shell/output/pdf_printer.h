@@ -1,5 +1,5 @@
 #pragma once
-// Pages to PDF by Chromium, which is found when it is needed: luxgate works without it.
+// Prints pages to PDF with Chromium, which is searched only when needed: luxgate works without it.
 
 #include "report/formats/pdf.h"
 #include "report/shell/output/output_options.h"
@@ -14,19 +14,19 @@
 namespace cli {
 
 // LUXGATE_CHROMIUM, or the first of chromium, chromium-browser and google-chrome in PATH. path: "",
-// and problem: why, with what to install.
+// and problem: the reason, with what to install.
 struct FoundChromium {
   std::string path, problem;
 };
 FoundChromium find_chromium(const Environment& environment);
 
-// A process of its own, which is started before this one gives up to start any (sandbox.h), takes
-// pages through a socket and gives PDFs back. It ends with this one, whatever ends that, and leaves
-// nothing behind. Chromium runs without a network and without the user's settings, in a folder that
-// is made for each page. It is ended when it takes far longer than a page of that size does.
+// A separate process, started before this process gives up the right to start any (sandbox.h),
+// receives pages through a socket and returns PDFs. It ends with this process, however that ends,
+// and leaves nothing behind. Chromium runs without a network and without the user's settings, in a
+// new folder for each page. It is ended when it takes far longer than a page of that size does.
 class PdfPrinter : public report::PagePrinter {
  public:
-  // Before other threads are started. Throws std::system_error.
+  // Starts the process; requires that no other thread runs yet. Throws std::system_error.
   explicit PdfPrinter(const std::string& chromium);
   ~PdfPrinter() override;
 
@@ -38,9 +38,9 @@ class PdfPrinter : public report::PagePrinter {
   pid_t process_ = -1;
 };
 
-// Where a PDF is asked for: into options.printer. False after an error, which has been printed.
+// Opens options.printer if a PDF is requested. Returns false after an error, which is printed.
 bool open_printer_or_print(OutputOptions& options, const Environment& environment);
-// Likewise, always.
+// Opens the printer always, in the same way.
 bool open_printer_or_print(std::optional<PdfPrinter>& printer, const Environment& environment);
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 #pragma once
-// How far a run is, on standard error. At a terminal one line that is written over; elsewhere (in
-// the log of a job) a line for each project that is done, once a run of several has lasted a while.
+// Shows the progress of a run on standard error: at a terminal one line that is overwritten;
+// elsewhere (in the log of a job) a line for each finished project, once a run of several has
+// lasted a while.
 
 #include "calc/radiosity/looks/solve.h"
 #include "report/shell/output/output_options.h"
@@ -15,26 +16,26 @@
 namespace cli {
 
 enum class ProgressStyle { none, one_line, log };
-// None with --quiet.
+// Returns the style; none with --quiet.
 ProgressStyle progress_style(const OutputOptions& output, const Environment& environment);
 
-// Several projects may be in work at the same time: any thread may call.
+// The progress of a run. Several projects may be in work at the same time: any thread may call.
 class Progress {
  public:
-  // columns: of the terminal; 0: not known. what: is done, in the plural.
+  // columns: of the terminal; 0: not known. what: the finished things, in the plural.
   explicit Progress(ProgressStyle style, int columns = 0, std::string what = "projects")
       : style_(style), columns_(columns), what_(std::move(what)), start_(Clock::now()) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress() { clear(); }
 
-  // So many projects more are to come.
+  // Announces this many further projects.
   void expect(std::size_t projects);
-  // place: "office.xml, room 3 of 12, meeting". Nothing is shown of work that ends soon.
+  // Shows a place: "office.xml, room 3 of 12, meeting". Shows nothing for work that ends soon.
   void update(const std::string& place, const calc::SolveProgress& solve);
-  // Of the project that was just done, in their order.
+  // Shows a finished project; called in their order.
   void done(const std::string& path, const std::string& verdict = "");
-  // Prints something else, where the line is not.
+  // Prints other text while the line is removed.
   void aside(const std::function<void()>& print);
   // Removes the line.
   void clear();
@@ -55,10 +56,10 @@ class Progress {
   std::size_t projects_ = 0, done_ = 0;
 };
 
-// "about 40 s", "about 3 min", "about 2 h": of so many seconds, at least one.
+// Returns "about 40 s", "about 3 min", "about 2 h" for seconds, at least one.
 std::string rough_time(double seconds);
 
-// Where a project is on its way.
+// The progress inside a project.
 class ProjectProgress {
  public:
   ProjectProgress(Progress& progress, std::string path)

@@ -1,5 +1,5 @@
 #pragma once
-// --datasheets: photometry files are read again, when everything else is done.
+// Option --datasheets: reads photometry files again when everything else is done.
 
 #include "report/html/chapters/data_sheets.h"
 
@@ -10,10 +10,10 @@
 
 namespace cli {
 
-// A file counts only with the hash that the result has of it, and a light only if it is that of the
-// result: its curves and what is said of it. So neither a file that was changed nor another variant
-// of it is ever shown. Lights of a GLDF variant's emitters are found alone, as their fittings and
-// all together; not those of some of three and more.
+// A file counts only with its hash in the result, and a light only if its curves and facts are
+// those of the result. So neither a changed file nor another variant is ever shown. For the
+// emitters of a GLDF variant single lights and all together are found, not subsets of three or
+// more.
 class SheetFiles : public report::SheetSource {
  public:
   void see(const report::ProjectPart& project, const std::string& result) override;
@@ -21,7 +21,8 @@ class SheetFiles : public report::SheetSource {
       const report::LuminaireRow& row) const override;
 
  private:
-  // A result may be anybody's: what it names must lie in the folder of the project or below it.
+  // The place of a sheet. A result may come from anybody: files it names must be in the folder of
+  // the project or below it.
   struct SheetPlace {
     std::string folder, file;
     bool operator==(const SheetPlace&) const = default;

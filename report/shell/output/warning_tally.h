@@ -1,5 +1,5 @@
 #pragma once
-// Warnings of a run: how many there are, and which of them count like errors (--strict).
+// Counts the warnings of a run, and those that count like errors (--strict).
 
 #include "calc/base/diagnostics.h"
 #include "report/shell/command/command.h"
@@ -17,27 +17,27 @@ struct StrictWarnings {
   bool all = false;
   std::vector<calc::DiagnosticId> ids = {};
 
-  // A policy that is not met always counts.
+  // Returns whether the warning counts; a policy that is not met always does.
   bool has(calc::DiagnosticId id) const;
   // Somebody has named it: --strict without ids does not. Some doubts are warnings for them alone,
   // and a note in reports for all others.
   bool names(calc::DiagnosticId id) const;
 };
 
-// --strict: all; --strict=ID,ID: these.
+// Returns --strict: all warnings; --strict=ID,ID: these.
 Option strict_option(StrictWarnings& target);
 
 class WarningTally {
  public:
   explicit WarningTally(StrictWarnings strict) : strict_(std::move(strict)) {}
 
-  // Of one project. Ids of those that count, each once.
+  // Adds the warnings of a project. Returns the ids of those that count, each once.
   std::vector<calc::DiagnosticId> add(const std::vector<calc::Diagnostic>& diagnostics);
 
-  // Outcome::warned if one counts, else Outcome::nothing_asked.
+  // Returns Outcome::warned if a warning counts, else Outcome::nothing_asked.
   rules::Outcome outcome() const;
-  // Lines for standard error: why they decide the exit code, and with --quiet, where no warning is
-  // printed, that there are others. "" if there is nothing to say.
+  // Returns lines for standard error: why they decide the exit code, and with --quiet, which prints
+  // no warning, that there are others. "" if there is nothing to say.
   std::string words(bool quiet) const;
   void print(bool quiet) const;
 

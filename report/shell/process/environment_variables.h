@@ -1,6 +1,6 @@
 #pragma once
-// The environment variables that the program reads, said once: for help, manual pages and for those
-// who read them, which compiles for names of this table only.
+// The environment variables that the program reads, in one table: for help, manual pages and the
+// readers. Reading a name that is not in the table does not compile.
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@ namespace cli {
 
 struct EnvironmentVariable {
   std::string_view name, meaning;
-  // Where it changes something: commands with one of these options, and these commands ("rules
-  // diff" is an action). Lists with commas.
+  // The commands that it affects: those with one of these options, and these commands ("rules diff"
+  // is an action). Lists with commas.
   std::string_view options, commands = {};
 };
 
@@ -82,7 +82,7 @@ constexpr bool is_environment_variable(std::string_view name) {
                      [name](const EnvironmentVariable& known) { return known.name == name; });
 }
 
-// The name of a variable of the table; another does not compile.
+// The name of a variable in the table; other names do not compile.
 class VariableName {
  public:
   consteval VariableName(const char* name) : name_(name) {

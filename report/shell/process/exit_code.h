@@ -1,5 +1,5 @@
 #pragma once
-// What the program's exit status means. Scripts rely on these numbers.
+// The meaning of the program's exit status. Scripts rely on these numbers.
 
 #include "rules/verdict/outcome.h"
 
@@ -15,7 +15,7 @@ enum ExitCode : int {
   kInterrupted = 130  // SIGINT or SIGTERM, as shells report it
 };
 
-// What came out of several projects or files is the gravest of them, see rules::graver().
+// Returns the code of the gravest outcome of several projects or files, see rules::graver().
 ExitCode exit_code_of(rules::Outcome outcome);
 
 }  // namespace cli
