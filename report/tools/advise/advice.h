@@ -1,5 +1,5 @@
 #pragma once
-// What `advise` found: plain data.
+// The results of `advise`: plain data.
 
 #include "report/advice/scene_advice.h"
 #include "report/tools/advise/room_advice.h"
@@ -18,7 +18,7 @@ struct PackageLight {
   double flux_lm = 0.0, power_w = 0.0;
 };
 
-// A luminaire type that has packages and hangs in a room in which light is asked for.
+// A luminaire type with packages that is used in a room with requirements on light.
 struct AdvisedPackage {
   std::string type;
   std::size_t luminaires = 0;
@@ -30,17 +30,17 @@ struct PackageAdvice {
   std::string problem;      // why there is no advice; "" = there is
   bool is_by_flux = false;  // the power of one of the types is not known: costs are lumens
   std::vector<AdvisedPackage> types;
-  // Of all luminaires of these types at full output, W or lm.
+  // Total of all luminaires of these types at full output, W or lm.
   double now = 0.0, advised = 0.0;
   std::size_t combinations = 0;  // of packages and what there is now
-  // Of those that take less: how many are not surely too little. Their levels were not found, the
-  // intervals are too wide, or the check did not pass.
+  // Combinations of lower cost that may be enough: their levels were not found, the intervals are
+  // too wide, or the check did not pass.
   std::size_t not_excluded = 0;
-  // What the combination next below lacks with the levels of now, in words; "" = there is none.
+  // What the next cheaper combination lacks at the current levels, in words; "" = there is none.
   std::string next_below;
-  // Scenes whose levels change with it; the others keep those of now.
+  // Scenes whose levels change with it; the others keep the current levels.
   std::vector<SceneAdvice> scenes;
-  // Of all scenes and rooms: now, and in the check with other random numbers.
+  // Counts over all scenes and rooms: now, and in the check with other random numbers.
   std::size_t passing_now = 0, passing = 0, asked = 0;
   bool is_all_met = false;           // these, and what rule packs make of all together
   std::vector<std::string> not_met;  // with it, what counts, in words
@@ -48,7 +48,7 @@ struct PackageAdvice {
   bool is_as_now() const;
 };
 
-// Of --write: what went into the file, and what a check of it says with other random numbers.
+// For --write: the part written to the file, and the result of its check with other random numbers.
 struct WrittenAdvice {
   std::string file, what;  // "levels", "packages", "places" or "turns"
   std::size_t passing = 0, asked = 0;
@@ -58,7 +58,8 @@ struct WrittenAdvice {
 struct Advice {
   std::string project;
   std::vector<SceneAdvice> scenes;
-  // What counts, does not pass and hangs on no levels, in words; asked for all scenes only.
+  // Requirements that count, do not pass and do not depend on levels, in words; only if all scenes
+  // were requested.
   std::vector<std::string> not_met_besides = {};
   RoomAdvice rooms = {};                       // what was asked for of places and surfaces
   std::optional<PackageAdvice> packages = {};  // empty: nobody asked
@@ -67,12 +68,12 @@ struct Advice {
 
 std::string render_advice_text(const Advice& advice);
 std::string render_package_advice_text(const PackageAdvice& advice);
-// A page without a script; with maps of ceilings where places were asked for.
+// Returns a page without a script, with maps of ceilings if places were requested.
 std::string render_advice_html(const Advice& advice);
 std::string render_advice_markdown(const Advice& advice);
 std::string render_advice_json(const Advice& advice);
-// JSON Schema (draft 7) of render_advice_json(), made of the same keys. advice.schema.json is what
-// it gives.
+// Returns the JSON Schema (draft 7) of render_advice_json(), made of the same keys, as in
+// advice.schema.json.
 std::string advice_schema();
 
 }  // namespace cli

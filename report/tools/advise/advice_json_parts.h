@@ -1,5 +1,5 @@
 #pragma once
-// Keys of parts that the JSON of levels and that of rooms have in common.
+// Keys that the JSON of levels and of rooms share.
 
 #include "report/text/json_keys.h"
 #include "rules/catalogue/finding.h"
@@ -12,20 +12,20 @@ namespace cli {
 
 using AdviceJson = report::KeyedJson;
 
-// Not finite: null.
+// Returns the number; null if it is not finite.
 AdviceJson number_or_null(double value);
 AdviceJson vector_json(const glm::dvec3& v);
 AdviceJson vector_type();  // of three numbers
-// Of requirements, from 0.
+// Returns the type of indices of requirements, from 0.
 AdviceJson index_type();
 
-// What was measured, and the verdict.
+// Returns the measured value and the verdict.
 report::JsonKeys finding_keys(const rules::Finding& finding);
-// value, low and high; [requirement].
+// Returns value, low and high; [requirement].
 AdviceJson gains_json(const std::vector<calc::Estimate>& gains);
 AdviceJson gains_type(const char* words);
 
-// keys(item): of one of them.
+// Returns a list. keys(item): the keys of an item.
 template <class Item, class Keys>
 AdviceJson list_by_keys(const std::vector<Item>& items, const Keys& keys) {
   AdviceJson json = AdviceJson::array();

@@ -1,5 +1,6 @@
 #pragma once
-// Where a luminaire more helps most, by reciprocity, and whether the checked project agrees.
+// Finds the places where an additional luminaire helps most, by reciprocity, and checks them in the
+// changed project.
 
 #include "report/tools/advise/room_light.h"
 
@@ -7,25 +8,25 @@
 
 namespace cli {
 
-// One for each scene and room with requirements that more light would help and that no levels meet.
-// Of every free place and every way of mounting in the room its gain; the best three, and as many
-// together as it takes, are checked. Where there is no advice, `problem` says why.
+// Returns a result for each scene and room with requirements that need more light and that no
+// levels meet. It has the gain of every free place and every mounting in the room; the best three,
+// and as many together as needed, are checked. Without advice `problem` says why.
 std::vector<RoomPlaces> find_places(const RoomQuestions& questions);
 
-// Everything that the places were looked for is met with them, and nothing is lost.
+// Returns whether all requirements of the search are met and no other is lost.
 bool is_enough(const CheckedPlaces& checked);
 
-// One for each room with luminaires in which everything is met, in all scenes: which luminaires can
-// go, one after the other, as long as everything that hangs on points stays met; the whole is
-// checked.
+// Returns a result for each room with luminaires whose requirements are all met in all scenes: the
+// luminaires that can be removed one after the other while all requirements on points stay met; the
+// whole is checked.
 std::vector<RoomSpare> find_spare(const RoomQuestions& questions);
 
-// One for each scene and room with requirements that more light would help and that no levels
-// meet: which of its luminaires to turn or tilt. The best three, and several together, are checked.
+// Returns a result for each scene and room with requirements that need more light and that no
+// levels meet: the luminaires to turn or tilt. The best three, and several together, are checked.
 std::vector<RoomTurns> find_turns(const RoomQuestions& questions);
 
-// One for each scene and room with such requirements; without any, of those that are met. Each
-// surface is checked with 0.1 more of reflectance.
+// Returns a result for each scene and room with such requirements; if there are none, for those
+// that are met. Each surface is checked with 0.1 more reflectance.
 std::vector<RoomSurfaces> find_surfaces(const RoomQuestions& questions);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// What `advise` found about places and surfaces of a room: plain data.
+// Results of `advise` about places and surfaces of a room: plain data.
 
 #include "calc/base/field.h"
 #include "rules/catalogue/finding.h"
@@ -13,7 +13,7 @@
 
 namespace cli {
 
-// Of a scene, in the room that is spoken of.
+// A requirement of the scene in this room.
 struct RoomRequirement {
   std::string plane;  // as reports title it
   rules::Finding before;
@@ -25,13 +25,14 @@ struct AdvisedPlace {
   std::string type, group;
   glm::dvec3 position_m{0.0}, c0{0.0}, axis{0.0};  // world
   double cost = 0.0;                               // W or lm
-  // [requirement]: what this luminaire alone adds, by reciprocity.
+  // [requirement]: the gain from this luminaire alone, by reciprocity.
   std::vector<calc::Estimate> gain_lx;
-  // Of what lacks, by the lower ends of gains, on average over the requirements, in [0, 1].
+  // Share of the missing light, by the lower ends of gains, on average over the requirements, in
+  // [0, 1].
   double share = 0.0;
 };
 
-// The project with these luminaires more, checked with other random numbers.
+// The project with these additional luminaires, checked with other random numbers.
 struct CheckedPlaces {
   std::vector<AdvisedPlace> places;
   std::vector<rules::Finding> after;   // [requirement]; empty: there was no check
@@ -42,7 +43,7 @@ struct CheckedPlaces {
 
 struct RoomPlaces {
   std::string scene, space, space_id;
-  // For a map: of the room and of the luminaires that it has, world.
+  // For a map: outline and existing luminaires of the room, world.
   std::vector<glm::dvec2> outline_m, luminaires_m;
   bool is_by_flux = false;                    // costs are lumens
   std::string problem;                        // why there is no advice; "" = there is
@@ -57,13 +58,13 @@ struct RoomPlaces {
   std::optional<CheckedPlaces> together;      // as many as it takes, by the same light
 };
 
-// A luminaire that is there, aimed another way.
+// An existing luminaire with another aim.
 struct AdvisedTurn {
   std::string id;
   std::size_t luminaire = 0;  // of the room, from 0
   AdvisedPlace place;         // as it would hang; gains against now, no cost
-  // About its axis, counter-clockwise seen from behind (from above, if it shines down); or its axis
-  // towards the C plane `tilt_to_deg` of its own. Degrees; one of the two is 0.
+  // Turn about its axis, counter-clockwise seen from behind (from above, if it shines down); or
+  // tilt of its axis towards its own C plane `tilt_to_deg`. Degrees; one of the two is 0.
   double turn_deg = 0.0, tilt_deg = 0.0, tilt_to_deg = 0.0;
 };
 
@@ -87,7 +88,7 @@ struct RoomTurns {
 struct LighterSurface {
   std::string surface;       // "floor", "ceiling", "walls"
   double reflectance = 0.0;  // by area
-  // [requirement]: what 0.1 more would add if it went on as it begins, and what it adds.
+  // [requirement]: the gain of 0.1 more reflectance at the initial slope, and the real gain.
   std::vector<calc::Estimate> slope_lx, step_lx;
   std::vector<rules::Finding> after;  // [requirement], checked; empty: it was not
   std::string problem;                // why it was not
@@ -107,7 +108,7 @@ struct SpareLuminaire {
   double cost = 0.0;  // W or lm
 };
 
-// Of a room in which everything is met in all scenes.
+// A room in which all requirements are met in all scenes.
 struct RoomSpare {
   std::string space, space_id;
   bool is_by_flux = false;
@@ -118,7 +119,7 @@ struct RoomSpare {
 };
 
 struct RoomAdvice {
-  // Empty: nobody asked.
+  // Empty: not requested.
   std::optional<std::vector<RoomPlaces>> places;
   std::optional<std::vector<RoomSpare>> spare;  // together with places
   std::optional<std::vector<RoomSurfaces>> surfaces;

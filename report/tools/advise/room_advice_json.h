@@ -1,5 +1,5 @@
 #pragma once
-// Places and surfaces as JSON, each a part of the advice.
+// Returns places and surfaces as JSON, each a part of the advice.
 
 #include "report/text/json_keys.h"
 #include "report/tools/advise/room_advice.h"

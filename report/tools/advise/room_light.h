@@ -1,5 +1,5 @@
 #pragma once
-// The points of a room that lack light, and what luminaires and surfaces give to them.
+// The points of a room that lack light, and the light from luminaires and surfaces on them.
 
 #include "calc/radiosity/paths/importance.h"
 #include "calc/scene/project.h"
@@ -17,7 +17,7 @@
 
 namespace cli {
 
-// What searches in rooms stand on.
+// The inputs of searches in rooms.
 struct RoomQuestions {
   const std::string& file;   // path of the project
   const std::string& bytes;  // of it
@@ -28,7 +28,7 @@ struct RoomQuestions {
   double confidence;
   calc::ImportanceSettings importance;
   CheckText check;
-  // Light of planes with a channel for each luminaire of the room, in their order, where that is
+  // Returns the light of planes with a channel for each luminaire of the room, in their order, if
   // possible.
   std::function<LightOfPlanes()> light_apart;
 };
@@ -45,32 +45,33 @@ struct AskedOfRoom {
   std::size_t first_target = 0;  // of a mean one target, else one for each point
 };
 
-// Lower limits on illuminance that count in a scene, on flat planes: averages, least values and
-// values at points. only_lacking: those that do not pass. Others lacking light, in words, go to
-// left_out.
+// Returns lower limits on illuminance that count in a scene, on flat planes: averages, least values
+// and values at points. only_lacking: only those that do not pass. Words for other requirements
+// that lack light are appended to left_out.
 std::vector<AskedOfRoom> asked_of_room(const RoomQuestions& questions, std::size_t space,
                                        const std::string& scene, bool only_lacking,
                                        std::vector<std::string>& left_out);
 
-// Light of luminaires at the targets of the requirements, maintained or initial as asked.
+// Light of luminaires at the targets of the requirements, maintained or initial as required.
 class RoomLight {
  public:
-  // luminaires: of this room, or that might hang in it. surfaces: as surface_of_body() has them,
-  // each a class; may be empty.
+  // luminaires: existing or possible ones in this room. surfaces: as in surface_of_body(), each a
+  // class; may be empty.
   RoomLight(const RoomQuestions& questions, const calc::Space& space, const std::string& scene,
             std::vector<AskedOfRoom>& asked, const std::vector<calc::Luminaire>& luminaires,
             const std::vector<std::string>& surfaces);
 
   const calc::Message& problem() const { return light_.problem; }
-  // By how much the requirement's value grows with this luminaire; the interval holds at the run's
-  // confidence.
+  // Returns the gain of the requirement's value from this luminaire; the interval holds at the
+  // run's confidence.
   calc::Estimate gain_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
-  // Likewise with this luminaire in place of another one; what both owe to the same paths cancels.
+  // Returns the gain from this luminaire in place of another; the common part of the same paths
+  // cancels.
   calc::Estimate gain_instead_lx(const AskedOfRoom& asked, std::size_t luminaire,
                                  std::size_t of) const;
-  // What it adds to each of the requirement's values, see AskedOfRoom::value_lx.
+  // Returns the gain of each of the requirement's values, see AskedOfRoom::value_lx.
   std::vector<double> added_lx(const AskedOfRoom& asked, std::size_t luminaire) const;
-  // What a surface adds, lit by all of the luminaires; is_slope: by what it begins with.
+  // Returns the light from a surface lit by all luminaires; is_slope: by its initial slope.
   calc::Estimate surface_lx(const AskedOfRoom& asked, std::size_t surface, bool is_slope) const;
 
  private:
@@ -84,21 +85,22 @@ class RoomLight {
   calc::LightByLuminaire light_;
 };
 
-// "<room>.floor" is of "floor", "<room>.wall2" of "walls", as many as its outline has corners; ""
-// of anything else, and in rooms without an outline.
+// Returns "floor" for "<room>.floor", "walls" for "<room>.wall2", up to the number of corners of
+// its outline; "" for anything else, and in rooms without an outline.
 std::string surface_of_body(const calc::Space& room, const std::string& body);
 
-// An id that no luminaire of the project has.
+// Returns an id that no luminaire of the project has.
 std::string unused_luminaire_id(const calc::Project& project, const std::string& wish);
 
-// Of all that counts in a scene.
+// Counts the requirements that count in a scene.
 PassCount count_passes(const report::ProjectPart& part, const std::string& scene);
 
-// Of the part's space; null: there is none.
+// Returns the part's space; null: there is none.
 const calc::Space* space_of(const RoomQuestions& questions, std::size_t part_index);
 
-// What Search(questions, index of the part's space, space, scene).search() finds, an optional, in
-// every scene and room. only_without_levels: in scenes that no levels mend.
+// Returns the results of Search(questions, index of the part's space, space, scene).search(), an
+// optional, for every scene and room. only_without_levels: only in scenes that no levels can make
+// pass.
 template <class Search>
 auto searched_rooms(const RoomQuestions& questions, bool only_without_levels) {
   std::vector<typename decltype(std::declval<Search>().search())::value_type> all;

@@ -1,5 +1,5 @@
 #pragma once
-// Advised luminaires, and ways of hanging those that there are, in the text of a project.
+// Writes advised luminaires, and new aims of existing ones, into the text of a project.
 
 #include "report/tools/advise/advice.h"
 #include "report/tools/advise/room_light.h"
@@ -10,16 +10,16 @@
 
 namespace cli {
 
-// What is enough in each of these rooms, and levels for scenes that are not met now and have some;
-// checked as a whole with other random numbers. Empty: `problem` says why.
+// Sufficient advice for each of these rooms, and levels for unmet scenes that have some; checked as
+// a whole with other random numbers. Empty: `problem` says why.
 struct RoomsText {
   std::optional<std::string> text;
   std::string problem;
   WrittenAdvice told = {};  // without its file
 };
-// The luminaires more that are enough, the cheapest of them where there are several.
+// Adds sufficient luminaires, the cheapest if there are several choices.
 RoomsText with_places(const RoomQuestions& questions, const std::vector<RoomPlaces>& rooms);
-// The luminaires turned or tilted, as few of them as are enough.
+// Turns or tilts luminaires, as few as are sufficient.
 RoomsText with_turns(const RoomQuestions& questions, const std::vector<RoomTurns>& rooms);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// Checks of one project that advice stands on.
+// Checks of a project for advice.
 
 #include "report/advice/find_advice.h"
 #include "report/advice/kept_light.h"
@@ -14,10 +14,10 @@
 
 namespace cli {
 
-// Keeps the light that documents leave out.
+// Keeps the light that documents omit.
 class LightKeeper : public WatchedProject {
  public:
-  // kept: outlives this.
+  // kept: must outlive this.
   LightKeeper(Progress& progress, const std::string& path, KeptLight& kept)
       : WatchedProject(progress, path), kept_(kept) {}
 
@@ -32,13 +32,13 @@ class LightKeeper : public WatchedProject {
   KeptLight& kept_;
 };
 
-// The project at that path with another text, by other random numbers than those of the run's seed:
-// what was chosen by the same ones may owe something to them. progress, and the files of the run,
-// outlive it.
+// Returns a check of the project at that path with another text and other random numbers than the
+// run's seed, because a choice by the same numbers may profit from them. progress, and the files of
+// the run, must outlive it.
 CheckText check_by_other_numbers(const std::string& path, const check::Run& run,
                                  Progress& progress);
 
-// What check --advice says of a project that this run has checked; bytes: of its file.
+// Returns the advice of check --advice for a project that this run has checked. bytes: of its file.
 std::vector<report::LevelAdvice> advice_on(const report::ProjectPart& part,
                                            const std::string& bytes, const check::Run& run,
                                            Progress& progress);

@@ -19,34 +19,35 @@ namespace cli {
 
 class OldState {
  public:
-  // Of the same projects, each in the repository in which it lies. now: reads the files of today.
-  // Empty after an error, which has been printed.
+  // Returns the same projects, each from its own repository. now: reads the current files. Empty
+  // after an error, which is printed.
   static std::optional<OldState> open_or_print(const ProjectOptions& input,
                                                const std::string& revision,
                                                const git::GitPlaces& places,
                                                const calc::FileReader& now);
 
-  // Its part. run: with the files and the rule packs of the revision. shown_path:
-  // "main:designs/a.xml".
+  // Returns the part of a project. run: with the files and the rule packs of the revision.
+  // shown_path: "main:designs/a.xml".
   using CheckOne = std::function<report::ProjectPart(const std::string& path, const check::Run& run,
                                                      const std::string& shown_path)>;
-  // Projects that were there, by their paths of today; one that could not be read or judged then is
-  // there and not judged. Errors are printed as of "REVISION:path". Empty where something could not
-  // be had that the revision holds; it has been printed. run: the one of today but for these;
-  // check_one is called for several at the same time. go_on: asked before each project; once it is
-  // false the rest is missing.
+  // Returns the projects that existed, by their current paths; a project that could not be read or
+  // judged then is included and not judged. Errors are printed for "REVISION:path". Empty if
+  // something that the revision contains could not be read; that is printed. run: the current run,
+  // except for files and packs; check_one is called for several projects at the same time. go_on:
+  // called before each project; after false the rest is missing.
   std::optional<std::vector<report::ProjectPart>> check(const check::Run& run,
                                                         const CheckOne& check_one,
                                                         const std::function<bool()>& go_on) const;
-  // Whether it is HEAD, with nothing staged, and has the same rule files: what was read for the
-  // projects may still differ.
+  // Returns whether it is HEAD, with nothing staged, and has the same rule files: other files of
+  // the projects may still differ.
   bool is_unchanged_head(const calc::FileReader& now) const;
-  // That check() will call check_one for.
+  // Returns the number of calls of check_one by check().
   std::size_t project_count() const;
 
-  // Full ids of the commits, one for each repository, in the order of the projects.
+  // Returns full ids of the commits, one for each repository, in the order of the projects.
   std::vector<std::string> commits() const;
-  // What was not there, is not there now, or had another name; about rule files, too.
+  // Returns notes on files that were missing, are missing now, or had another name; rule files
+  // included.
   const std::vector<calc::Message>& notes() const { return notes_; }
 
  private:
@@ -55,14 +56,15 @@ class OldState {
     const git::GitTreeReader* files = nullptr;
     bool is_there_now = true, was_there = true;
     bool is_gone = false;  // of a folder that is asked for
-    // What is gone, too: another project may stand for it now, and ask for less.
+    // Returns whether to check it; removed projects, too, because another project may replace it
+    // now and require less.
     bool is_checked() const { return was_there && (is_there_now || is_gone); }
   };
 
   std::size_t failures() const;
   const git::GitTreeReader* open(const std::string& project, const git::GitPlaces& places,
                                  std::string& problem);
-  // "" or what is too much to be looked through.
+  // Returns "" or what is too large to be searched.
   std::string find_moved(const calc::FileReader& now);
   std::string find_gone(const std::vector<std::string>& folders);
   std::string problem_with_settings(const ConfigChoice& choice) const;

@@ -1,5 +1,6 @@
 #pragma once
-// What a revision of designs changes in the settings by which it would be judged once it is merged.
+// Changes that a revision of designs makes to the settings by which it would be judged after a
+// merge.
 
 #include "report/document/revision.h"
 #include "report/shell/command/command.h"
@@ -8,8 +9,8 @@
 
 namespace cli {
 
-// Settings that judge are questions of the whole run: none that asks for less is let in with a
-// design. All that differ are named in a note, as those of the revision hold.
+// Adds settings that judge as requirements of the whole run, because a design must not bring weaker
+// ones. A note names all that differ, with the values of the revision.
 void add_changed_settings(const std::vector<SettingChange>& changes, report::Revision& revision);
 
 }  // namespace cli

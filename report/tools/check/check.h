@@ -8,7 +8,7 @@ namespace cli {
 
 Command check_command();
 
-// Prints and writes. Results go to standard output, everything else to standard error.
+// Runs the command. Prints results to standard output, everything else to standard error.
 ExitCode run_check(const CheckOptions& options, const RunContext& context);
 
 }  // namespace cli

@@ -17,12 +17,12 @@
 
 namespace cli {
 
-// Of a batch that several machines share: shard `number`, from 1, of `count`; 0: all of it.
+// A share of a batch for several machines: shard `number`, from 1, of `count`; 0: all of it.
 struct BatchShare {
   std::uint64_t number = 0, count = 0;
 };
 
-// How a batch meets in its store.
+// How the parts of a batch share a store.
 struct BatchOptions {
   BatchShare share;
   std::string units_file;       // that `luxgate plan --units` wrote; "" = planned again
@@ -51,27 +51,27 @@ struct CheckOptions {
   SandboxMode sandbox = SandboxMode::automatic;
 };
 
-// --store, and with it: the folder that is meant, "" = none; gives what is wrong with it. variable:
+// Return --store; and what is wrong with its folder, after setting it ("" = none). variable:
 // LUXGATE_STORE.
 Option store_option(std::string& store);
 std::string take_store(const std::string& variable, std::string& store);
 
-// --shard
+// Returns --shard.
 Option shard_option(BatchShare& share, const std::string& help);
-// --stored-only
+// Returns --stored-only.
 Option stored_only_option(bool& is_stored_only);
 
-// Those of them that say how exactly is calculated.
+// Returns the options for the accuracy of the calculation.
 std::vector<Option> accuracy_options(check::Settings& settings);
 
-// What may stand behind `luxgate check`; sets `options`.
+// Returns the arguments of `luxgate check`, which set `options`.
 Command check_syntax(CheckOptions& options);
 
-// A command that makes the same numbers again: paths and every option that changes results, quoted
-// for a shell. Options that do not (--jobs, --format, ...) are left out, so that reports do not
+// Returns a command that gives the same numbers again: paths and every option that changes results,
+// quoted for a shell. Other options (--jobs, --format, ...) are omitted, so that reports do not
 // depend on them.
 std::string reproducible_command(const CheckOptions& options);
-// What of it follows "luxgate check".
+// Returns the part of it after "luxgate check".
 std::string reproducible_words(const CheckOptions& options);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// What a check needs before its first project, whatever it does with them.
+// The setup of a check before its first project.
 
 #include "calc/base/file_reader.h"
 #include "report/check/plan.h"
@@ -14,19 +14,19 @@
 
 namespace cli {
 
-// First of all, before anything that a stranger may have written is read and a thread started.
-// False after an error, which has been printed.
+// Enters the sandbox, before any untrusted file is read and any thread started. Returns false after
+// an error, which is printed.
 bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context);
 
-// Told the plans of the projects, where `auto` needs them.
+// Receives the plans of the projects, if `auto` needs them.
 using SeePlans = std::function<void(const std::vector<check::ProjectPlan>&)>;
 
-// With delivered rule packs and those of the options. Empty after an error, which has been printed.
-// files: outlive it.
+// Opens a run with delivered rule packs and those of the options. Empty after an error, which is
+// printed. files: must outlive it.
 std::optional<check::Run> open_run_or_print(const CheckOptions& options, const RunContext& context,
                                             const calc::FileReader& files,
                                             SeePlans planned = nullptr);
-// The same with these packs.
+// Opens a run with these packs.
 std::optional<check::Run> open_run_or_print(const CheckOptions& options, const RunContext& context,
                                             const calc::FileReader& files,
                                             std::vector<rules::RulePack> packs,

@@ -1,5 +1,5 @@
 #pragma once
-// What `check` and `watch` put into a document, and how.
+// Parts of a document that `check` and `watch` share.
 
 #include "report/check/run.h"
 #include "report/check/set_values.h"
@@ -10,14 +10,15 @@
 
 namespace cli {
 
-// So that no format shows verdicts of a project that its file is not, and keeps silent about it.
-// What the first page says, a revision, changes no verdict and is not told.
+// Adds a message that names the set values, so that no format shows verdicts of a project that
+// differs from its file without saying so. Project data of the first page change no verdict and are
+// not named.
 void tell_set_values(const std::vector<check::SetValue>& set, report::ProjectPart& part);
 
-// Of results of this run, which was opened by these options.
+// Returns the provenance of results of this run, which was opened with these options.
 report::Provenance provenance_of(const CheckOptions& options, const check::Run& run);
 
-// What is known once all projects are.
+// Adds the facts that are known once all projects are.
 void complete_provenance(report::Provenance& provenance, const report::Totals& totals,
                          const check::Run& run);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What `check` does with projects that are done: they are written at once and forgotten, unless a
-// baseline is to be compared with, which needs them all.
+// Handles finished projects of `check`: they are written at once and dropped, unless a baseline
+// needs all of them.
 
 #include "report/check/run.h"
 #include "report/document/document.h"
@@ -19,20 +19,21 @@ namespace cli {
 
 class CheckedResults {
  public:
-  // Against a baseline, of a document that is there as a whole.
+  // Returns the revision of a whole document against a baseline.
   using Revise = std::function<report::Revision(const report::Document&)>;
 
-  // options, run: they outlive this. provenance: as far as it is known before the first project.
+  // options, run: must outlive this. provenance: as far as it is known before the first project.
   // revise: may be empty.
   CheckedResults(const CheckOptions& options, const check::Run& run, const Environment& environment,
                  const report::Provenance& provenance, Revise revise);
 
-  // In the order of the options. inputs: files that were read since the call before, at least.
+  // Adds a project, in the order of the options. inputs: at least the files read since the previous
+  // call.
   void add(report::ProjectPart project, const std::set<std::string>& inputs);
-  // Once, after the last project. inputs: all that were read. False: something could not be
-  // written, which has been printed.
+  // Ends the results once, after the last project. inputs: all files that were read. Returns false
+  // if something could not be written, which is printed.
   bool finish(const std::set<std::string>& inputs);
-  // After finish(): what the exit code tells.
+  // Returns the outcome for the exit code; after finish().
   rules::Outcome outcome() const { return outcome_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// What a run has to say of its store, to standard error alone: nothing of a store is in a result,
-// nor does --strict count it.
+// Messages of a run about its store, only to standard error: results do not mention a store, and
+// --strict does not count it.
 
 #include "calc/store/entry_folder.h"
 #include "report/document/document.h"
@@ -10,14 +10,15 @@
 
 namespace cli {
 
-// Names of what lacks light in an error.
+// Most names of planes without light in an error.
 inline constexpr std::size_t kMostLackingNamed = 100;
 
-// Whether it is not judged since its light is not in a store that is all there is.
+// Returns whether it is not judged because a store without further calculation lacks its light.
 bool lacks_light(const report::PlanePart& plane);
 
 void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles);
-// Of a shard, whose light is lost unless the store has it: then an error. Whether all is kept.
+// Returns whether all light is stored. For a shard missing light is an error, because its light is
+// then lost.
 bool is_light_kept_or_print(const std::string& folder, const calc::StoreTroubles& troubles);
 
 }  // namespace cli

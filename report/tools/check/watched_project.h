@@ -1,5 +1,5 @@
 #pragma once
-// Progress, Ctrl-C and counts of looks of one project of a batch.
+// Progress, Ctrl-C and counts of sampling rounds of a project in a batch.
 
 #include "calc/radiosity/looks/solve.h"
 #include "report/check/observer.h"
@@ -31,7 +31,7 @@ class WatchedProject : public check::Observer {
     looks_.read += solution.looks.read;
     looks_.computed += solution.looks.computed;
   }
-  // Once the project is done.
+  // Returns the counts, once the project is done.
   const calc::LookCounts& looks() const { return looks_; }
 
  private:

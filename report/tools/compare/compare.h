@@ -1,5 +1,6 @@
 #pragma once
-// `luxgate compare`: a result against another one, another program's or measured values.
+// `luxgate compare`: compares a result with another result, with another program's values or with
+// measured values.
 
 #include "calc/base/file_reader.h"
 #include "report/shell/command/command.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Which value of B belongs to which point of A.
+// Pairs values of B with points of A.
 
 #include "report/tools/compare/comparison.h"
 #include "report/tools/compare/value_table.h"
@@ -13,17 +13,17 @@ namespace cli {
 
 class PointPairs {
  public:
-  // quantity: of A's planes, by their ids. distance_m: points as near as this are the same. All
-  // must outlive it.
+  // quantity: of A's planes, by their ids. distance_m: points within this distance are the same.
+  // All must outlive it.
   PointPairs(std::vector<report::ComparedPlane>& planes,
              const std::map<std::string, std::string>& quantity, double distance_m);
 
-  // Gives the row's value to A's point there, the nearest of one plane. "", or why it cannot; a row
-  // without any point counts as a stranger.
+  // Gives the row's value to A's point there, the nearest of a single plane. Returns "", or why it
+  // cannot; a row without a point is counted.
   std::string place(const TableRow& row);
 
-  // Leaves only points that have a value of B, and planes with such points. Gives what either side
-  // lacks, a sentence each. rows: how many were placed.
+  // Keeps only points with a value of B, and planes with such points. Returns a sentence for each
+  // thing that either side lacks. rows: number of placed rows.
   std::vector<std::string> drop_unpaired(std::size_t rows);
 
  private:

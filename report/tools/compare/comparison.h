@@ -1,5 +1,5 @@
 #pragma once
-// Two sets of illuminances at the same points, and how far they are apart.
+// Compares two sets of illuminances at the same points.
 
 #include "report/document/document.h"
 #include "report/html/page/print_pages.h"
@@ -14,7 +14,7 @@
 
 namespace report {
 
-// A value and the half-width of its interval; 0 = taken for exact.
+// A value and the half-width of its interval; 0 = exact.
 struct ComparedValue {
   double lx = 0.0, half_width_lx = 0.0;
 };
@@ -32,7 +32,7 @@ struct ComparedPlane {
   std::string id;
   std::vector<ComparedPoint> points;  // >= 1
   // Half-widths of the averages' intervals, which are no sum of the points': errors of points may
-  // go together. Without either the average is not judged.
+  // be correlated. The average is judged only with both.
   std::optional<double> average_half_width_a_lx = {}, average_half_width_b_lx = {};
 
   // Filled by compare_points().
@@ -43,7 +43,8 @@ struct ComparedPlane {
   std::size_t beyond = 0;         // points beyond `allowed`, see Comparison
   bool is_average_beyond = false;
 
-  // Half-width of the interval of the averages' difference; empty: not known, not judged.
+  // Returns the half-width of the interval of the averages' difference; empty: not known, not
+  // judged.
   std::optional<double> average_interval_lx() const;
 };
 
@@ -55,11 +56,11 @@ struct Comparison {
   std::vector<ComparedPlane> planes;
   std::vector<std::string> notes;  // what was not compared, and why
   std::size_t lacks = 0;           // planes and points that only one result has
-  // A's document with what it does to B's, where both are results: questions, verdicts and inputs.
+  // The revision from A's document to B's, if both are results: requirements, verdicts and inputs.
   std::optional<Document> revised = {};
 
-  // A point or average is beyond if the difference exceeds tolerance x B plus the combined interval
-  // widened by this factor: all together then exceed it by chance in 1 of 20 comparisons.
+  // Factor on intervals. A point or average is beyond if the difference exceeds tolerance x B plus
+  // the combined interval times this factor: by chance this happens in 1 of 20 comparisons.
   double widening = 1.0;
 
   std::size_t points() const;
@@ -67,28 +68,31 @@ struct Comparison {
   std::size_t averages_judged() const;
   std::size_t averages_beyond() const;
   bool are_values_alike() const { return beyond() == 0 && averages_beyond() == 0 && lacks == 0; }
-  // And everything is asked and judged as before.
+  // Returns whether all values are alike and everything is required and judged as before.
   bool is_alike() const;
 };
 
-// Fills all that follows from the points. Two values that are both no number are alike, one is not.
+// Sets all values that follow from the points. Two values that are both not a number are alike, a
+// single one is not.
 void compare_points(Comparison& comparison);
 
-// The `count` points furthest apart for what they are known, worst first: indices into points.
+// Returns indices of the `count` points with the largest difference relative to their uncertainty,
+// worst first.
 std::vector<std::size_t> worst_points(const ComparedPlane& plane, std::size_t count);
 
-// "+2.50 %"; "–" if not finite.
+// Returns "+2.50 %"; "–" if not finite.
 std::string signed_percent(double share);
 
-// "Alike", or in which way it is not.
+// Returns "Alike", or how it differs.
 std::string comparison_headline(const Comparison& comparison);
 
 std::string render_comparison_text(const Comparison& comparison, std::size_t worst);
-// Planes as a table; which points are furthest apart stands below where `worst` is not 0.
+// Returns planes as a table, followed by the points with the largest difference if `worst` is not
+// 0.
 std::string render_comparison_markdown(const Comparison& comparison, std::size_t worst);
 std::string render_comparison_csv(const Comparison& comparison);
 std::string render_comparison_json(const Comparison& comparison);
-// The page, in the reader's language; notes stay English and are marked so.
+// Returns the page in the reader's language; notes stay English and are marked so.
 std::string render_comparison_html(const Comparison& comparison, std::size_t worst,
                                    const Texts& t = {}, Paper paper = Paper::a4);
 

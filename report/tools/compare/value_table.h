@@ -1,5 +1,5 @@
 #pragma once
-// Illuminances of another program or of a site, as a table.
+// Reads illuminances of another program or of a site from a table.
 
 #include "calc/base/diagnostics.h"
 #include "report/tools/compare/comparison.h"
@@ -28,11 +28,11 @@ struct ValueTable {
   std::size_t ratings = 0;  // lines of ratings and ratios, which are no illuminances: left out
 };
 
-// CSV with a line of names: 'plane,column,row' or 'x,y,z' (m; x_m is x too), 'lx' (also
-// 'illuminance_lx') or 'fc', and perhaps 'error_lx' or 'error_fc' (a standard error, widened to
+// Reads CSV with a line of names: 'plane,column,row' or 'x,y,z' (m; x_m is x too), 'lx' (also
+// 'illuminance_lx') or 'fc', and optionally 'error_lx' or 'error_fc' (a standard error, widened to
 // `confidence` by the normal distribution) or 'low_lx,high_lx'; 'quantity', a name of
-// calc::kPlaneQuantities. '#' begins a comment line. Empty
-// after an error: what cannot be read is never left out.
+// calc::kPlaneQuantities. '#' begins a comment line. Empty after an error: unreadable lines are
+// never skipped.
 std::optional<ValueTable> read_value_table(std::string_view text, const std::string& path,
                                            double confidence, calc::Diagnostics& diagnostics);
 

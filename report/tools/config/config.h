@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate config`: which settings hold, and where they come from.
+// `luxgate config`: shows the settings in effect and their sources.
 
 #include "report/shell/command/command.h"
 

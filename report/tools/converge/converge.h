@@ -10,7 +10,8 @@
 
 namespace cli {
 
-// What is being done is told on standard error, if that is a terminal. gl_fault: for tests.
+// Runs the command. Shows its progress on standard error, if that is a terminal. gl_fault: for
+// tests.
 CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileReader& disk,
                             const Environment& environment, gpu::Fault gl_fault);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What `luxgate converge` measured, for its formats.
+// The measurements of `luxgate converge`, for its formats.
 
 #include "report/html/page/print_pages.h"
 #include "report/text/texts.h"
@@ -23,20 +23,20 @@ inline constexpr std::array<ConvergeMetric, kConvergeMetrics> kAllConvergeMetric
     ConvergeMetric::rms, ConvergeMetric::maximum, ConvergeMetric::average,
     ConvergeMetric::uniformity};
 
-// Errors whose run time is looked up.
+// Errors for which the run time is determined.
 inline constexpr std::array kConvergeTargets{0.05, 0.02, 0.01, 0.005, 0.001};
 
-// Over the seeds at one number of paths. value: root of the mean square, of the maximum too, less
-// the reference's own error where it could be subtracted; low, high: smallest and largest of one
-// seed, as measured. value is NaN where there is nothing to measure, and is_below where it drowns
-// in the reference's error: value is then that error.
+// An error over the seeds at a number of paths. value: root of the mean square, also of the
+// maximum, less the reference's own error where it could be subtracted; low, high: smallest and
+// largest of single seeds, as measured. value is NaN if there is nothing to measure. is_below: the
+// error is below the reference's error, which is then the value.
 struct ConvergeError {
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = 0.0, high = 0.0;
   bool is_below = false;
 };
 
-// Points whose stated 95 % interval holds the truth.
+// Number of points whose stated 95 % interval contains the true value.
 struct ConvergeCoverage {
   std::uint64_t held = 0, tried = 0;
   double share() const {
@@ -48,7 +48,7 @@ struct ConvergePhases {  // seconds
   double build = 0.0, direct = 0.0, pool = 0.0, maps = 0.0, connect = 0.0, near = 0.0;
 };
 
-// One method, one number of paths; all planes together. Times: of the fastest seed; rays: medians.
+// A method at a number of paths, all planes together. Times: of the fastest seed; rays: medians.
 struct ConvergeStep {
   std::uint64_t paths = 0;  // of one replicate
   double seconds = 0.0;
@@ -66,7 +66,7 @@ struct ConvergeTarget {
   bool is_extrapolated = false;
 };
 
-// How one method does on one plane, [step].
+// The errors of a method on a plane, [step].
 struct ConvergeCurve {
   std::vector<std::array<ConvergeError, kConvergeMetrics>> errors;
   std::vector<ConvergeCoverage> coverage, average_coverage;
@@ -93,7 +93,7 @@ struct ConvergeDocument {
   bool is_software_opengl = false;
   std::string part;       // "total" or "indirect"
   std::string reference;  // in words
-  // Of a reference of our own; 0: it is a file.
+  // Replicates of luxgate's own reference; 0: the reference is a file.
   int reference_replicates = 0;
   std::uint64_t reference_paths = 0;
   int replicates = 0, seeds = 0, jobs = 0;
@@ -110,7 +110,7 @@ std::string_view converge_metric_name(ConvergeMetric metric);  // "rms"
 std::string render_converge_text(const ConvergeDocument& document);
 std::string render_converge_csv(const ConvergeDocument& document);
 std::string render_converge_json(const ConvergeDocument& document);
-// The page, in the reader's language; what the project and the reference say of themselves stays.
+// Returns the page in the reader's language; texts of the project and the reference stay unchanged.
 std::string render_converge_html(const ConvergeDocument& document, const Texts& t = {},
                                  Paper paper = Paper::a4);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The methods that `luxgate converge` compares. A new one is a line in the table of the .cpp.
+// The methods that `luxgate converge` compares. A new method is a line in the table of the .cpp.
 
 #include "calc/radiosity/looks/solve.h"
 #include "calc/scene/prepared_scene.h"
@@ -14,7 +14,7 @@
 
 namespace cli {
 
-// What all methods are given.
+// The inputs of all methods.
 struct EstimatorContext {
   const calc::PreparedScene& scene;
   const std::vector<calc::PlaneTask>& tasks;
@@ -33,20 +33,21 @@ struct EstimatorRun {
   bool is_interrupted = false;
 };
 
-// paths: of each replicate.
+// Runs a method. paths: of each replicate.
 using Estimator =
     std::function<EstimatorRun(const EstimatorContext&, std::uint64_t paths, std::uint64_t seed)>;
 
-// For messages: "core", ..., "shadow-map:N".
+// Returns names for messages: "core", ..., "shadow-map:N".
 std::vector<std::string_view> estimator_names();
-// "" or what is wrong with a method's name. "shadow-map:128" is one, with 128 texels along a cube's
-// edge.
+// Returns "" or what is wrong with a method's name. "shadow-map:128" is valid, with 128 texels
+// along a cube's edge.
 std::string estimator_problem(const std::string& name);
 
-// name: one without an estimator_problem(), below too.
+// Returns the title of a method. name: without an estimator_problem(), below too.
 std::string estimator_title(const std::string& name);
 bool needs_opengl(const std::string& name);
-// What is opened or compiled once for many runs is kept by the estimator and is in no run's time.
+// Returns the method. It keeps what is opened or compiled once for many runs, which is in no run's
+// time.
 Estimator find_estimator(const std::string& name);
 
 }  // namespace cli

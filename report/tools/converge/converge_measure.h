@@ -1,5 +1,5 @@
 #pragma once
-// Runs of all methods on a ladder of paths, held against what is true.
+// Runs all methods on a ladder of paths, and compares them with the reference.
 
 #include "calc/scene/project.h"
 #include "report/tools/converge/converge_estimators.h"
@@ -12,7 +12,7 @@
 
 namespace cli {
 
-// All light groups at full output, new lamps: [replicate][point].
+// Returns values for all light groups at full output and new lamps: [replicate][point].
 std::vector<std::vector<double>> replicates_of(const calc::PlaneField& field, bool is_indirect);
 
 struct Ladder {
@@ -22,7 +22,7 @@ struct Ladder {
   bool is_interrupted = false;
 };
 
-// truths: one per task. announce: told what comes next.
+// Runs the ladder. truths: one per task. announce: receives the next step.
 Ladder climb(const ConvergeOptions& options, const EstimatorContext& context,
              const std::vector<report::ConvergeTruth>& truths,
              const std::function<void(const std::string&)>& announce);

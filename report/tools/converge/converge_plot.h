@@ -31,8 +31,8 @@ struct PlotSpec {
   Texts t = {};                 // of numbers and of the dashed line
 };
 
-// "" if there is nothing to show. y in shares, labelled in per cent; a faint line falls with the
-// exponent -1/2, that of plain random sampling.
+// Returns the plot; "" if there is nothing to show. y in shares, labelled in per cent; a faint line
+// falls with the exponent -1/2, that of plain random sampling.
 std::string log_log_plot(const PlotSpec& spec);
 
 }  // namespace report

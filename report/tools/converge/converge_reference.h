@@ -1,5 +1,5 @@
 #pragma once
-// What `luxgate converge` takes for true.
+// Reads the reference of `luxgate converge`.
 
 #include "calc/base/diagnostics.h"
 #include "calc/radiosity/looks/solve.h"
@@ -12,10 +12,10 @@
 
 namespace cli {
 
-// A table with a head line. Columns, in any order: lx; either plane, column and row as in
-// points.csv of `check` or x, y and z in metres (the point must be within 1 mm); perhaps plane
+// Reads a table with a head line. Columns, in any order: lx; either plane, column and row as in
+// points.csv of `check` or x, y and z in metres (the point must be within 1 mm); optionally plane
 // beside x, y, z, and error_lx, the standard error, 0 or more. Lines beginning with # and other
-// columns are passed over. Every point of every task needs exactly one line, other lines of other
+// columns are ignored. Every point of every task needs exactly one line; further lines for other
 // planes are allowed. Empty after errors.
 std::optional<std::vector<report::ConvergeTruth>> read_reference(
     std::string_view text, const std::string& path, const std::vector<calc::PlaneTask>& tasks,

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of convergence documents as words, shared by their formats for people.
+// Words for numbers of convergence documents, shared by their formats for people.
 
 #include "report/tools/converge/converge_document.h"
 
@@ -10,22 +10,22 @@
 
 namespace report {
 
-// In the order of their columns.
+// Phases in the order of their columns.
 struct ConvergePhase {
   std::string_view key, title;
   double ConvergePhases::*seconds;
   int colour;  // class "p<colour>" in HTML
 };
 const std::vector<ConvergePhase>& all_phases();
-// Without shadow maps where no method drew any.
+// Returns the phases, without shadow maps if no method drew any.
 std::vector<ConvergePhase> shown_phases(const ConvergeDocument& document);
-// The device of OpenGL with what it means for times, for people; "" = none was used.
+// Returns the OpenGL device and its effect on times, for people; "" = none was used.
 std::string opengl_words(const Texts& t, const ConvergeDocument& document);
 
-// As the page has them.
+// Returns the title on the page.
 const char* phase_title(const Texts& t, const ConvergePhase& phase);
 const char* metric_title(const Texts& t, ConvergeMetric metric);
-// Of a method that is not known here its own title.
+// Returns the title of a method; unknown methods keep their own title.
 std::string method_title(const Texts& t, const ConvergeMethod& method);
 
 // Numbers have decimal points here; pages turn them by Texts::number().

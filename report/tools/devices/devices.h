@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate devices`: what --backend gpu could run on.
+// `luxgate devices`: lists devices for --backend gpu.
 
 #include "gpu/device/device.h"
 #include "report/shell/command/command.h"
@@ -12,7 +12,7 @@ namespace cli {
 
 std::string render_devices_text(const gpu::DeviceList& list);
 std::string render_devices_json(const gpu::DeviceList& list);
-// The list in the latter, also part of `luxgate version --json`.
+// Returns the list as JSON, which is also part of `luxgate version --json`.
 nlohmann::ordered_json devices_json(const gpu::DeviceList& list);
 
 Command devices_command();

@@ -1,5 +1,5 @@
 #pragma once
-// What this program is made of.
+// Describes the build of this program.
 
 #include "report/shell/command/command.h"
 
@@ -7,8 +7,8 @@
 
 namespace cli {
 
-// The answer to `luxgate version`: program, numbers, compiler, build type, Embree, vectors in use.
-// Lines, or a JSON object that has the OpenGL devices too, which takes a moment.
+// Returns the answer to `luxgate version`: program, numbers, compiler, build type, Embree, vectors
+// in use. Lines, or a JSON object that also lists the OpenGL devices, which takes a moment.
 std::string version_text(bool as_json);
 
 Command version_command();

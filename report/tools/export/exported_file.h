@@ -1,5 +1,5 @@
 #pragma once
-// What an export writes.
+// A file written by an export.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate export gltf`: rooms to files.
+// `luxgate export gltf`: writes rooms to files.
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
@@ -17,11 +17,12 @@ struct GltfSettings {
   int jobs = 0;  // never changes a model
 };
 
-// Names of files by the ids of spaces. On some systems names that differ in case alone are one.
+// Returns names of files by the ids of spaces. Names never differ only in case, because some
+// systems treat these as one.
 std::map<std::string, std::string> gltf_names(const std::vector<const calc::Space*>& spaces);
 
-// A model of each space that has light to show; notes: the others, what a model leaves out, and the
-// sampling error of its light. Empty after an error.
+// Returns a model of each space that has light to show. notes: the other spaces, omitted parts of a
+// model, and the sampling error of its light. Empty after an error.
 std::vector<ExportedFile> gltf_files(const GltfSettings& wanted, const calc::Project& project,
                                      const std::vector<const calc::Space*>& spaces,
                                      std::vector<std::string>& notes,

@@ -1,5 +1,5 @@
 #pragma once
-// A room with the illuminance on its surfaces as colours of a model that any viewer opens.
+// A room as a model for common viewers, with the illuminance on its surfaces as colours.
 
 #include "calc/radiosity/looks/surface_light.h"
 #include "calc/scene/prepared_scene.h"
@@ -24,13 +24,14 @@ struct Room {
   std::vector<Outline> planes;
 };
 
-// From 0 to what all but the brightest hundredth of the rooms' surfaces have.
+// Returns a scale from 0 to the value that only the brightest hundredth of the rooms' surfaces
+// exceeds.
 report::ColourScale common_scale(const std::vector<Room>& rooms);
 
-// A binary glTF 2.0 file: metres, y up, north of plans (+y) away from the viewer; surfaces with
-// their colours and their lux (the attribute _ILLUMINANCE_LX), both as their corners have them,
-// openings of luminaires, outlines of planes, and the scale's legend before the room. The room's
-// place in the project is in the scene's extras. Materials are unlit (KHR_materials_unlit).
+// Returns a binary glTF 2.0 file: metres, y up, north of plans (+y) away from the viewer; surfaces
+// with their colours and their lux (the attribute _ILLUMINANCE_LX), both at their corners, openings
+// of luminaires, outlines of planes, and the scale's legend before the room. The room's place in
+// the project is in the scene's extras. Materials are unlit (KHR_materials_unlit).
 std::string write_glb(const Room& room, const report::ColourScale& scale);
 
 }  // namespace cli::gltf

@@ -1,5 +1,5 @@
 #pragma once
-// Luminaires as Radiance sources: surfaces that shine as the photometry says, by brightdata and the
+// Luminaires as Radiance sources: surfaces with the photometry's intensities, by brightdata and the
 // functions of luxgate.cal, without ies2rad.
 
 #include "calc/scene/prepared_scene.h"
@@ -12,18 +12,18 @@ namespace cli::radiance {
 
 // Radiance counts in W/(sr m2); its programs turn them into light with 179 lm/W.
 inline constexpr double kLumensPerWatt = 179.0;
-// Luminaires without size, as spheres of this radius.
+// Radius of the spheres for luminaires without size.
 inline constexpr double kPointRadius_m = 0.005;
 
-// luxgate.cal. Arguments: 1 a factor in W/(sr m2) per cd; 2 to 4, 5 to 7, 8 to 10 the directions of
-// C0, C90 and gamma = 180 in the world; of bodies 11 to 13 the areas of their flat faces across
-// those, m2; of prisms for cylinders 14 and 15: what the side shows along the first and the second
-// direction across the axis, m2, in the order x, y, z, x.
+// The text of luxgate.cal. Arguments: 1 a factor in W/(sr m2) per cd; 2 to 4, 5 to 7, 8 to 10 the
+// directions of C0, C90 and gamma = 180 in the world; for bodies 11 to 13 the areas of their flat
+// faces across those, m2; for prisms for cylinders 14 and 15: area of the side seen along the first
+// and the second direction across the axis, m2, in the order x, y, z, x.
 extern const char* const kFunctions;
 
-// Faces around a cylinder. Radiance's own `cylinder` is no choice: of the rays it aims into the
-// body some meet an end before the side, and their light is lost (R / L of it at 45 degrees, with
-// radius R and length L).
+// Number of faces around a cylinder. Radiance's own `cylinder` is not used: some of the rays it
+// aims into the body meet an end before the side, and their light is lost (R / L of it at 45
+// degrees, with radius R and length L).
 inline constexpr int kPrismFaces = 16;
 
 struct LightFiles {
@@ -35,18 +35,18 @@ struct LightFiles {
   std::vector<std::string> changed;  // what is not exactly as luxgate has it, in words
 };
 
-// A number as Radiance reads it, without a minus before zero.
+// Returns a number in Radiance's form, without a minus before zero.
 std::string number(double value);
 
-// Every luminaire with its maintenance factor, in world coordinates. levels: what the light of
-// dimming groups is multiplied by, in [0, 1]; groups not named are at 1. What is at 0 is left out
-// and named in the scene's text.
+// Writes every luminaire with its maintenance factor, in world coordinates. levels: factors on the
+// light of dimming groups, in [0, 1]; groups not named are at 1. Luminaires at 0 are omitted and
+// named in the scene's text.
 LightFiles write_lights(const calc::PreparedScene& scene,
                         const std::vector<std::pair<std::string, double>>& levels);
 
-// A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and
-// no change if the web cannot be put so (a lateral table whose beam falls between the angles;
-// angles that are the same as float, which is what Radiance reads).
+// Writes a web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table.
+// Returns false without a change if the web cannot be written so (a lateral table whose beam falls
+// between the angles; angles that are equal as float, which Radiance reads).
 bool web_data(const calc::PhotometricWeb& web, std::string& text, bool& is_axial);
 
 }  // namespace cli::radiance

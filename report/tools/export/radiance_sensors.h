@@ -1,6 +1,6 @@
 #pragma once
-// What a point measures, as planar illuminances that Radiance gives: one, or several in directions
-// about its axis whose weighted sum is the quantity.
+// The quantity of a point as planar illuminances that Radiance calculates: one, or several in
+// directions about its axis with a weighted sum.
 
 #include "calc/scene/sensor_grid.h"
 
@@ -12,7 +12,7 @@
 
 namespace cli::radiance {
 
-// Points are lifted off surfaces they may lie in by this distance, along their normals.
+// Distance by which points are lifted off surfaces, along their normals.
 inline constexpr double kLift_m = 1e-4;
 
 struct Sensor {
@@ -20,15 +20,15 @@ struct Sensor {
   double weight;                     // of its illuminance in the sum
 };
 
-// Whether a quantity is such a sum. Ratings and ratios are not.
+// Returns whether a quantity is such a sum. Ratings and ratios are not.
 bool is_sum_of_sensors(calc::DerivedQuantity derived);
 
-// Of point i; the grid must be such a sum. Where several directions stand for an integral, the sum
-// is off by at most directions_error() of the light's share in it, in the worst case of light from
-// one direction alone.
+// Returns the sensors of point i; the quantity of the grid must be such a sum. If several
+// directions replace an integral, the error of the sum is at most directions_error() of the light's
+// share in it, in the worst case of light from a single direction.
 std::vector<Sensor> sensors_of(const calc::SensorGrid& grid, std::size_t i);
 
-// "": exact. Else how the quantity is summed and how far that may be off, in words.
+// Returns "" if the sum is exact, else how the quantity is summed and its largest error, in words.
 std::string sum_words(const calc::SensorGrid& grid);
 
 }  // namespace cli::radiance

@@ -1,5 +1,5 @@
 #pragma once
-// 'luxgate geometry': what is in a geometry file, and what is wrong with it.
+// 'luxgate geometry': the contents of a geometry file, and its mistakes.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -42,12 +42,12 @@ struct GeometryOptions {
 Command geometry_syntax(GeometryOptions& options);
 Command geometry_command();
 
-// Everything that is found, warnings included, ends up in the report.
+// Examines a file. The report has everything that is found, warnings included.
 GeometryReport examine_geometry(const std::string& path, const calc::FileReader& files,
                                 const GeometryOptions& options);
 
 std::string render_geometry_text(const std::vector<GeometryReport>& reports);
-// "format": "luxgate-geometry-1"; lengths in metres.
+// Returns JSON with "format": "luxgate-geometry-1"; lengths in metres.
 std::string render_geometry_json(const std::vector<GeometryReport>& reports);
 
 }  // namespace cli

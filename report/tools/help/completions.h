@@ -1,6 +1,6 @@
 #pragma once
-// Scripts by which shells complete what is typed behind `luxgate`. Commands, actions, options and
-// the words that options take come from the table of commands.
+// Completion scripts for shells. Commands, actions, options and the words that options accept come
+// from the table of commands.
 
 #include "report/shell/command/command.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate help`, `completions` and `man`: what the table of commands says, for people and shells.
+// `luxgate help`, `completions` and `man`: the table of commands, for people and shells.
 
 #include "report/shell/command/command.h"
 
@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// names: of all commands, these three too.
+// Returns the command. names: of all commands, these three included.
 Command help_command(const std::vector<std::string>& names);
 Command completions_command();
 Command man_command(const std::vector<std::string>& names);

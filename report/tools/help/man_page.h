@@ -13,7 +13,7 @@ struct ManPage {
   std::string text;
 };
 
-// command: its name; "" = the program. It must be there.
+// Returns the page of a command that exists. command: its name; "" = the program.
 ManPage man_page(const std::vector<Command>& commands, const std::string& command);
 
 }  // namespace cli

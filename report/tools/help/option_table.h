@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// CSV: a line for each option of each command, the same options one below the other.
+// Returns CSV: a line for each option of each command, with equal options below each other.
 std::string option_table(const std::vector<Command>& commands);
 
 }  // namespace cli

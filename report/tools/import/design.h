@@ -1,7 +1,7 @@
 #pragma once
-// What a design file (DXF, IFC) says of a building, in no particular format: what the readers of
-// these files give and the writer of projects takes. Metres, degrees, world coordinates with z up;
-// as in the file, but for the origin that was taken away.
+// A building from a design file (DXF, IFC), independent of the format: the readers of these files
+// return it and the writer of projects takes it. Metres, degrees, world coordinates with z up, as
+// in the file, except for the removed origin.
 
 #include <glm/glm.hpp>
 
@@ -13,13 +13,12 @@
 
 namespace cli {
 
-// Arcs become chords that are at most so far from them.
+// Largest distance between an arc and its chords.
 inline constexpr double kChordError_m = 1.0e-3;
 
-// Where a thing is in its file: what finds it again at the next import and for a reader of the
-// report. key: unique in the file and the same in its next version wherever the file allows it
-// (GlobalId of IFC, handle of DXF, else layer and place). place: in words, "layer A-ROOM, line
-// 812".
+// The place of a thing in its file, to find it again at the next import, and for readers of the
+// report. key: unique in the file and the same in its next version if the file allows it (GlobalId
+// of IFC, handle of DXF, else layer and place). place: in words, "layer A-ROOM, line 812".
 struct DesignSource {
   std::string key, place;
 };
@@ -48,7 +47,7 @@ struct DesignLuminaire {
   std::optional<std::size_t> rule;  // which [[luminaire]] of the map took it; none: not decided yet
 };
 
-// Furniture and what else stands in the way: an upright box.
+// Furniture and other obstacles: an upright box.
 struct DesignBox {
   DesignSource source;
   std::string name;
@@ -58,7 +57,7 @@ struct DesignBox {
   std::size_t rule = 0;  // as of rooms: [[furniture]]
 };
 
-// A line that somebody walks, or the outline of a calculation plane.
+// A route for people, or the outline of a calculation plane.
 struct DesignLine {
   DesignSource source;
   std::string name;
@@ -66,9 +65,9 @@ struct DesignLine {
   std::size_t rule = 0;  // as of rooms: [[plane]], [[route]]
 };
 
-// Something of the file that a reader of the report must know. Said once for things alike.
+// A fact about the file that readers of the report must know, reported once for equal things.
 struct DesignNote {
-  // left_out: what the map asks for; not_asked: what nobody asked for.
+  // left_out: requested by the map but not imported; not_asked: not requested.
   enum class Kind { taken, left_out, doubt, not_asked };
   Kind kind = Kind::left_out;
   std::string what, why, place;  // of the first one

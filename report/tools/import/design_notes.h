@@ -1,5 +1,5 @@
 #pragma once
-// Notes of an import: things alike are said once, with how many they are.
+// Notes of an import: equal notes appear once, with their number.
 
 #include "report/tools/import/design.h"
 

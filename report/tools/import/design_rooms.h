@@ -1,5 +1,5 @@
 #pragma once
-// In which room of a design a thing stands.
+// Finds the room of a design that contains a thing.
 
 #include "report/tools/import/design.h"
 
@@ -11,8 +11,9 @@
 
 namespace cli {
 
-// By the outline as seen from above, without its holes. Of several: those of the storey, where both
-// say one; then those with z between floor and ceiling, where z is known; then the smallest.
+// Returns the room by its outline seen from above, without its holes. If there are several: those
+// of the same storey, if both name it; then those with z between floor and ceiling, if z is known;
+// then the smallest.
 std::optional<std::size_t> room_at(const Design& design, const glm::dvec2& at,
                                    std::optional<double> z, const std::string& storey);
 

@@ -10,13 +10,13 @@
 
 namespace cli {
 
-// Limits, so that no file makes the program take all memory or time.
+// Limits, so that no file uses all memory or time.
 inline constexpr int kMostChords = 4096;  // of an arc or ellipse
 inline constexpr int kHighestSplineDegree = 25;
 inline constexpr std::size_t kMostSplinePoints = 4096;  // control points of one
-// Of an entity: a spline that begins beyond it, or goes beyond it, gets one chord for each span.
+// Most points of an entity: beyond them a spline gets one chord for each span.
 inline constexpr std::size_t kMostCurvePoints = 100'000;
-// Of a spline's control polygon: chords need not be closer to it than that.
+// Smallest chord error of a spline, as a share of the size of its control polygon.
 inline constexpr double kFinestOfSpline = 1.0e-6;
 
 // centre + cos(t) x_axis + sin(t) y_axis for t from `from` to `from + angle`.
@@ -33,19 +33,20 @@ struct DxfSpline {
 };
 using DxfCurve = std::variant<DxfEllipse, DxfSpline>;
 
-// Why it is no curve that can be drawn, "" = it is one; everything below needs one.
+// Returns why the curve cannot be drawn, "" = it can; all functions below need a curve that can.
 std::string curve_problem(const DxfCurve& curve);
 
 glm::dvec3 curve_start(const DxfCurve& curve);
 glm::dvec3 curve_end(const DxfCurve& curve);
-// What it takes at most, as the distance of two of its points.
+// Returns an upper limit of its size, as the distance of two of its points.
 double curve_size(const DxfCurve& curve);
 
-// How long chords of it take to find, as a number of points that take as long.
+// Returns the work of finding its chords, as a number of points with equal work.
 std::size_t curve_work(const DxfCurve& curve);
 
-// Appends what lies strictly between its ends, so that the chords are at most `error` from it, but
-// for the limits above. How far they are from it at most: above `error` where a limit was met.
+// Appends the points strictly between its ends, so that the chords are at most `error` from it,
+// unless a limit above is met. Returns the largest distance of the chords: above `error` if a limit
+// was met.
 double add_chords(const DxfCurve& curve, double error, std::vector<glm::dvec3>& points);
 
 }  // namespace cli

@@ -1,6 +1,6 @@
 #pragma once
-// A DXF file as a drawing: layers, blocks and entities, and how they stand in the world. Lengths in
-// the file's unit, whatever that is; angles in degrees.
+// A DXF file as a drawing: layers, blocks and entities, and their places in the world. Lengths in
+// the file's unit; angles in degrees.
 
 #include "report/tools/import/dxf_curve.h"
 #include "report/tools/import/dxf_pairs.h"
@@ -20,7 +20,7 @@
 
 namespace cli {
 
-// Limits, so that no file makes the program take all memory or time.
+// Limits, so that no file uses all memory or time.
 inline constexpr std::size_t kMostDxfEntities = 2'000'000;  // as the file has them
 inline constexpr std::size_t kMostDxfPlaced = 1'000'000;    // with those of blocks, each time
 inline constexpr std::size_t kDeepestDxfBlock = 32;
@@ -33,7 +33,7 @@ struct DxfVertex {
   double bulge = 0.0;  // tan(angle / 4) of the arc to the next one; > 0: counter-clockwise
 };
 
-// What leads from a vertex to the next one, where it is neither a line nor an arc.
+// The side from a vertex to the next, if it is neither a line nor an arc.
 struct DxfCurvedSide {
   std::size_t vertex;
   DxfCurve curve;
@@ -75,7 +75,7 @@ struct DxfLayer {
   bool is_off = false, is_frozen = false;
 };
 
-// What was passed over: {kind, layer, why}, with how often.
+// Skipped entities: {kind, layer, why}, with their number.
 using DxfSkipped = std::map<std::array<std::string, 3>, std::size_t>;
 
 struct DxfDrawing {
@@ -91,10 +91,10 @@ struct DxfDrawing {
   std::string place_words(std::size_t place) const;
 };
 
-// Names are compared without case.
+// Returns the key of a name: names are compared without case.
 std::string dxf_key(std::string_view name);
 
-// Empty if and only if `problem` says why.
+// Returns the drawing; empty exactly if `problem` says why.
 std::optional<DxfDrawing> read_dxf(std::string_view bytes, std::string& problem);
 
 // World = matrix * (point of the entity's own coordinates, 1).
@@ -107,30 +107,31 @@ struct DxfPlaced {
   bool is_off = false;       // its layer is, or that of a reference on the way
 
   glm::dvec3 at(std::size_t vertex) const;
-  // Its corners in the world, arcs and curves as chords that are at most so far from them. Bulges
-  // are kept by mirrors and turns; in a stretched block they become chords of the stretched arc.
-  // reached: above largest_error where a limit of dxf_curve.h leaves them farther away; else equal.
+  // Returns its corners in the world, with arcs and curves as chords at most that far from them.
+  // Mirrors and turns keep bulges; in a stretched block they become chords of the stretched arc.
+  // reached: above largest_error if a limit of dxf_curve.h leaves the chords farther away; else
+  // equal.
   std::vector<glm::dvec3> corners(double largest_error, double* reached = nullptr) const;
 };
 
-// Every entity of model space as often as it stands there, an INSERT with rows and columns once for
-// each. visit: of an INSERT whether to go into its block. Hidden ones are passed over and counted
-// in `skipped`. "" or which limit was met.
+// Visits every entity of model space at each of its places; an INSERT with rows and columns once
+// for each. visit: returns for an INSERT whether to enter its block. Hidden entities are skipped
+// and counted in `skipped`. Returns "" or the limit that was met.
 std::string visit_dxf(const DxfDrawing& drawing, const std::function<bool(const DxfPlaced&)>& visit,
                       DxfSkipped& skipped);
 
-// How long its corners take to find, as a number of points that take as long.
+// Returns the work of finding its corners, as a number of points with equal work.
 std::size_t corner_work(const DxfEntity& entity);
 
-// What a block takes, in its own coordinates: of lines, outlines, arcs and faces, with those of
-// blocks in it; texts do not count.
+// The extent of a block in its own coordinates: lines, outlines, arcs and faces, with those of
+// nested blocks; texts do not count.
 struct DxfExtent {
   glm::dvec3 low{0.0}, high{0.0};
   bool is_any = false;
   std::size_t faces = 0, meshes = 0;  // among what it is of
   std::string problem;                // why it cannot be measured; is_any is false then
 };
-// work: what may still be done (see kMostDxfWork); becomes less.
+// Returns the extent. work: the remaining work (see kMostDxfWork), which is reduced.
 DxfExtent extent_of_block(const DxfDrawing& drawing, const std::string& block_in_file,
                           std::size_t& work);
 

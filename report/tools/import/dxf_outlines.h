@@ -1,5 +1,5 @@
 #pragma once
-// Outlines from the lines of a plan.
+// Finds outlines in the lines of a plan.
 
 #include <glm/glm.hpp>
 
@@ -34,9 +34,9 @@ struct PlanOutlines {
   std::vector<Failure> failure;  // pieces that are part of no outline
 };
 
-// Closed pieces are outlines; open ones are joined where their ends are at most `same` apart and
-// exactly two of them meet. closes: an open piece of three points or more is closed by a straight
-// line before that. Order: as the first pieces come.
+// Returns outlines. Closed pieces are outlines; open pieces are joined where exactly two ends meet,
+// at most `same` apart. closes: before that, an open piece of three points or more is closed by a
+// straight line. Order: that of the first pieces.
 PlanOutlines find_outlines(const std::vector<PlanPiece>& pieces, double same, bool closes);
 
 }  // namespace cli

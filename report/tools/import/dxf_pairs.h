@@ -1,6 +1,6 @@
 #pragma once
 // The lowest layer of DXF: pairs of a group code and a value, from text or binary files of any
-// version. Nothing here knows what a pair is for.
+// version. The meaning of pairs is not known here.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,22 +17,23 @@ struct DxfPair {
   std::size_t place = 0;         // line of the code, from 1; in binary files its byte, from 0
 };
 
-// Goes through a file once. The bytes must outlive it.
+// Reads a file once from start to end. The bytes must outlive it.
 class DxfPairs {
  public:
   explicit DxfPairs(std::string_view bytes);
 
-  // False at the end of the file, which is the pair 0 EOF (what follows is nobody's), and at a
-  // problem. Comments (999) are passed over.
+  // Reads the next pair. Returns false at the end of the file, which is the pair 0 EOF (anything
+  // after it is ignored), and at a problem. Comments (999) are skipped.
   bool next(DxfPair& pair);
-  // "" or what is wrong, with its line or byte. A file without its end is a problem: it was cut.
+  // Returns "" or the problem, with its line or byte. A file without its end is a problem: it was
+  // cut.
   const std::string& problem() const { return problem_; }
-  // The problem is that the end is missing, but the last pair is whole.
+  // Returns whether the problem is a missing end after a whole last pair.
   bool is_cut() const { return is_cut_; }
   bool is_binary() const { return is_binary_; }
-  // Of those passed so far: many programs say there who they are.
+  // Returns the first of the comments so far: many programs write their name there.
   std::string_view first_comment() const { return first_comment_; }
-  // "line 12", "byte 120"
+  // Returns "line 12", "byte 120".
   std::string place_words(std::size_t place) const;
 
  private:
@@ -41,7 +42,7 @@ class DxfPairs {
   bool next_of_text(DxfPair& pair);
   bool next_of_binary(DxfPair& pair);
   bool read_code(int& code);
-  // Little-endian. Empty where the file ends before.
+  // Reads a little-endian number. Empty if the file ends before.
   std::optional<std::uint64_t> read_unsigned(std::size_t bytes);
 
   std::string_view bytes_, first_comment_;
@@ -50,19 +51,19 @@ class DxfPairs {
   std::string problem_;
 };
 
-// A finite number; empty: it is none.
+// Returns a finite number; empty if it is not one.
 std::optional<double> dxf_number(const DxfPair& pair);
-// A whole number that an int holds.
+// Returns a whole number that fits into an int.
 std::optional<int> dxf_integer(const DxfPair& pair);
 
-// Texts of a file as UTF-8.
+// Converts texts of a file to UTF-8.
 class DxfTexts {
  public:
-  // version: $ACADVER; code_page: $DWGCODEPAGE; "" = not said.
+  // version: $ACADVER; code_page: $DWGCODEPAGE; "" = not stated.
   void set(std::string_view version, std::string_view code_page);
-  // By the rules of the version, with \U+XXXX as the character.
+  // Returns the text by the rules of the version, with \U+XXXX as the character.
   std::string decoded(std::string_view bytes);
-  // What had to be guessed or could not be read: once, "" = nothing.
+  // Returns one remark on texts that were guessed or could not be read; "" = none.
   const std::string& doubt() const { return doubt_; }
 
  private:
@@ -72,8 +73,8 @@ class DxfTexts {
   std::string code_page_, doubt_;
 };
 
-// What TEXT and ATTRIB say without their %%-codes, and MTEXT without its formats: one line, words
-// separated by single blanks.
+// Returns the text of TEXT and ATTRIB without their %%-codes, and of MTEXT without its formats: one
+// line, words separated by single blanks.
 std::string plain_dxf_text(std::string_view text);
 std::string plain_dxf_mtext(std::string_view text);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What all readers of IFC instances share: following references, numbers in metres, and how much
-// work a file may ask for.
+// Shared by all readers of IFC instances: following references, numbers in metres, and the limit of
+// work for a file.
 
 #include "report/tools/import/ifc_units.h"
 #include "report/tools/import/step_text.h"
@@ -14,8 +14,8 @@
 
 namespace cli {
 
-// Thrown by everything that reads one product; who asked for the product leaves it out, with this
-// reason. why: a clause, the same for things alike.
+// Thrown by all functions that read a product; their caller omits the product with this reason.
+// why: a clause, equal for equal reasons.
 struct IfcLeftOut {
   std::string why;
 };
@@ -29,21 +29,22 @@ class IfcFile {
   const StepText& text() const { return text_; }
   const IfcUnits& units() const { return units_; }
 
-  // The work that a product may ask for begins anew; that of the whole file goes on.
+  // Restarts the count of work for a product; the count of the whole file continues.
   void begin_product();
-  // amount: in bytes of text that is read, or what takes as long.
+  // Counts work. amount: bytes of text that are read, or work that takes as long.
   void work(std::size_t amount);
 
-  // All of these throw IfcLeftOut; what: what is looked for, for the reason.
+  // Return parts of the file; all of these throw IfcLeftOut. what: name of the wanted part, for the
+  // reason.
   std::uint32_t follow(const StepValue& reference, std::string_view what);
-  // At least so many.
+  // Returns at least this many arguments.
   std::vector<StepValue> arguments(std::uint32_t instance, std::size_t least);
   std::vector<StepValue> arguments_of(const StepValue& reference, std::string_view name,
                                       std::size_t least);
   double number(const StepValue& value, std::string_view what) const;
   double length_m(const StepValue& value, std::string_view what) const;
   double positive_length_m(const StepValue& value, std::string_view what) const;
-  // Of a list of two or three lengths.
+  // Returns the coordinates in a list of two or three lengths.
   glm::dvec3 coordinates_m(const StepValue& list) const;
   glm::dvec3 point_m(const StepValue& reference);    // IFCCARTESIANPOINT
   glm::dvec3 direction(const StepValue& reference);  // IFCDIRECTION, of length 1

@@ -1,5 +1,5 @@
 #pragma once
-// Where IFC things are: axis placements, chains of local placements, operators of mapped items.
+// Places of IFC things: axis placements, chains of local placements, operators of mapped items.
 
 #include "report/tools/import/ifc_file.h"
 
@@ -12,18 +12,19 @@ namespace cli {
 
 inline constexpr int kLongestPlacementChain = 100;
 
-// The placed frame in its parent's, in metres, columns x, y, z, origin. Of IFCAXIS2PLACEMENT3D or
-// IFCAXIS2PLACEMENT2D; null: no change. Throws IfcLeftOut.
+// Returns the placed frame in its parent's, in metres, columns x, y, z, origin, for
+// IFCAXIS2PLACEMENT3D or IFCAXIS2PLACEMENT2D; null: no change. Throws IfcLeftOut.
 glm::dmat4 ifc_axis_placement(IfcFile& file, const StepValue& reference);
-// Of IFCCARTESIANTRANSFORMATIONOPERATOR3D and ...NONUNIFORM: may scale and mirror.
+// Returns the frame of IFCCARTESIANTRANSFORMATIONOPERATOR3D and ...NONUNIFORM, which may scale and
+// mirror.
 glm::dmat4 ifc_operator(IfcFile& file, const StepValue& reference);
 
 // Frames of products in the world. Each placement is read once.
 class IfcPlacements {
  public:
   explicit IfcPlacements(IfcFile& file) : file_(file) {}
-  // Of IFCLOCALPLACEMENT. Throws IfcLeftOut: none, another kind, a chain that is longer than
-  // kLongestPlacementChain or a circle.
+  // Returns the frame of IFCLOCALPLACEMENT. Throws IfcLeftOut if there is none, it is another kind,
+  // or the chain is a circle or longer than kLongestPlacementChain.
   glm::dmat4 world_from(const StepValue& reference);
 
  private:

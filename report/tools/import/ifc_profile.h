@@ -1,5 +1,5 @@
 #pragma once
-// Plane outlines of IFC: profiles of extrusions, and the curves that they are made of.
+// Plane outlines of IFC: profiles of extrusions, and their curves.
 
 #include "calc/project/reading/project_elements.h"
 #include "report/tools/import/design.h"
@@ -14,7 +14,7 @@ namespace cli {
 
 inline constexpr double kOutlineGap_m = 1.0e-3;  // ends of curves that are nearer meet
 inline constexpr double kSamePoint_m = 1.0e-6;   // corners that are nearer are one
-// Of an outline: what a project takes.
+// Most corners of an outline in a project.
 inline constexpr std::size_t kMostCorners = calc::kCornerLimit;
 
 // Metres, in the profile's own plane. Corners in any direction, the first one not repeated; an
@@ -24,10 +24,10 @@ struct IfcProfile {
   std::vector<std::vector<glm::dvec2>> inner;
 };
 
-// Throws IfcLeftOut. doubt: what was done to it that the file does not say.
+// Returns the profile. Throws IfcLeftOut. doubt: changes to it that the file does not state.
 IfcProfile ifc_profile(IfcFile& file, const StepValue& reference, std::vector<std::string>& doubt);
 
-// Without corners at the place of the one before them, the end included.
+// Removes corners at the place of the corner before them, the end included.
 void drop_same_points(std::vector<glm::dvec2>& outline);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// The units of an IFC file: what its lengths and angles are.
+// The units of lengths and angles in an IFC file.
 
 #include "report/tools/import/step_text.h"
 
@@ -18,16 +18,17 @@ struct IfcUnits {
   std::string reason;      // where it is from
   std::vector<std::string> doubt;
 
-  // Divides where it can: 5400 mm are 5.4 m to the last bit.
+  // Converts to metres, by division if possible: 5400 mm are 5.4 m to the last bit.
   double length_m(double value) const {
     return per_metre != 0.0 ? value / per_metre : value * metres;
   }
 };
 
-// The one way that a factor becomes a unit of length.
+// Sets the unit of length; the only way to do so.
 void set_length_unit(IfcUnits& units, double metres);
 
-// Empty with a problem: no unit of length, two that differ, one that is not understood.
+// Returns the units. Empty with a problem: no unit of length, two that differ, or one that is not
+// understood.
 std::optional<IfcUnits> read_ifc_units(const StepText& text, StepProblem& problem);
 
 }  // namespace cli

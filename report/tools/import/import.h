@@ -1,5 +1,5 @@
 #pragma once
-// A project from a plan: luxgate import.
+// `luxgate import`: makes a project from a plan.
 
 #include "report/shell/command/command.h"
 

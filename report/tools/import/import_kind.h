@@ -1,5 +1,5 @@
 #pragma once
-// Tells what a plan is before it is read.
+// Finds the kind of a plan before it is read.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,12 @@ namespace cli {
 // name. Requires that import_kind_problem() found nothing.
 bool is_read_as_ifc(std::string_view bytes);
 
-// "cannot import 'hall.obj': it is an OBJ mesh; import reads DXF and IFC. ...", or "" if nothing
-// speaks against a drawing or a model.
+// Returns "cannot import 'hall.obj': it is an OBJ mesh; import reads DXF and IFC. ...", or "" if it
+// may be a drawing or a model.
 std::string import_kind_problem(std::string_view bytes, const std::string& path);
 
-// The problem of a reader of drawings, with words around it if the contents are not known as DXF.
+// Returns the problem of a reader of drawings, with further words if the contents are not known as
+// DXF.
 std::string unread_drawing(std::string_view bytes, const std::string& path,
                            const std::string& problem);
 

@@ -1,7 +1,7 @@
 #pragma once
-// The map of an import: a TOML file that says what the layers and names of a design file mean, and
-// what no design file knows: heights of rooms, reflectances, photometry. One table of keys
-// (import_map.cpp) is what reader, messages and help go by.
+// The map of an import: a TOML file with the meaning of the layers and names of a design file, and
+// with facts that no design file has: heights of rooms, reflectances, photometry. Reader, messages
+// and help share one table of keys (import_map.cpp).
 
 #include "calc/base/diagnostics.h"
 
@@ -14,7 +14,7 @@
 
 namespace cli {
 
-// Where the height of a luminaire comes from; metres above the floor of its room if it is a number.
+// The source of a luminaire's height; a number is in metres above the floor of its room.
 struct FromZ {};
 struct FromAttribute {
   std::string name;
@@ -67,20 +67,20 @@ struct ImportMap {
   std::vector<MapRoute> route;
 };
 
-// Empty if and only if an error was reported. file: its path, for messages.
+// Returns the map; empty exactly if an error was reported. file: its path, for messages.
 std::optional<ImportMap> read_import_map(const std::string& bytes, const std::string& file,
                                          calc::Diagnostics& diagnostics);
 
-// The keys as a table in Markdown, for the manual.
+// Returns the keys as a table in Markdown, for the manual.
 std::string import_map_reference();
 
-// Whether all of the name matches the pattern.
+// Returns whether all of the name matches the pattern.
 bool matches_name(std::string_view pattern, std::string_view name);
-// The same of a layer or block that may carry the name of the file that it was bound in from
-// ("xref-house$0$A-WALL"): with or without it.
+// Returns whether a layer or block matches, with or without the name of the file that it was bound
+// in from ("xref-house$0$A-WALL").
 bool matches_bound_name(std::string_view pattern, std::string_view name);
 
-// Metres; empty: no unit of that name. Names: m, cm, mm, in, ft.
+// Returns metres per unit; empty: unknown unit. Names: m, cm, mm, in, ft.
 std::optional<double> metres_per_import_unit(std::string_view unit);
 extern const std::vector<std::string_view> kImportUnits;
 

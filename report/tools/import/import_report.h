@@ -1,5 +1,5 @@
 #pragma once
-// What an import says: what was taken, what was not and why.
+// The report of an import: imported things, and omitted things with reasons.
 
 #include "report/tools/import/design.h"
 #include "report/tools/import/project_text.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Words of maps to start from.
+// Words in maps to start from.
 
 #include "calc/base/utf8.h"
 
@@ -7,7 +7,7 @@
 
 namespace cli {
 
-// As a string of TOML.
+// Returns the name as a string of TOML.
 inline std::string quoted_for_map(const std::string& name) {
   std::string text = "\"";
   for (const char c : calc::printable(name)) {

@@ -1,5 +1,6 @@
 #pragma once
-// A project that was imported, changed by hand, and is imported again: three texts become one.
+// Merges a project that was imported, changed by hand, and is imported again: three texts become
+// one.
 
 #include "calc/base/diagnostics.h"
 
@@ -18,10 +19,10 @@ struct ProjectSource {
   std::string xml, name;  // name: for messages
 };
 
-// base: as the last import wrote it; mine: as it is now; next: as this import would write it.
-// Elements are the same that have the same id (of the root: always), attribute by attribute. What
-// only `next` changed is changed in `mine`, whose other bytes stay: order, comments, blanks. Empty
-// after an error: a text that is not well-formed.
+// Returns the merged project. base: as the last import wrote it; mine: the current text; next: as
+// this import would write it. Elements with the same id are the same (the root: always), and are
+// compared attribute by attribute. Changes only in `next` are made in `mine`, whose other bytes
+// stay: order, comments, blanks. Empty after an error: a text that is not well-formed.
 std::optional<MergedProject> merge_projects(const ProjectSource& base, const ProjectSource& mine,
                                             const std::string& next,
                                             calc::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 #pragma once
-// A project file from a design and its map, as a person would write it.
+// Writes a project file from a design and its map, in the form that a person would write.
 
 #include "report/tools/import/design.h"
 #include "report/tools/import/import_map.h"
@@ -12,7 +12,7 @@ namespace cli {
 
 struct ProjectText {
   std::string xml;
-  // Meshes that the project names, from its folder. A name follows from what is in it.
+  // Meshes that the project names, from its folder. Names follow from the contents.
   struct File {
     std::string name, bytes;
   };
@@ -20,11 +20,10 @@ struct ProjectText {
   std::size_t rooms = 0, luminaires = 0, boxes = 0, planes = 0, routes = 0;  // written
 };
 
-// photometry: of each [[luminaire]] of the map its file from the project's folder; "" = there is
-// none, so that its luminaires are left out. A hole of a room becomes a solid from floor to
-// ceiling, since a prism has none: a box where it is a rectangle, else a mesh. Lengths to 0.1 mm,
-// angles to 0.001 degrees. What is not written, or not as the design has it, is appended to the
-// design's notes.
+// Returns the project. photometry: for each [[luminaire]] of the map its file from the project's
+// folder; "" = there is none, and its luminaires are omitted. A hole of a room becomes a solid from
+// floor to ceiling, because a prism has no holes: a box for a rectangle, else a mesh. Lengths to
+// 0.1 mm, angles to 0.001 degrees. Omissions and changes are appended to the design's notes.
 ProjectText project_text(Design& design, const ImportMap& map,
                          const std::vector<std::string>& photometry);
 

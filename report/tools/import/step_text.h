@@ -1,8 +1,7 @@
 #pragma once
 // The text form of STEP data (ISO 10303-21), in which IFC files are written: a header, and numbered
-// instances `#12=NAME(arguments);`. The text is gone through once, when it is opened; after that
-// arguments are read from it when somebody asks. So memory is that of the text and 28 bytes for
-// each instance.
+// instances `#12=NAME(arguments);`. The text is scanned once, when it is opened; arguments are read
+// from it on demand. So memory is that of the text and 28 bytes for each instance.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,10 +21,10 @@ struct StepProblem {
   std::string what;
 };
 
-// Lists within lists, typed values included.
+// Deepest nesting of lists, typed values included.
 inline constexpr int kDeepestStepList = 64;
 
-// An argument: a slice of the text, so that it lives no longer than that.
+// An argument: a slice of the text, which must outlive it.
 class StepValue {
  public:
   enum class Kind {
@@ -47,16 +46,16 @@ class StepValue {
   bool is_null() const { return kind_ == Kind::null || kind_ == Kind::derived; }
   std::string_view slice() const { return slice_; }  // as it is written
 
-  // Each is empty where the value is of another kind.
+  // Return the value; empty if it is of another kind.
   std::optional<double> number() const;            // finite
   std::optional<std::uint64_t> reference() const;  // of an instance, which may not exist
-  // UTF-8, all escapes resolved; is_sure: as of step_string().
+  // Returns UTF-8 with all escapes resolved; is_sure: as in step_string().
   std::optional<std::string> text(bool* is_sure = nullptr) const;
   std::string enumeration() const;  // in capitals, without its dots: "METRE"
   std::string type_name() const;    // of a typed value, in capitals
-  // Of a list, or what stands between the brackets of a typed value.
+  // Returns the items of a list, or between the brackets of a typed value.
   std::vector<StepValue> items() const;
-  // The only argument of a typed value, else the value itself.
+  // Returns the only argument of a typed value, else the value itself.
   StepValue untyped() const;
 
  private:
@@ -64,16 +63,16 @@ class StepValue {
   Kind kind_ = Kind::null;
 };
 
-// A string as it stands between its quotes, in UTF-8. is_sure becomes false where letters had to be
-// guessed: bytes that are no UTF-8 are taken for Windows-1252, escapes that mean no character give
-// U+FFFD (of \S\ those that the alphabet of \P\, ISO 8859-1 to -9, does not have), and a \P\ of any
-// other alphabet stays as it is written, its letters U+FFFD.
+// Returns a string from between its quotes in UTF-8. is_sure becomes false if letters had to be
+// guessed: bytes that are not UTF-8 are read as Windows-1252, escapes without a character become
+// U+FFFD (for \S\ those missing in the alphabet of \P\, ISO 8859-1 to -9), and a \P\ of any other
+// alphabet stays as written, its letters U+FFFD.
 std::string step_string(std::string_view between_quotes, bool* is_sure = nullptr);
 
-// The way back, with the quotes, in ASCII alone: whoever reads it, in whichever alphabet, reads the
-// same. What is no UTF-8 becomes U+FFFD. It holds no "/*", which begins a comment.
+// Returns a string with its quotes, only in ASCII, so that it reads the same in every alphabet.
+// Text that is not UTF-8 becomes U+FFFD. It contains no "/*", which begins a comment.
 std::string step_literal(std::string_view utf8);
-// A finite number as a REAL, "0.5", "500.", "1.E-07": it reads back to the same bits.
+// Returns a finite number as a REAL, "0.5", "500.", "1.E-07": it reads back to the same bits.
 std::string step_real(double value);
 
 inline constexpr std::uint64_t kLargestStepNumber = 999'999'999'999'999'999;  // of an instance
@@ -83,25 +82,27 @@ class StepText {
   StepText(StepText&&) = default;
   StepText& operator=(StepText&&) = default;
 
-  // The bytes must outlive the result. Empty with a problem: a syntax error anywhere, an end before
-  // its time, a number that is given twice. Instances that nobody wrote may be referred to.
+  // Opens a text, whose bytes must outlive the result. Empty with a problem: a syntax error
+  // anywhere, an early end, a number that is given twice. References to missing instances are
+  // allowed.
   static std::optional<StepText> open(std::string_view bytes, StepProblem& problem);
 
   const std::vector<std::string>& schema() const { return schema_; }  // "IFC4", in capitals
   bool is_utf8() const { return is_utf8_; }                           // the whole text
-  // Where ENDSEC of the last DATA section begins, as an offset in the bytes; 0: there is none.
+  // Returns where ENDSEC of the last DATA section begins, as an offset in the bytes; 0: there is
+  // none.
   std::size_t data_end() const { return data_end_; }
 
-  // Instances count from 0 in the order of their numbers.
+  // Returns the number of instances, which count from 0 in the order of their numbers.
   std::size_t size() const { return instance_.size(); }
   std::optional<std::uint32_t> find(std::uint64_t number) const;
   std::optional<std::uint32_t> find(const StepValue& reference) const;
   std::uint64_t number(std::uint32_t instance) const { return instance_[instance].number; }
-  // In capitals; "" for an instance that is several at once: #1=(A()B()).
+  // Returns the name in capitals; "" for an instance with several types: #1=(A()B()).
   const std::string& name(std::uint32_t instance) const { return *name_[instance_[instance].name]; }
   std::size_t line(std::uint32_t instance) const;  // from 1
   std::size_t bytes(std::uint32_t instance) const { return instance_[instance].size; }
-  // Of a name in capitals.
+  // Returns the instances with a name in capitals.
   std::span<const std::uint32_t> of_name(std::string_view name) const;
   std::vector<StepValue> arguments(std::uint32_t instance) const;  // none of several at once
 

@@ -7,7 +7,7 @@
 
 namespace cli {
 
-// What happened: files written, or an error in words (then nothing was written).
+// The result: written files, or an error in words (then nothing was written).
 struct InitResult {
   std::string project_file;
   std::string error;

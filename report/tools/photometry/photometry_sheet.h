@@ -10,7 +10,8 @@
 
 namespace cli {
 
-// A page without script, as the other pages look. file: readable. sha256: of the photometry file.
+// Returns a page without a script, in the style of the other pages. file: readable. sha256: of the
+// photometry file.
 std::string render_photometry_sheet(const report::Texts& t, const PhotometryFile& file,
                                     const std::string& sha256, report::Paper paper);
 

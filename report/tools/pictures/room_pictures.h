@@ -25,7 +25,7 @@
 
 namespace cli {
 
-// Whether a run makes pictures: there is a file to put them into.
+// Returns whether a run makes pictures: a file needs them.
 bool wants_pictures(const OutputOptions& options);
 
 struct PictureSettings {
@@ -37,22 +37,22 @@ struct PictureSettings {
   report::Texts texts;  // of files
 };
 
-// Of all rooms of these projects that are drawn.
+// Returns the work for all drawn rooms of these projects.
 calc::DrawingWork picture_work(const std::vector<check::ProjectPlan>& projects);
 
 // Draws rooms one after the other. The device is opened for the first; a room without pictures says
-// why (RoomPictures::problem), and is a room like any other otherwise. Where a GPU that was chosen
-// by cost fails, that room and those that follow are drawn by software.
+// why (RoomPictures::problem), and is otherwise like any other. If a GPU chosen by cost fails, that
+// room and all later ones are drawn by software.
 class PictureMaker {
  public:
-  // go_on: false stops the light on surfaces.
+  // go_on: false stops the calculation of light on surfaces.
   PictureMaker(PictureSettings settings, std::function<bool()> go_on);
 
   void add_pictures(const std::string& project_path, const calc::Space& space,
                     const calc::PreparedScene& scene, report::SpacePart& part);
 
  private:
-  // picture: of luminances, without lift.
+  // Renders a view. picture: of luminances, without lift.
   report::Raster render(gpu::DeviceThread& device, gpu::PictureScene picture,
                         const calc::PreparedScene& scene, const gpu::Camera& camera, int width);
   std::string draw(const std::string& project_path, const calc::Space& space,
@@ -65,17 +65,18 @@ class PictureMaker {
   int rooms_ = 0;
 };
 
-// Of such a picture of a room whose surfaces nobody has counted.
+// Returns the work of such a picture for a room with an unknown number of surfaces.
 calc::DrawingWork view_work();
-// A room with its light vertices as dots over grey surfaces, their area in proportion to their flux
-// and their colour from dark (little) to bright. Throws calc::BackendFailure.
+// Draws a room with its light vertices as dots over grey surfaces: their area is proportional to
+// their flux, their colour goes from dark (little) to bright. Throws calc::BackendFailure.
 report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& tracer,
                              std::span<const calc::LightVertex> vertices, bool opens_room);
 
-// Of an escape route, at the heights of its line: stairs rise. origin_m: of the local coordinates.
+// Returns the outline of an escape route, at the heights of its line: stairs rise. origin_m: of the
+// local coordinates.
 std::vector<glm::dvec3> route_outline_m(const calc::RouteGrid& route, const glm::dvec3& origin_m);
 
-// Whether pictures look into it: rooms, but not the open space.
+// Returns whether pictures look into it: rooms do, the open space does not.
 bool opens(const calc::Space& space);
 
 }  // namespace cli

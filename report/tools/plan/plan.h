@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate plan`: what a check would do, in words and as JSON.
+// `luxgate plan`: the work of a check, in words and as JSON.
 
 #include "calc/base/budget.h"
 #include "report/check/drawing_device.h"
@@ -34,7 +34,7 @@ struct PlanOptions {
 Command plan_syntax(PlanOptions& options);
 Command plan_command();
 
-// pictures: of rooms, if a check makes some.
+// Returns the text. pictures: work for pictures of rooms, if a check makes some.
 std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
                              const check::BackendChoice& backend,
@@ -44,8 +44,8 @@ std::string render_plan_json(const std::vector<check::ProjectPlan>& projects,
                              const check::BackendChoice& backend,
                              const check::DrawingChoice& pictures);
 
-// For --explain-cost: the plan's prediction for the looks that were taken, and what they took.
-// solution: of these tasks.
+// Returns, for --explain-cost, the plan's prediction for the sampling rounds that were taken, and
+// their real times. solution: of these tasks.
 std::string explain_cost(const std::string& path, const std::string& space_id,
                          const calc::PreparedScene& scene,
                          const std::vector<calc::PlaneTask>& tasks,

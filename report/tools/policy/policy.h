@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate policy`: files of --policy.
+// `luxgate policy`: explains files of --policy.
 
 #include "report/shell/command/command.h"
 

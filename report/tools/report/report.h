@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate report`: a result in other formats, without calculating.
+// `luxgate report`: writes a result in other formats, without calculating.
 
 #include "report/document/revision.h"
 #include "report/shell/command/command.h"

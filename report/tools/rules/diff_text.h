@@ -1,5 +1,5 @@
 #pragma once
-// The differences of two rule packs, and what they change in a project, for people and programs.
+// The differences of two rule packs, and their effect on a project, for people and programs.
 
 #include "report/tools/rules/project_effect.h"
 #include "rules/pack/pack_diff.h"

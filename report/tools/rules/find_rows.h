@@ -1,5 +1,5 @@
 #pragma once
-// Rows of rule packs by the words that people use for rooms and tasks, in English and German.
+// Finds rows of rule packs by common words for rooms and tasks, in English and German.
 
 #include "rules/pack/rule_pack.h"
 
@@ -10,7 +10,8 @@
 
 namespace cli {
 
-// Lower case, with ae, oe, ue and ss in place of the German letters: "Flächen" is "flaechen".
+// Returns the text in lower case, with ae, oe, ue and ss in place of the German letters: "flaechen"
+// for "Flächen".
 std::string search_form(std::string_view text);
 
 struct FoundRow {
@@ -20,14 +21,14 @@ struct FoundRow {
   std::string id() const;  // "en12464-1:2021/34.2"
 };
 
-// The rows that have every word of `words` in their id or in one of their names. Upper case and
-// ways to write umlauts make no difference, and common words with the same meaning count: "meeting"
-// finds "conference room". Rows with the words themselves come first, then the order is that of the
-// packs. No words find no rows.
+// Returns the rows that have every word of `words` in their id or in one of their names. Upper case
+// and ways to write umlauts make no difference, and common words with the same meaning count:
+// "meeting" finds "conference room". Rows with the words themselves come first, then the order is
+// that of the packs. No words find no rows.
 std::vector<FoundRow> find_rows(std::string_view words, const std::vector<rules::RulePack>& packs);
 
-// The first `most` of them, one a line: id, English name and German name. Lines have at most 80
-// columns.
+// Returns the first `most` of them, one a line: id, English name and German name. Lines have at
+// most 80 columns.
 std::string row_list(const std::vector<FoundRow>& rows, std::size_t most);
 
 }  // namespace cli

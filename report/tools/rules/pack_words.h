@@ -13,13 +13,13 @@ namespace cli {
 
 inline constexpr int kTextColumns = 80;  // of lines for people
 
-// What a pack says may hold anything.
+// Returns a text of a pack, which may contain anything, in a printable form.
 std::string printable_lines(std::string_view text);
 
-// "a:1, b:2".
+// Returns "a:1, b:2".
 std::string joined_ids(const std::vector<rules::RulePack>& packs);
 
-// An ambiguous name is reported; one that is unknown is left to the caller.
+// Returns the pack. Reports an ambiguous name, but not an unknown one.
 rules::NamedPack find_pack(const std::string& name, const std::vector<rules::RulePack>& packs,
                            calc::Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which verdicts of a project another rule pack changes: the project is checked with both.
+// Finds the verdicts of a project that another rule pack changes: the project is checked with both.
 
 #include "report/document/document.h"
 #include "report/shell/command/command.h"
@@ -14,7 +14,7 @@
 
 namespace cli {
 
-// What is asked, and what came of it.
+// A requirement and its result.
 struct JudgedLimit {
   std::string limit;          // "≥ 500 lx"; "" of aggregates and classes
   std::string verdict;        // "pass", with what a report must say beside it: "fail, waived"
@@ -34,24 +34,24 @@ struct ProjectEffect {
   std::vector<ChangedVerdict> changed;
 };
 
-// The packs that are compared.
+// The compared packs.
 struct ComparedPacks {
   const rules::RulePack& before;
   const rules::RulePack& after;
   const rules::RowNames& rows;  // what rows of `before` are called in `after`
 };
 
-// For a check in which one of them stands for both, whichever of them the project names, and with
-// the rows that it names by their numbers there. loaded: all others.
+// Returns the packs for a check in which one of the two replaces both, whichever the project names,
+// with the rows that the project names by their numbers there. loaded: all others.
 std::vector<rules::RulePack> packs_with(bool is_after, const ComparedPacks& compared,
                                         const std::vector<rules::RulePack>& loaded);
 
-// Those that are not the same in both, of requirements, aggregates and classes.
+// Returns requirements, aggregates and classes that differ between both.
 ProjectEffect effect_on(const report::ProjectPart& before, const report::ProjectPart& after,
                         const ComparedPacks& compared);
 
-// Empty after an error, or if the project cannot be judged with one of them, which has been
-// printed. check: of one project.
+// Checks a project with both. Empty after an error, or if the project cannot be judged with one of
+// them, which is printed. check: of one project.
 std::optional<ProjectEffect> check_with_both(const CheckOptions& check, const RunContext& context,
                                              const ComparedPacks& compared);
 

@@ -1,6 +1,6 @@
 #pragma once
-// `luxgate rules diff`: in what two rule packs differ, and which verdicts of a project that
-// changes.
+// `luxgate rules diff`: the differences of two rule packs, and the verdicts of a project that they
+// change.
 
 #include "report/shell/command/command.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// A closed box by classical radiosity on a fine mesh: form factors by Lambert's contour formula, no
-// ray and no random number, nothing in common with the program.
+// Calculates a closed box by classical radiosity on a fine mesh: form factors by Lambert's contour
+// formula, no ray and no random number, independent of the program.
 
 #include <glm/glm.hpp>
 
@@ -11,12 +11,12 @@
 
 namespace cli::selftest {
 
-// Direct illuminance (lx) at a point with unit normal.
+// Returns the direct illuminance (lx) at a point with unit normal.
 using DirectLight = std::function<double(const glm::dvec3& x, const glm::dvec3& n)>;
 
-// Of an isotropic source (cd).
+// Returns the light of an isotropic source (cd).
 DirectLight isotropic_light(double intensity_cd, const glm::dvec3& source);
-// Of a source that shines as cos gamma straight down (cd).
+// Returns the light of a source aimed straight down, of axis_cd cos gamma (cd).
 DirectLight downlight(double axis_cd, const glm::dvec3& source);
 
 // Faces in the order x = 0, x = size.x, y = 0, ... , z = size.z.
@@ -24,12 +24,12 @@ using FaceReflectances = std::array<double, 6>;
 constexpr FaceReflectances same_on_all(double rho) { return {rho, rho, rho, rho, rho, rho}; }
 
 // The box [0, size]: E = E_direct + F rho E on n x n patches per face that are smaller towards the
-// edges, n >= 3, iterated until nothing changes; then between the patches' centres.
+// edges, n >= 3, iterated until nothing changes; interpolated between the patches' centres.
 class BoxRadiosity {
  public:
   BoxRadiosity(const glm::dvec3& size, const FaceReflectances& rho, DirectLight direct, int n);
 
-  // At any point in the box or on its faces, by unit normal.
+  // Returns the light at any point in the box or on its faces, by unit normal.
   double indirect_lx(const glm::dvec3& x, const glm::dvec3& n) const;
 
  private:
@@ -57,19 +57,19 @@ class BoxRadiosity {
   std::vector<double> indirect_lx_;             // at the patches' centres
 };
 
-// A number and how far it may be off, relative.
+// A number and its largest relative error.
 struct KnownValue {
   double value = 0.0;
   double known_to = 0.0;
 };
 
-// Two meshes of one box: the finer one's value, and from their difference how well it is known.
+// Two meshes of a box: the value of the finer mesh, with an error bound from their difference.
 //
-// Beside an edge radiosity bends like a root of the distance, and what a mesh gives there comes
-// near the truth only as 1/n (measured for n = 6 ... 24, a millimetre from a
-// corner: 36.57, 36.29, 36.11, 35.99, 35.87 lx towards 35.6). So the error left is e_fine =
-// (e_coarse - e_fine) n_c / (n_f - n_c), twice the difference for 6 and 9. In the middle of a face
-// it falls faster, and this is too much.
+// Near an edge radiosity changes like a root of the distance, and the value of a mesh there
+// approaches the truth only as 1/n (measured for n = 6 ... 24, a millimetre from a corner: 36.57,
+// 36.29, 36.11, 35.99, 35.87 lx towards 35.6). So the remaining error is e_fine = (e_coarse -
+// e_fine) n_c / (n_f - n_c), twice the difference for 6 and 9. In the middle of a face it falls
+// faster, and this bound is too large.
 class BoxReference {
  public:
   BoxReference(const glm::dvec3& size, const FaceReflectances& rho, const DirectLight& direct);

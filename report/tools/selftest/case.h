@@ -1,5 +1,5 @@
 #pragma once
-// A case of the selftest: a situation whose light is known without the program.
+// A case of the selftest: a situation whose light is known independently of the program.
 
 #include "report/tools/selftest/scene.h"
 
@@ -9,22 +9,22 @@
 
 namespace cli::selftest {
 
-// One number that is known.
+// A number with a known value.
 struct Measured {
   std::string what;  // "A (0, 0, 0)"
   std::string unit = "lx";
   double exact = 0.0;
   double known_to = 0.0;           // absolute: as far as `exact` itself may be off
   std::vector<double> replicates;  // one: nothing was sampled, it must be exact
-  // Half-width of the 95 % interval that is too vague, about twice what is reached: times |exact|,
-  // or times `scale` where that is more.
+  // Half-width of the 95 % interval that is too vague, about twice the usual one: times |exact|, or
+  // times `scale` if that is larger.
   double widest = 0.0;
   double scale = 0.0;  // 0 lx beside lit places is known as well as a hundredth of the brightest
   // The program's own interval at a confidence level; empty: Student's t of the replicates.
   std::function<calc::Estimate(double)> interval = {};
 };
 
-// What the program must refuse, and how.
+// An input that the program must refuse, and the error.
 struct Refused {
   std::string what;
   std::string expected;  // part of the message
@@ -38,18 +38,19 @@ struct CaseResult {
   std::uint64_t rays = 0;
 
   // Compares every point's value. known_to: relative; widest: see Measured. With several sampled
-  // points also the mean of their ratios to the truth, which sees a bias that no point shows.
+  // points it also compares the mean of their ratios to the truth, which shows a bias that no
+  // single point shows.
   void add_points(const Solution& solution, const std::vector<Point>& points,
                   const std::vector<double>& exact_lx, double known_to, double widest,
                   Part part = Part::total);
-  // A weighted sum over points.
+  // Compares a weighted sum over points.
   void add_sum(const Solution& solution, const std::string& what, const std::string& unit,
                const std::vector<double>& weights, double exact, double known_to, double widest,
                Part part = Part::total);
   void note(const Solution& solution);  // rays, and a problem
 
-  // Of points in the next add_points(): names, and how well each is known (relative, besides
-  // known_to); too few: coordinates, 0.
+  // Names of points in the next add_points(), and the accuracy of each (relative, besides
+  // known_to); missing ones: coordinates, 0.
   std::vector<std::string> labels;
   std::vector<double> known_each;
   std::vector<double> widest_each;  // in place of `widest`; too few, 0: `widest`
@@ -68,7 +69,7 @@ struct Kind {
 };
 const std::vector<Kind>& kinds();
 
-// All of them, in order of kinds().
+// Returns all cases, in order of kinds().
 std::vector<SelftestCase> all_cases();
 
 std::vector<SelftestCase> point_cases();

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a known number is met.
+// Judges whether known numbers are met.
 
 #include "calc/base/field.h"
 #include "report/tools/selftest/case.h"
@@ -9,16 +9,16 @@
 
 namespace cli::selftest {
 
-// All intervals together miss a right number in fewer than one of a thousand runs: each holds at
-// the level 1 - 0.001 / kMostNumbers (Bonferroni), so that as many numbers may be compared. The
-// level does not depend on which cases are chosen.
+// Most numbers of a run. Each interval holds at the level 1 - 0.001 / kMostNumbers (Bonferroni), so
+// that all together miss a right number in fewer than one of a thousand runs. The level does not
+// depend on the chosen cases.
 inline constexpr int kMostNumbers = 1000;
 inline constexpr double kFamilyError = 1e-3;
 // Numbers that were not sampled must agree to this share; photometric tables and ray offsets are
 // below it.
 inline constexpr double kRounding = 1e-6;
-// Smaller shares are how a machine rounds: they are told as 0, and say nothing about which number
-// is furthest off.
+// Smaller shares are rounding of the machine: they are shown as 0, and do not decide which number
+// has the largest deviation.
 inline constexpr double kNoDeviation = 5e-12;
 
 enum class Verdict { right, wrong, too_vague, refused };
@@ -42,18 +42,19 @@ struct JudgedCase {
   Verdict verdict = Verdict::wrong;
   double seconds = 0.0;
 
-  // By deviation, of those that are wrong if there are any; the first of several.
+  // Returns the number with the largest deviation, among wrong ones if there are any; the first of
+  // equal ones.
   const JudgedNumber* worst() const;
 };
 
-// The same number of every seed. All replicates together must meet it; whether it is too vague is
-// asked of the middle one of the seeds' widths. A single width is allowed to be kLuck times as
-// wide: of 16 replicates, and of some that are rarely much too large, it hangs on the seed.
+// The number of all seeds is judged: all replicates together must meet it, and the median of the
+// seeds' widths must not be too vague. A single width may be kLuck times as wide: with 16
+// replicates, some of them rarely much too large, it depends on the seed.
 inline constexpr double kLuck = 2.0;
 JudgedNumber judge(const std::vector<Measured>& of_seeds);
-// The results of one case for each seed, at least one.
+// Judges the results of a case for each seed, at least one.
 JudgedCase judge(SelftestCase test, const std::vector<CaseResult>& of_seeds);
-// Of one seed.
+// Judges the number of one seed.
 JudgedNumber judge(const Measured& measured);
 JudgedCase judge(SelftestCase test, CaseResult result);
 

@@ -21,7 +21,7 @@ struct Rectangle {
   double area_m2() const { return glm::length(glm::cross(u, v)); }
 };
 
-// Faces of the box [low, low + size] seen from inside, in the order x0, x1, y0, ...
+// Returns the faces of the box [low, low + size] seen from inside, in the order x0, x1, y0, ...
 std::array<Rectangle, 6> faces_of_box(const glm::dvec3& low, const glm::dvec3& size);
 
 // A point of a rule over a rectangle; the weights of one rectangle add up to its area.
@@ -31,7 +31,7 @@ struct AreaPoint {
 };
 std::vector<AreaPoint> points_on(const Rectangle& rectangle, int n);
 
-// Exitance or illuminance at a point of a surface.
+// Returns the exitance or illuminance at a point of a surface.
 using SurfaceValue = std::function<double(const glm::dvec3& position_m)>;
 
 // Illuminance at x with unit normal n of a diffuse rectangle of exitance M(y), nothing between:

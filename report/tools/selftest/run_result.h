@@ -1,5 +1,5 @@
 #pragma once
-// All cases of a run, and how it is shown.
+// All cases of a run, and their output.
 
 #include "report/tools/selftest/judge.h"
 
@@ -16,11 +16,13 @@ struct RunResult {
 
   int wrong() const;    // cases
   int numbers() const;  // compared
-  // Of sampled numbers, one for each seed, those whose stated 95 % interval holds the exact value;
-  // numbers of one case share light paths, so that of a single seed it is no sharp measure.
+  // Return how many sampled numbers there are over all seeds, and how many have the exact value in
+  // their stated 95 % interval; numbers of a case share light paths, so a single seed is no sharp
+  // measure.
   int sampled() const;
   int held() const;
-  // The sampled number whose intervals hold least often; null: none was sampled, or one seed.
+  // Returns the sampled number whose intervals hold least often; null: none was sampled, or one
+  // seed.
   const JudgedNumber* least_held(std::string* of_case) const;
 };
 
@@ -31,12 +33,13 @@ std::string render_text(const RunResult& result, const TextStyle& style);
 std::string render_json(const RunResult& result, bool has_timing);
 std::string render_list(const std::vector<SelftestCase>& cases);
 
-// Numbers of one row as words.
+// Return the numbers of a row as words.
 std::string value_words(double value);               // six digits
 std::string deviation_words(const JudgedNumber& n);  // "+0.12 %", "0", "-1.2e-09"
 std::string interval_words(const JudgedNumber& n);   // "99.1 – 101.2", "exact"
 std::string seeds_words(const RunResult& result);    // "seed 1", "seeds 1 to 100"
-// "Of 278 sampled numbers, 274 lie in their stated 95 % interval", and of several seeds the least.
+// Returns "Of 278 sampled numbers, 274 lie in their stated 95 % interval", and for several seeds
+// the least.
 std::string coverage_words(const RunResult& result);
 
 }  // namespace cli::selftest

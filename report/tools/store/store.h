@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate store`: what is in a store of looks, whether it is whole, and making room.
+// `luxgate store`: lists and checks a result cache, and frees space.
 
 #include "report/shell/command/command.h"
 
@@ -11,8 +11,8 @@ namespace cli {
 
 Command store_command();
 
-// "1500000", "500MB", "2GiB": a whole number and a unit, of B, kB, MB, GB, TB (powers of 1000) or
-// KiB, MiB, GiB, TiB (of 1024).
+// Returns the bytes for "1500000", "500MB", "2GiB": a whole number and a unit, of B, kB, MB, GB, TB
+// (powers of 1000) or KiB, MiB, GiB, TiB (of 1024).
 std::optional<std::uint64_t> parse_bytes(std::string_view text);
 
 }  // namespace cli

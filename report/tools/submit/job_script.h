@@ -15,7 +15,8 @@ struct BatchJob {
   std::string working_folder;  // in which the names of files hold
   std::string job_folder;      // absolute: units.json, projects.txt, job.sh and logs
   std::string store;
-  // One option each, quoted for a shell: "--seed 2". The first change results, the others reports.
+  // Options, one each, quoted for a shell: "--seed 2". The first change results, the others
+  // reports.
   std::vector<std::string> options, report_options;
   std::string source_date_epoch;  // "" = not set
   std::size_t units = 0, shards = 1;
@@ -26,20 +27,22 @@ struct BatchJob {
   bool needs_gpu = false;
 };
 
-// Two batches never share a folder, whoever sends them, and the same batch finds its own again: the
-// name of the folder below that of --job-folder, from all that says what is done. job: with the
-// latter as its folder.
+// Returns the name of the batch's folder below --job-folder. It is made of all inputs of the batch,
+// so two batches never share a folder, and the same batch finds its own again. job: with the latter
+// as its folder.
 std::string batch_id(const BatchJob& job, const std::string& units, const std::string& projects);
 
 std::string job_file(const BatchJob& job);
 std::string units_file(const BatchJob& job);
-// For --files-from: no limit of a command line or of a script holds for it.
+// Returns the name of a file for --files-from, which has no limit on its length, unlike command
+// lines and scripts.
 std::string projects_file(const BatchJob& job);
-// GNU parallel's.
+// Returns the name of GNU parallel's log.
 std::string job_log(const BatchJob& job);
 
-// How many shards take about three minutes each. A first look is all that is predicted: taken for
-// a quarter of the work. Not more than there are units, nor than Slurm allows in one array.
+// Returns how many shards take about three minutes each. Only the first sampling round is
+// predicted: it is taken as a quarter of the work. At most the number of units, and Slurm's limit
+// for an array.
 std::size_t shards_for(std::size_t units, double first_look_s);
 
 std::string render_job_script(const BatchJob& job);

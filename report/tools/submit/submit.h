@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate submit`: a batch as a script for an engine that has many cores or machines.
+// `luxgate submit`: writes a batch as a script for several cores or machines.
 
 #include "report/shell/command/command.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate sweep`: one project with many values.
+// `luxgate sweep`: checks a project with many values.
 
 #include "report/shell/command/command.h"
 #include "report/shell/output/data_output.h"
@@ -22,7 +22,7 @@ struct SweepOptions {
 
 Command sweep_command();
 
-// Prints and writes. The verdicts of variants do not decide the code.
+// Runs the command, prints and writes. The verdicts of variants do not decide the code.
 ExitCode run_sweep(const SweepOptions& options, const RunContext& context);
 
 }  // namespace cli

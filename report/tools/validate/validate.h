@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate validate`: everything that `check` reads and checks, without calculating.
+// `luxgate validate`: reads and checks everything that `check` does, without calculating.
 
 #include "report/shell/command/command.h"
 

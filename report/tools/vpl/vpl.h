@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate vpl`: light vertices into a file.
+// `luxgate vpl`: writes light vertices to a file.
 
 #include "report/shell/command/command.h"
 

@@ -10,9 +10,9 @@
 
 namespace cli {
 
-// By inotify, on the folders that the files are in, as editors put new files in place of old ones.
-// What inotify does not tell of (files of another machine, targets of links) is seen within half a
-// second.
+// Watches by inotify the folders that contain the files, because editors replace old files by new
+// ones. Changes that inotify does not report (files of another machine, targets of links) are seen
+// within half a second.
 class InputWatch {
  public:
   InputWatch();
@@ -20,19 +20,19 @@ class InputWatch {
   InputWatch(const InputWatch&) = delete;
   InputWatch& operator=(const InputWatch&) = delete;
 
-  // From now on these. is_all: and no others; else those that it had stay.
+  // Sets the watched files. is_all: only these; otherwise the previous ones stay.
   void set(const FileStamps& stamps, bool is_all);
-  // Whether one of them is not as it was. Asks the disk at most ten times a second. Any number of
-  // threads may ask at once. Once it was, it stays so until set() of all or wait().
+  // Returns whether one of them has changed. Reads the disk at most ten times a second. Any number
+  // of threads may call at once. After a change it stays true until set() of all or wait().
   bool has_changed();
-  // Until one of them is not as it was, or was not when has_changed() said so, and then nothing has
-  // happened to them for 50 ms, or something all the time for 2 s: what has changed, which from now
-  // on is how they are. Empty once is_stopped().
+  // Waits until a file changes, or has changed according to has_changed(), and then nothing more
+  // happens for 50 ms, or changes continue for 2 s. Returns the changes, which become the known
+  // state. Empty once is_stopped().
   FileStamps wait(const std::function<bool()>& is_stopped);
 
  private:
   FileStamps changed() const;
-  // Until something has happened in a folder: whether it has. At most so long.
+  // Waits at most this long for an event in a folder; returns whether there was one.
   bool sleep_ms(long long milliseconds) const;
 
   int inotify_ = -1;

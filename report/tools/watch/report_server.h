@@ -1,25 +1,25 @@
 #pragma once
-// The newest report in a browser of this machine.
+// Shows the newest report in a browser of this machine.
 
 #include <memory>
 #include <string>
 
 namespace cli {
 
-// Answers on 127.0.0.1 alone, on a port that the system chooses, and only who knows the address,
-// which holds 128 random bits: pages of others neither find nor read it. The page loads the report
-// again whenever there is a new one.
+// Serves only 127.0.0.1, on a port chosen by the system, and only at its address, which contains
+// 128 random bits: pages of others can neither find nor read it. The page reloads the report
+// whenever there is a new one.
 class ReportServer {
  public:
-  // Null: no port can be had; `problem` says why.
+  // Starts the server. Null: no port is available; `problem` says why.
   static std::unique_ptr<ReportServer> start(std::string& problem);
   ~ReportServer();
   ReportServer(const ReportServer&) = delete;
   ReportServer& operator=(const ReportServer&) = delete;
 
-  // "http://127.0.0.1:41234/3f...e1/"
+  // Returns "http://127.0.0.1:41234/3f...e1/".
   const std::string& address() const;
-  // From now on this is the report: HTML.
+  // Replaces the report: HTML.
   void show(std::string html);
 
  private:
