@@ -1,6 +1,6 @@
 #pragma once
 // Splits a batch into jobs that machines can calculate separately, and assigns them to shards. A
-// store of sampling rounds joins the results.
+// result cache joins the results.
 
 #include "calc/radiosity/gather/settings.h"
 #include "report/check/plan.h"

@@ -1,5 +1,5 @@
 #pragma once
-// A judged project against the owner's policy.
+// Compares a judged project with the owner's policy.
 
 #include "report/document/document.h"
 #include "report/policy/policy.h"
@@ -8,9 +8,9 @@
 
 namespace report {
 
-// What of the project is not as the policy wants it: DiagnosticId::policy_not_met for each, which
-// always counts. today: YYYY-MM-DD, the day of judging. A project that is not judged has nothing
-// else to fear.
+// Reports DiagnosticId::policy_not_met, which always counts, for each condition that the project
+// does not meet. today: YYYY-MM-DD, the day of judging. A project that is not judged is not
+// compared.
 void judge_policy(const Policy& policy, std::string_view today, ProjectPart& project);
 
 }  // namespace report

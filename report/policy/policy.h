@@ -1,7 +1,7 @@
 #pragma once
-// What whoever owns the gate wants of every project, whatever the project itself says: who may live
-// with what, which rows must be asked, which factors are believed. It lies outside of the projects,
-// so that nobody who changes one changes what it is judged by.
+// The conditions that the owner of a gate sets for every project, whatever the project itself
+// states: permitted exceptions, required rows, accepted factors. The policy is outside of the
+// projects, so that a change of a project cannot change it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/names.h"
@@ -14,26 +14,26 @@
 
 namespace report {
 
-// Who may live with something that is not as it should be.
+// The persons who may permit an exception.
 struct PolicyPermit {
   std::vector<std::string> by;   // exactly these names; empty: anybody
   std::optional<int> most_days;  // from the day of judging to its last day
 };
 
-// Spaces whose id or name is like a pattern of a shell ("office-*").
+// Spaces whose id or name matches a shell pattern ("office-*").
 struct PolicySpaces {
   std::string pattern = "*";
   bool has(const std::string& id, const std::string& name) const;
 };
 
-// Whose zones a row is judged on.
+// The planes on which a row is judged.
 enum class PolicyZones {
   any,        // planes of the project's own, too
   workplace,  // made by a <workplace> as the pack wants them, around the task that it states
   unchanged,  // likewise, and the project changes none of them
 };
 
-// A row of a rule pack that each of these spaces must be asked, as a whole.
+// A row of a rule pack that each of these spaces must require as a whole.
 struct PolicyRow {
   std::string pack;  // with its edition: "en12464-1:2021"
   std::string row;
@@ -60,13 +60,13 @@ struct PolicyBound {
   std::optional<double> at_least, at_most;
 };
 
-// A fact that projects may state, whose value moves a limit of the pack.
+// A fact that projects may state, whose value changes a limit of the pack.
 struct PolicyFact {
   std::string pack, id;
   std::optional<double> at_least, at_most;  // in the pack's base unit
 };
 
-// What each space must be asked.
+// The requirements that every space must have.
 enum class PolicyEverySpace {
   row,       // what an <asked> wants of it; if there is none at all, anything
   anything,  // something that counts
@@ -76,7 +76,7 @@ enum class PolicyEverySpace {
 struct Policy {
   std::string file, sha256;
   std::string name;
-  // Empty: nobody may.
+  // Empty: not permitted.
   std::optional<PolicyPermit> waivers, deviations, left_out;
   bool allows_lowered_levels = false;  // rows may be asked below what they require
   PolicyEverySpace every_space = PolicyEverySpace::row;
@@ -85,7 +85,7 @@ struct Policy {
   std::vector<PolicyBound> bounds;
   std::vector<PolicyFact> facts;
   std::vector<std::string> photometry;  // SHA-256 of the files that may be used; empty: any
-  // How loose the calculation may be; empty: as asked for.
+  // Loosest allowed calculation; empty: as requested.
   std::optional<double> confidence, tolerance;
   std::optional<int> replicates;
   std::optional<std::uint64_t> max_paths;
@@ -94,15 +94,15 @@ struct Policy {
   std::vector<std::string> formats;  // that must be written
 };
 
-// Empty if and only if an error was reported. formats: names that are known.
+// Returns the policy; empty exactly if an error was reported. formats: known names.
 std::optional<Policy> parse_policy(const std::string& bytes, const std::string& file,
                                    const std::vector<std::string_view>& formats,
                                    calc::Diagnostics& diagnostics);
 
-// In words, a line each: what `luxgate policy explain` prints.
+// Returns the policy in words, a line each, as `luxgate policy explain` prints it.
 std::string explain_policy(const Policy& policy);
 
-// The XML schema of such files, which `luxgate policy schema` prints.
+// Returns the XML schema of policies, which `luxgate policy schema` prints.
 std::string policy_schema();
 
 }  // namespace report

@@ -1,6 +1,6 @@
 #pragma once
-// The result file, what was judged: requirements with their verdicts, aggregates, rows of rule
-// packs. See result_fields.h.
+// The result file, findings: requirements with their verdicts, aggregates, rows of rule packs. See
+// result_fields.h.
 
 #include "calc/base/day.h"
 #include "calc/base/names.h"
@@ -32,7 +32,7 @@ void describe(auto& v, Is<rules::DecisionPolicy> auto& policy) {
   v.field("guard", policy.guard);
 }
 
-// Units of everything that can be required, each once.
+// Returns the units of all possible requirements, each once.
 inline std::vector<std::string_view> requirement_units() {
   std::vector<std::string_view> units;
   for (const auto& metric : calc::EnumNames<rules::Metric>::list) {
@@ -64,8 +64,8 @@ void describe(auto& v, Is<rules::Deviation> auto& deviation) {
   v.field("stated", deviation.stated, {.presence = only_if(deviation.stated.has_value())});
 }
 
-// fields(of) describes the requirement's argument of this kind. Of a metric that has another kind
-// there is nothing to write or to read, and only the schema looks at it.
+// Describes the requirement's argument of this kind by fields(of). If its metric has another kind
+// nothing is written or read; only the schema uses it.
 template <class Argument>
 void argument(auto& requirement, const auto& fields) {
   Argument of = rules::argument_of<Argument>(requirement);
@@ -165,7 +165,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("deviations", requirement.deviations,
           {.words = "In what the plane is not the one that the rule pack's number is about.",
            .presence = only_if(!requirement.deviations.empty())});
-  // The ends of a range have one name where they are in lx, and one where they have no unit.
+  // The ends of a range have one name in lx, and another without a unit.
   const bool is_share = requirement.metric == rules::Metric::share;
   const bool is_plain = calc::is_plain_number(requirement.derived);
   constexpr double kOpen = std::numeric_limits<double>::infinity();

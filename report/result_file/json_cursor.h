@@ -20,7 +20,7 @@ class BadJson : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Does not own the JSON. All members throw BadJson.
+// A place in a JSON text, which must outlive it. All members throw BadJson.
 class JsonCursor {
  public:
   explicit JsonCursor(const nlohmann::json& json, std::string path = "")
@@ -36,7 +36,7 @@ class JsonCursor {
   std::string text() const;
   bool flag() const;
   double finite() const;
-  // Whole, low <= value <= high.
+  // Returns a whole number, low <= value <= high.
   std::int64_t whole(std::int64_t low, std::int64_t high) const;
   std::uint64_t count(std::uint64_t least = 0) const;  // whole
   std::vector<JsonCursor> items() const;

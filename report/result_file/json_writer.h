@@ -19,7 +19,7 @@ using OrderedJson = nlohmann::ordered_json;
 template <class T>
 OrderedJson json_of(const T& value);
 
-// One object of the file, key by key.
+// Writes an object of the file, key by key.
 class Writer : public Visitor {
  public:
   explicit Writer(OrderedJson& json) : json_(json) {}

@@ -1,7 +1,7 @@
 #pragma once
-// Messages in result files, see calc/base/message.h. Beside the English text of a key stands what
-// it is made of, as a list of parts: {"id": "undecided", "arguments": [[...], ...]} for a sentence,
-// and for others one key, the kind of the part, with its text: {"number": "0.75 m"}.
+// Messages in result files, see calc/base/message.h. Beside the English text of a key is a list of
+// its parts: {"id": "undecided", "arguments": [[...], ...]} for a sentence, and for others one key,
+// the kind of the part, with its text: {"number": "0.75 m"}.
 
 #include "calc/base/message.h"
 #include "report/result_file/json_cursor.h"
@@ -21,24 +21,24 @@ template <class T>
 inline constexpr bool kIsMessageList =
     std::is_same_v<std::remove_cv_t<T>, std::vector<calc::Message>>;
 
-// "reason_message" of "reason".
+// Returns "reason_message" for "reason".
 inline std::string message_key(const char* key) { return std::string(key) + "_message"; }
 
-// Whether there is more to it than its text.
+// Returns whether it has parts beside its text.
 bool has_parts(const calc::Message& message);
 bool has_parts(const std::vector<calc::Message>& messages);
 
 nlohmann::ordered_json message_json(const calc::Message& message);
 nlohmann::ordered_json message_json(const std::vector<calc::Message>& messages);
 
-// at: of the text; parts: what stands beside it. Of results of earlier versions, which have no
-// parts, and of parts that do not make the text in this version, it is the text to the letter.
-// Throws BadJson.
+// Reads a message. at: of the text; parts: the list beside it. Without parts (results of earlier
+// versions), or if the parts do not make the text in this version, it is the exact text. Throws
+// BadJson.
 calc::Message read_message(const JsonCursor& at, const std::optional<JsonCursor>& parts);
 std::vector<calc::Message> read_messages(const JsonCursor& at,
                                          const std::optional<JsonCursor>& parts);
 
-// Of one part, for "#/definitions/message_part".
+// Returns the schema of a part, for "#/definitions/message_part".
 nlohmann::ordered_json message_part_schema();
 
 }  // namespace report

@@ -1,5 +1,6 @@
 #pragma once
-// The result file, a plane: grid, points, statistics, how its work went. See result_fields.h.
+// The result file, a plane: grid, points, statistics, course of its calculation. See
+// result_fields.h.
 
 #include "calc/base/names.h"
 #include "report/document/document.h"
@@ -26,7 +27,7 @@ void describe(auto& v, Is<calc::DroppedPoint> auto& point) {
   v.field("body", point.body, {.presence = only_if(!point.body.empty())});
 }
 
-// Whether the cells of pictures can be made from it.
+// Returns whether the cells of pictures can be made from it.
 inline bool is_whole(const calc::RouteGrid& route, const calc::SensorGrid& grid) {
   const std::vector<int>& stations = route.stations;
   return !stations.empty() && stations.size() + 1 == route.line.corner_m.size() &&
@@ -53,9 +54,9 @@ void describe_route(auto& v, Is<calc::SensorGrid> auto& grid) {
        .presence = only_if(grid.route.has_value())});
 }
 
-// Of the grid and of the plane's area.
+// Describes the grid and the plane's area.
 void describe_grid(auto& v, Is<PlanePart> auto& plane) {
-  // As many as a plane may have; a file must not make pictures of any size.
+  // Most cells of a plane; a file must not make pictures of any size.
   constexpr std::int64_t kMostCells = 4'000'000;
   auto& grid = plane.grid;
   v.is("grid");
@@ -73,7 +74,7 @@ void describe_grid(auto& v, Is<PlanePart> auto& plane) {
   v.field("outline_m", plane.outline_m);
   v.field("holes_m", plane.holes_m);
   describe_route(v, grid);
-  // Pictures divide by them. A route has cells of its own, and a list of points has none.
+  // Pictures divide by them. A route has its own cells, and a list of points has none.
   const bool has_cells = grid.columns > 0 && !grid.route;
   constexpr const char* kAboveZero = "a number above 0 is needed";
   v.refuse_if(has_cells && !(grid.spacing_u_m > 0.0), "spacing_u_m", kAboveZero);
@@ -191,7 +192,7 @@ void describe(auto& v, Is<PlaneLook> auto& look) {
   v.field("findings", look.findings, {.words = "In the order of the plane's findings."});
 }
 
-// Ratings and ratios of points have no average that would mean anything.
+// Describes statistics. An average of ratings or ratios of points has no meaning.
 void describe_statistics(auto& v, Is<PlanePart> auto& plane) {
   const auto of_light = [&] {
     v.field("average_lx", plane.average);
@@ -207,7 +208,7 @@ void describe_statistics(auto& v, Is<PlanePart> auto& plane) {
   v.either(!calc::is_plain_number(plane.derived), of_light, of_plain_numbers);
 }
 
-// What only planes have that were computed.
+// Describes values that only computed planes have.
 void describe_results(auto& v, Is<PlanePart> auto& plane) {
   auto& counters = plane.counters;
   v.field("remarks", plane.remarks,
@@ -266,7 +267,7 @@ void describe(auto& v, Is<PlanePart> auto& plane) {
   v.field("was", plane.was, {.presence = only_if(!plane.was.empty())});
   v.field("name", plane.name);
   v.field("where", plane.where);
-  // Two members have one name.
+  // Two members share one name.
   std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
   v.field("quantity", quantity,
           {.choices = plane_quantities(), .unknown = "unknown kind of point"});

@@ -1,10 +1,9 @@
 #pragma once
-// The result file, said once: of each part of a document its keys, in the order in which they are
-// written, with what they hold, where they may be missing and what the schema says of them. Five
-// visitors go through it (describe.h): the writer (json_writer.h), the reader (read_json.cpp), what
-// holds a file against what follows from it (written_check.cpp), the schema (result_schema.cpp) and
-// the redaction (redact.cpp). A new key is a line here, in finding_fields.h, plane_fields.h or
-// revision_fields.h.
+// The result file, in one description: the keys of each part of a document, in the order in which
+// they are written, with their contents, when they may be missing and their words in the schema.
+// Five visitors use it (describe.h): the writer (json_writer.h), the reader (read_json.cpp), the
+// check of derived keys (written_check.cpp), the schema (result_schema.cpp) and the redaction
+// (redact.cpp). A new key is a line here, in finding_fields.h, plane_fields.h or revision_fields.h.
 
 #include "calc/base/day.h"
 #include "calc/base/names.h"
@@ -72,7 +71,7 @@ void describe(auto& v, Is<VerdictCounts> auto& counts) {
        .presence = kSinceLater});
 }
 
-// Written only: it follows from the findings.
+// Describes keys that are only written, because they follow from the findings.
 void describe(auto& v, Is<RoomSummary> auto& room) {
   v.is("room", "What became of a room of which something is asked.");
   const std::string space = room.space == nullptr ? "" : room.space->id;
@@ -200,7 +199,7 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
   const auto polar = [&](auto& o) {
     double step_deg = kPolarStep_deg;
     o.field("step_deg", step_deg);
-    // Either nothing or every step.
+    // A curve has either no values or one for every step.
     const auto is_whole = [&](const std::vector<double>& cd) {
       return cd.empty() || (step_deg == kPolarStep_deg && cd.size() == 2 * kPolarHalfSteps + 1);
     };
@@ -319,7 +318,7 @@ void describe(auto& v, Is<calc::RoadObserver> auto& observer) {
   v.field("cd_m2", observer.cd_m2, {.words = "Maintained, row by row of y_m."});
 }
 
-// Pictures rely on it: as many points as the lanes and the spacing want at most.
+// Returns whether there are as many points as the lanes and the spacing allow; pictures rely on it.
 inline bool is_whole(const calc::RoadLight& light) {
   constexpr std::size_t kMostAlong = 1000, kMostLanes = 100;
   const std::vector<calc::RoadObserver>& observers = light.observers;
@@ -355,7 +354,7 @@ void describe(auto& v, Is<RoadPart> auto& road) {
           {.presence = only_if(road.light.left_ratio.has_value())});
 }
 
-// Written only: it follows from the road and its planes.
+// Describes keys that are only written, because they follow from the road and its planes.
 void describe(auto& v, Is<RoadFacts> auto& facts) {
   v.is("road_energy", "By EN 13201-5, at full output.");
   v.field("luminaires", facts.luminaires, {.words = "In one spacing."});
@@ -463,7 +462,7 @@ void describe(auto& v, Is<calc::AboutProject> auto& about) {
   v.field("logo", about.logo, {.presence = only_if(!about.logo.bytes.empty())});
 }
 
-// What projects could not have said.
+// Refuses a number that a project could not have stated.
 void refuse_beyond(auto& v, const std::optional<double>& number, const calc::NumberRange& range,
                    const char* key) {
   v.refuse_if(number && !range.contains(*number), key,

@@ -1,5 +1,5 @@
 #pragma once
-// The result file, against a baseline: what became worse, what is asked less, what has changed. See
+// The result file, changes from a baseline: worse results, weaker requirements, changed inputs. See
 // result_fields.h.
 
 #include "report/document/revision.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What has changed in the input that is no question: luminaires, photometry, materials, bodies.
+// Changes of the input that change no requirement: luminaires, photometry, materials, bodies.
 
 #include "report/document/revision.h"
 #include "report/revision/matching.h"
@@ -8,7 +8,7 @@
 
 namespace report {
 
-// place: of the project, or of the room.
+// Returns the changes. place: of the project, or of the room.
 std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const ProjectPart& after,
                                          const RevisionPlace& place);
 std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePart& after,

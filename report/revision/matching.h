@@ -1,6 +1,6 @@
 #pragma once
-// Which part of a document is which part of an earlier one: by ids, never by paths alone, so that a
-// design may move to another folder.
+// Matches the parts of a document with those of an earlier one: by ids, never by paths alone, so
+// that a design may move to another folder.
 
 #include "report/document/document.h"
 
@@ -13,23 +13,23 @@
 
 namespace report {
 
-// Two places nearer than this are the same: less than any drawing means, more than numbers lose on
-// their way through a file.
+// Places nearer than this are the same: below the accuracy of any drawing, above the rounding of
+// numbers in files.
 constexpr double kSamePlace_m = 1e-6;
 template <class Point>  // glm::dvec2, glm::dvec3
 bool is_same_place(const Point& a, const Point& b) {
   return glm::length(a - b) <= kSamePlace_m;
 }
 
-// Either may be null: gone, or new.
+// A pair of parts; either may be null: removed, or new.
 template <class Part>
 struct PartPair {
   const Part* before = nullptr;
   const Part* after = nullptr;
 };
 
-// Those of `after` in their order, then what is gone. key(part): equal for two that are the same;
-// of several with one key the first ones belong together, the second ones, and so on.
+// Returns the parts of `after` in their order, then the removed ones. key(part): equal for equal
+// parts; parts with the same key are matched in order.
 template <class Part, class Key>
 std::vector<PartPair<Part>> match_parts(const std::vector<Part>& before,
                                         const std::vector<Part>& after, const Key& key) {
@@ -50,7 +50,7 @@ std::vector<PartPair<Part>> match_parts(const std::vector<Part>& before,
   return pairs;
 }
 
-// By id; then those that say what id they had, with one of it that is left.
+// Matches by id; then parts that state their earlier id, with an unmatched part of that id.
 template <class Part, class Key, class Former>
 std::vector<PartPair<Part>> match_renamed(const std::vector<Part>& before,
                                           const std::vector<Part>& after, const Key& key,
@@ -68,21 +68,21 @@ std::vector<PartPair<Part>> match_renamed(const std::vector<Part>& before,
   return pairs;
 }
 
-// By id, and what then is left by photometry: another id makes no other luminaire.
+// Matches by id, and the rest by photometry: another id makes no other luminaire.
 std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
                                                      const std::vector<LuminaireRow>& after);
 
-// Of two projects that belong together.
+// Matches the rooms of two matching projects.
 std::vector<PartPair<SpacePart>> match_rooms(const ProjectPart& before, const ProjectPart& after);
 
-// Those of one place, whatever their type, then each that is left with the nearest that is left;
-// at last what is new or gone.
+// Matches marks at the same place, whatever their type, then each remaining mark with the nearest
+// remaining one; new and removed marks come last.
 std::vector<PartPair<LuminaireMark>> match_marks(const std::vector<LuminaireMark>& before,
                                                  const std::vector<LuminaireMark>& after);
 
-// Projects have no ids: those of one path are the same; of the others those of one name that no
-// other project of either side has, then those whose files alone have one name, and at last the
-// only one that is left on either side.
+// Matches projects, which have no ids: by equal path; then by name, if no other project of either
+// side has it; then by file name, if it is unique; at last the only project that remains on either
+// side.
 std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const Document& after);
 
 }  // namespace report

@@ -1,6 +1,6 @@
 #pragma once
-// Rooms that a design has given to another one: who splits a file, or makes one of two, asks for
-// nothing less.
+// Rooms that moved to another project: splitting a file, or joining two, does not weaken
+// requirements.
 
 #include "calc/base/message.h"
 #include "report/document/document.h"
@@ -16,10 +16,10 @@ struct MovedRooms {
   std::vector<calc::Message> notes;  // which went where, a sentence for each two projects
 };
 
-// A room has moved if its project has lost it and exactly one other has got one of its id, name and
-// shape. It takes along its aggregates, and what its luminaires, scenes and materials are; whatever
-// else is asked of a project stays with it, or goes along with the last room. Nothing: none has
-// moved. Projects that could not be judged give and take nothing.
+// Returns the moved rooms. A room has moved if its project lost it and exactly one other project
+// got one with its id, name and shape. It takes along its aggregates, and its luminaires, scenes
+// and materials; other requirements on a project stay with it, or move with its last room. Empty:
+// none has moved. Projects that could not be judged are not considered.
 std::optional<MovedRooms> find_moved_rooms(const Document& before, const Document& after);
 
 }  // namespace report

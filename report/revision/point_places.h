@@ -1,6 +1,6 @@
 #pragma once
-// Points of a plane beside those of an earlier one: by place, so that a rectangle that begins at
-// another corner, or a list in another order, has the same points.
+// Matches points of a plane with those of an earlier plane by place, so that a rectangle that
+// begins at another corner, or a list in another order, has the same points.
 
 #include "report/document/document.h"
 
@@ -10,7 +10,7 @@
 
 namespace report {
 
-// A point of a plane's grid, measured or left out.
+// A point of a plane's grid, measured or omitted.
 struct PlacedPoint {
   glm::dvec3 position_m{0.0};
   int column = 0, row = 0;
@@ -22,14 +22,14 @@ struct PointPairs {
   std::vector<PlacedPoint> gone, added;                   // at a place that the other has not
 };
 
-// Each point belongs to one pair at most.
+// Matches points; each belongs to one pair at most.
 PointPairs match_points(const PlanePart& before, const PlanePart& after);
 
-// Of two planes with cells along the same sides: whether each point of the one that is measured has
-// one of the other that is measured within its cell; of routes, as near as the cell is large.
+// Returns, for two planes with cells along the same sides, whether each measured point of `of` has
+// a measured point of `in` within its cell; for routes, within the size of a cell.
 bool has_points_in_all_cells(const PlanePart& of, const PlanePart& in);
 
-// Of cells that both have: how far the point of one has moved at most; 0 without such cells.
+// Returns the farthest move of a point in cells that both have; 0 without such cells.
 double farthest_move_m(const PointPairs& pairs);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// What the comparisons of questions have in common.
+// Shared by the comparisons of requirements.
 
 #include "report/document/revision.h"
 
@@ -11,14 +11,14 @@
 
 namespace report {
 
-// Of numbers that were calculated, not written.
+// Returns whether numbers are equal that were calculated, not written.
 inline bool is_same_number(double a, double b) {
   constexpr double kSameShare = 1e-9;
   return a == b || (std::isnan(a) && std::isnan(b)) ||
          std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b));
 }
 
-// All about one place.
+// Changes of requirements at one place.
 class QuestionList {
  public:
   explicit QuestionList(RevisionPlace place) : place_(std::move(place)) {}
@@ -29,12 +29,12 @@ class QuestionList {
     if (!item.empty()) question.place.item = item;
     list_.push_back(std::move(question));
   }
-  // Nothing where they are the same.
+  // Adds a change; nothing if both are equal.
   void exchange(QuestionPart part, const std::string& before, const std::string& after,
                 const std::string& item = "") {
     if (before != after) add(QuestionChange::exchanged, part, before, after, item);
   }
-  // A number of which more asks for more, or for less.
+  // Adds a change of a number; a larger number means a stricter requirement, or a weaker one.
   void compare(QuestionPart part, double before, double after, bool more_is_stricter,
                const std::string& before_words, const std::string& after_words,
                const std::string& item = "") {

@@ -1,5 +1,6 @@
 #pragma once
-// What is asked now, beside what was asked before: a gate can also be passed by asking for less.
+// Compares requirements with earlier ones, because a gate can also be passed by weaker
+// requirements.
 
 #include "report/document/revision.h"
 #include "report/revision/matching.h"
@@ -8,18 +9,18 @@
 
 namespace report {
 
-// Of the whole run: confidence and accuracy.
+// Compares settings of the whole run: confidence and accuracy.
 std::vector<ChangedQuestion> compare_settings(const Provenance& before, const Provenance& after);
 
-// Each from the whole of the two parts, but for what is in them: rooms, planes and requirements are
-// compared by themselves. Both must be there. place: of the part.
+// Compare two parts as a whole, but not their contents: rooms, planes and requirements are compared
+// separately. Both must exist. place: of the part.
 std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const ProjectPart& after,
                                                       const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place);
-// is_only_finer: is_finer_grid(), and the light of the room is the same (SpacePart::scene_sha256):
-// then what the grid leaves out lies in what was in the way before.
+// Compares two planes. is_only_finer: is_finer_grid(), and the light of the room is the same
+// (SpacePart::scene_sha256): then points that the grid omits are inside earlier obstacles.
 std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
                                                     bool is_only_finer, const RevisionPlace& place);
 std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
@@ -29,14 +30,14 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
                                                const rules::AggregateFinding& after,
                                                const RevisionPlace& place);
 
-// Whether two planes have one place and outline.
+// Returns whether two planes have the same place and outline.
 bool is_same_area(const PlanePart& before, const PlanePart& after);
 
-// Whether the one area has more cells now, not fewer along either of its sides, points that face as
-// they did, and one at least in each cell that had one.
+// Returns whether the same area has more cells now, not fewer along either side, points with the
+// same direction, and at least one point in each cell that had one.
 bool is_finer_grid(const PlanePart& before, const PlanePart& after);
 
-// What lights a room before and now, of one project each.
+// The light sources of a room before and now, each from its project.
 struct RoomPair {
   const ProjectPart& project_before;
   const SpacePart& before;
@@ -44,8 +45,8 @@ struct RoomPair {
   const SpacePart& after;
 };
 
-// Maintenance factors now beside those before: the least change of all luminaires that hang in the
-// room, by name, photometry and place. 1 where one is as it was, or nothing was before it.
+// Returns the ratio of maintenance factors now to before: the smallest reduction of all luminaires
+// in the room, by name, photometry and place. 1 if any has the same factor, or no earlier one.
 double share_of_maintenance(const RoomPair& room);
 
 }  // namespace report

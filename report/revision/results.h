@@ -1,5 +1,5 @@
 #pragma once
-// What became of what was judged: verdicts, and differences with intervals of their own.
+// Compares results: verdicts, and differences with their own intervals.
 
 #include "report/document/revision.h"
 #include "rules/catalogue/aggregate.h"
@@ -9,14 +9,14 @@
 
 namespace report {
 
-// after - before, the two taken for independent.
+// Returns after - before, taken as independent.
 calc::Estimate difference_of(const calc::Estimate& before, const calc::Estimate& after);
 
-// Of one requirement; one of the two may be null. confidence: two-sided level of the interval of a
-// difference of replicates. place: of the requirement.
+// Compares the results of a requirement; one of the two may be null. confidence: two-sided level of
+// the interval of a difference of replicates. place: of the requirement.
 ChangedResult compare_results(const rules::Finding* before, const rules::Finding* after,
                               double confidence, const RevisionPlace& place);
-// Of one aggregate, which has no value but that of a sum.
+// Compares the results of an aggregate; only sums have a value.
 ChangedResult compare_results(const rules::AggregateFinding* before,
                               const rules::AggregateFinding* after, const RevisionPlace& place);
 

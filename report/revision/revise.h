@@ -1,5 +1,5 @@
 #pragma once
-// A document beside an earlier one: what got worse, what is asked less, what has changed.
+// Compares a document with an earlier one: worse results, weaker requirements, changed inputs.
 
 #include "report/document/document.h"
 #include "report/document/revision.h"
@@ -8,7 +8,7 @@
 
 namespace report {
 
-// baseline: the file that `before` was read from.
+// Returns the revision. baseline: the file that `before` was read from.
 Revision revise(const Document& before, const Document& after, const std::string& baseline,
                 const Gate& gate);
 

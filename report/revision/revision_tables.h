@@ -1,5 +1,5 @@
 #pragma once
-// What a revision did, as tables of words that formats for people lay out.
+// A revision as tables of words, which formats for people lay out.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -17,24 +17,26 @@ struct RevisionTable {
   std::vector<std::size_t> english = {};       // columns that are English in every language
 };
 
-// Results, questions and inputs that changed; those without rows are not there. most: rows of each.
+// Returns tables of changed results, requirements and inputs; tables without rows are omitted.
+// most: rows of each.
 std::vector<RevisionTable> revision_tables(const Document& document, const Texts& t,
                                            std::size_t most);
 
-// What stands below them: how much is the same, notes, what the gate says. Empty without a
+// Returns the remarks below them: unchanged results, notes, the gate's decision. Empty without a
 // revision.
 std::vector<std::string> revision_remarks(const Document& document, const Texts& t);
 
-// "main.json", "main (0123456789)": the file, or the git revision with the id of its commit.
+// Returns "main.json", "main (0123456789)": the file, or the git revision with the id of its
+// commit.
 std::string baseline_words(const Revision& revision);
-// What a gate for regressions says of it, one sentence; "" without one.
+// Returns the decision of a gate for regressions as a sentence; "" without a gate.
 std::string gate_words(const Document& document, const Texts& t);
 
-// "✗ broken", for annotations and machines' reports.
+// Returns "✗ broken", for annotations and machine-readable reports.
 const char* change_words(const Texts& t, ResultChange change);
 const char* change_words(const Texts& t, QuestionChange change);
 const char* part_words(const Texts& t, QuestionPart part);
-// "Office / Task area / average", with the project where there are several.
+// Returns "Office / Task area / average", with the project if there are several.
 std::string place_words(const Document& document, const RevisionPlace& place, const Texts& t);
 
 }  // namespace report

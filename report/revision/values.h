@@ -1,5 +1,5 @@
 #pragma once
-// Illuminances of a plane beside those that it had.
+// Compares the illuminances of a plane with earlier ones.
 
 #include "report/document/document.h"
 #include "report/document/revision.h"
@@ -8,8 +8,8 @@
 
 namespace report {
 
-// Empty where both have the same values, or no points that could be compared one by one: another
-// grid, ratings and ratios, a plane that was not computed. place: of the plane.
+// Returns the changes. Empty if values are equal, or points cannot be compared: another grid,
+// ratings and ratios, a plane that was not computed. place: of the plane.
 std::optional<ChangedPlane> compare_values(const PlanePart& before, const PlanePart& after,
                                            const RevisionPlace& place);
 
