@@ -1,5 +1,5 @@
 #pragma once
-// What a report says of levels that would make a project pass: see check --advice.
+// Finds levels that would make a project pass, for reports: see check --advice.
 
 #include "report/advice/find_advice.h"
 #include "report/advice/kept_light.h"
@@ -13,20 +13,20 @@
 
 namespace cli {
 
-// A project as it was checked.
+// A checked project with its text.
 struct CheckedText {
   const std::string& file;   // its path
   const std::string& bytes;  // of it
   const report::ProjectPart& part;
 };
 
-// The same project with its light known to the tolerance everywhere, not only as far as verdicts
-// needed it, and that light. Empty: it could not be calculated.
+// Returns the same project with its light known to the tolerance everywhere, not only as far as
+// verdicts needed it, and that light. Empty: it could not be calculated.
 using CheckLight = std::function<std::optional<report::ProjectPart>(KeptLight& light)>;
 
-// One for each scene in which something that hangs on levels fails or is undecided, in the order of
-// the project; nothing is calculated where there is none.
-// check: with other random numbers.
+// Returns advice for each scene in which a requirement that depends on levels fails or is
+// undecided, in the order of the project; calculates nothing if there is none. check: with other
+// random numbers.
 std::vector<report::LevelAdvice> advised_levels(const CheckedText& project,
                                                 const AdviceSettings& settings,
                                                 const CheckLight& check_light,

@@ -1,6 +1,6 @@
 #pragma once
-// COIN-OR's solvers CLP and CBC, opened when they are needed: loading them with the program would
-// take every other command half as long again to start, and few machines need them.
+// Loads COIN-OR's solvers CLP and CBC when they are needed: otherwise every other command would
+// take half as long again to start, and few machines need them.
 
 #include <coin/Cbc_C_Interface.h>
 #include <coin/Clp_C_Interface.h>
@@ -9,7 +9,7 @@
 
 namespace cli {
 
-// Functions of their C interfaces by their own names.
+// Functions of their C interfaces under their own names.
 struct CoinLibrary {
 #define COIN_FUNCTIONS(FUNCTION)        \
   FUNCTION(Clp_newModel)                \
@@ -40,7 +40,7 @@ struct CoinLibrary {
   std::string problem;  // why they cannot be used, and what to install; "" = they can
 };
 
-// Opened by the first call, and never closed.
+// Opens the library at the first call, and never closes it.
 const CoinLibrary& coin_library();
 
 }  // namespace cli

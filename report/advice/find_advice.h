@@ -1,5 +1,5 @@
 #pragma once
-// Levels for every scene of a project that has been checked, from the light of its planes.
+// Finds levels for every scene of a checked project, from the light of its planes.
 
 #include "calc/scene/project.h"
 #include "report/advice/kept_light.h"
@@ -13,8 +13,8 @@
 
 namespace cli {
 
-// Of a plane's requirements that count and are judged from the light of its points alone, as a
-// check with this light would.
+// Returns findings for a plane's requirements that count and are judged only from the light of its
+// points, as a check with this light would.
 std::vector<rules::Finding> judged_by_light(const report::PlanePart& plane, const PlaneLight& light,
                                             const std::vector<calc::LightScene>& scenes,
                                             double confidence);
@@ -25,24 +25,24 @@ struct AdviceSettings {
   std::string scene;         // only this one; "" = all
   bool is_one_scene = false;
   std::function<bool()> is_stopped = [] { return false; };  // then what is returned says little
-  // What is to be least; watts give way to lumens where a power is not known. kilowatt_hour: every
-  // room that counts states its use.
+  // The cost to minimize; watts are replaced by lumens if a power is not known. kilowatt_hour:
+  // every room that counts states its use.
   CostUnit unit = CostUnit::watt;
-  // One of many: nobody asks why there are no levels, only whether there surely are none
-  // (`contradiction`).
+  // One trial of many: only whether there surely are no levels matters (`contradiction`), not why.
   bool is_trial = false;
 };
 
-// The changed project, checked with other random numbers. Empty: it could not be; `reason` says
-// why.
+// Checks the changed project with other random numbers. Empty: it could not be checked; `reason`
+// says why.
 using CheckLevels = std::function<std::optional<report::ProjectPart>(const SceneAdvice& advice,
                                                                      calc::Message& reason)>;
 
-// Likewise of the changed project's text.
+// Checks the text of a changed project in the same way.
 using CheckText =
     std::function<std::optional<report::ProjectPart>(const std::string& text, std::string& reason)>;
 
-// part: judged. A scene's requirements that are waived, or only advice, are left out.
+// Returns the advice. part: judged. A scene's requirements that are waived, or only advice, are
+// omitted.
 std::vector<SceneAdvice> find_advice(const report::ProjectPart& part, const LightOfPlanes& light,
                                      const AdviceSettings& settings, const CheckLevels& check);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Requirements of a judged project, one by one, wherever they are asked.
+// Single requirements of a judged project, with their places.
 
 #include "report/document/document.h"
 #include "rules/catalogue/finding.h"
@@ -10,28 +10,30 @@
 
 namespace cli {
 
-// Of a report::ProjectPart: of its spaces, of the planes of that one, of the findings of that one.
+// Indices into a report::ProjectPart: of its spaces, of that space's planes, of that plane's
+// findings.
 struct FindingPlace {
   std::size_t space = 0, plane = 0, finding = 0;
 };
 
 const rules::Finding& finding_at(const report::ProjectPart& part, const FindingPlace& where);
 
-// All that count, in the order of the part.
+// Returns all findings that count, in the order of the part.
 std::vector<FindingPlace> counted_findings(const report::ProjectPart& part);
 
-// "Office, Desk: average"
+// Returns "Office, Desk: average".
 std::string finding_words(const report::ProjectPart& part, const FindingPlace& where);
 
-// Values of points are judged anew from their light; what is of the space needs the project.
+// Returns whether it is about points, whose values can be judged again from their light; values of
+// the space need the project.
 bool is_of_points(const rules::Requirement& requirement);
 
-// Levels of dimming groups change it.
+// Returns whether levels of dimming groups change it.
 bool hangs_on_levels(const rules::Requirement& requirement);
-// Of points, and from the light of all luminaires together.
+// Returns whether it is about points and judged from the light of all luminaires together.
 bool is_judged_by_light(const rules::Requirement& requirement);
 
-// How many of those that count pass.
+// Counts requirements that count, and those that pass.
 struct PassCount {
   std::size_t passing = 0, asked = 0;
   void add(const rules::Finding& finding) {
@@ -40,14 +42,16 @@ struct PassCount {
   }
 };
 
-// Of all scenes and rooms.
+// Counts over all scenes and rooms.
 PassCount count_all(const report::ProjectPart& part);
 
-// What counts and does not pass: "Office, Desk: average (fail)"; then aggregates and classes.
+// Returns requirements that count and do not pass: "Office, Desk: average (fail)"; then aggregates
+// and classes.
 std::vector<std::string> not_met_findings(const report::ProjectPart& part);
 
-// What counts, passed before and does not pass after, in whatever scene: "Office, Desk: average
-// (fail)"; then aggregates and classes of rule packs. Both are of the same requirements.
+// Returns requirements that count, passed before and do not pass after, in any scene: "Office,
+// Desk: average (fail)"; then aggregates and classes of rule packs. Both parts have the same
+// requirements.
 std::vector<std::string> broken_findings(const report::ProjectPart& before,
                                          const report::ProjectPart& after);
 

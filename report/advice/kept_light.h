@@ -1,5 +1,5 @@
 #pragma once
-// What is known of the light of planes beyond what a document has.
+// The light of planes, in more detail than a document has.
 
 #include "calc/base/field.h"
 #include "calc/radiosity/looks/solve.h"
@@ -19,7 +19,7 @@ struct PlaneLight {
 };
 using LightOfPlanes = std::map<std::string, PlaneLight>;  // by plane id
 
-// Of a project that is being checked; spaces may come at the same time.
+// Keeps the light of a project during its check; spaces may come at the same time.
 class KeptLight {
  public:
   void keep(const std::vector<calc::PlaneTask>& tasks, const calc::SpaceSolution& solution) {
@@ -28,7 +28,7 @@ class KeptLight {
       planes_.insert_or_assign(tasks[i].plane_id, PlaneLight{*tasks[i].grid, solution.fields[i]});
     }
   }
-  // Once the project is done.
+  // Returns the light, once the project is done.
   const LightOfPlanes& planes() const { return planes_; }
 
  private:

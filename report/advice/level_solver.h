@@ -1,5 +1,5 @@
 #pragma once
-// The least costly dimming levels that meet linear conditions.
+// Finds the least costly dimming levels that meet linear conditions.
 
 #include "rules/measure/level_conditions.h"
 
@@ -30,26 +30,26 @@ struct Levels {
   std::vector<double> level;  // [group]
   double cost = 0.0;
   double least_cost = 0.0;  // no levels that meet the conditions cost less
-  // Of levels of any size, whatever the steps: what holds the least cost up. Dual values of the
-  // linear program; where several conditions say the same, of one of them.
+  // The conditions that determine the least cost, for levels of any size, whatever the steps. Dual
+  // values of the linear program; if several conditions are equal, of one of them.
   std::vector<ConditionPrice> price;
 };
 
-// What levels break: asked again and again, as of all conditions only few matter. The worst of
-// them is enough. Empty: all are met.
+// Returns conditions that levels break. It is called repeatedly, because only few of all conditions
+// matter; the worst condition is enough. Empty: all are met.
 using BrokenConditions =
     std::function<std::vector<rules::LevelCondition>(const std::vector<double>& level)>;
 
-// The same input gives the same levels: nothing hangs on time, nor on other threads that ask.
-// solver_problem() is "".
+// The answer. The same input gives the same levels: they depend neither on time nor on other
+// threads. Requires that solver_problem() is "".
 struct LevelAnswer {
   std::optional<Levels> levels;
-  // Without levels: there are none. False: the search ended before it knew.
+  // Without levels: true if there are none. False: the search ended before it knew.
   bool is_proven_none = false;
 };
 LevelAnswer least_levels(const LevelProblem& problem, const BrokenConditions& broken);
 
-// Why no levels can be looked for here, and what to install; "" = they can.
+// Returns why no levels can be searched here, and what to install; "" = they can.
 std::string solver_problem();
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 #pragma once
-// What was found for one light scene: plain data.
+// The advice for a light scene: plain data.
 
 #include "calc/base/message.h"
 #include "report/advice/findings.h"
@@ -24,16 +24,17 @@ struct AdvisedRequirement {
   FindingPlace where;
   std::string space, plane;  // as reports title them
   rules::Finding before, after;
-  // Why it is no condition on the sum of groups: it took no part in the search, and was checked
-  // all the same. "" = it took part.
+  // Why it is no condition on the sum of groups: the search did not use it, but it was checked. ""
+  // = the search used it.
   calc::Message not_searched;
 };
 
-// What holds the least cost up.
+// A limit that determines the least cost.
 struct AdvisedLimit {
   std::size_t requirement = 0;    // of SceneAdvice::requirements
   double cost_per_percent = 0.0;  // how much a limit would save that is looser by one percent
-  // Where, and what gives the light there: the worst point, or empty, the average of the plane.
+  // The place and the sources of the light there: the worst point, or empty: the average of the
+  // plane.
   std::optional<glm::dvec3> place_m;
   std::vector<double> lx;  // each group with its level, last the light that no level changes
 };
@@ -43,20 +44,19 @@ struct SceneAdvice {
   AdviceOutcome outcome = AdviceOutcome::none_found;
   calc::Message reason;  // of none_found, in words
   CostUnit unit = CostUnit::watt;
-  // With the levels now, with those advised, and what no levels undercut.
+  // Costs: at the current levels, at the advised levels, and a lower bound for all levels.
   double now = 0.0, advised = 0.0, least = 0.0;
   std::vector<AdvisedGroup> groups;
-  // Groups of rooms in which nothing is asked of this scene: they stay as they are, and are in no
-  // sum.
+  // Groups of rooms without requirements in this scene: they stay unchanged, and are in no sum.
   std::vector<std::string> left_alone;
-  // All that count in this scene; `after` is of the check of the changed project, of more_light
-  // by the same light. Without levels `after` says nothing.
+  // All requirements that count in this scene; `after` is from the check of the changed project,
+  // for more_light from the same light. Without levels `after` has no meaning.
   std::vector<AdvisedRequirement> requirements;
   std::vector<std::size_t> contradicting;  // of them: without any one of these there are levels
-  // Of them: what takes no part in the search and would not be met with the least power, so that
-  // the levels are higher.
+  // Indices of requirements that the search did not use and that would not be met at the least
+  // power, so that the levels are higher.
   std::vector<std::size_t> raised_for;
-  // Of the least levels of any size, dearest first; empty where the levels are not the least ones.
+  // For the least levels of any size, dearest first; empty if the levels are not the least ones.
   std::vector<AdvisedLimit> limits;
   // Aggregates, classes and sums of rule packs that count and do not pass in the changed project:
   // "LEED v4.1 ... (fail)".
@@ -65,7 +65,7 @@ struct SceneAdvice {
   bool has_levels() const {
     return outcome == AdviceOutcome::levels || outcome == AdviceOutcome::more_light;
   }
-  // Every requirement of the scene, and what rule packs make of all together.
+  // Returns whether every requirement of the scene is met, and the aggregates of rule packs, too.
   bool is_all_met() const {
     if (!aggregates_not_met.empty()) return false;
     for (const AdvisedRequirement& one : requirements) {

@@ -1,5 +1,5 @@
 #pragma once
-// libgit2's objects as C++ ones: for this folder only.
+// libgit2's objects as C++ objects: only for this folder.
 
 #include <git2.h>
 
@@ -24,7 +24,7 @@ using TreeEntry = std::unique_ptr<git_tree_entry, Freeing<git_tree_entry, git_tr
 using Diff = std::unique_ptr<git_diff, Freeing<git_diff, git_diff_free>>;
 using Index = std::unique_ptr<git_index, Freeing<git_index, git_index_free>>;
 
-// Lives longer than all of the above.
+// Initialises libgit2; must outlive all of the above.
 class Library {
  public:
   Library();
@@ -33,7 +33,7 @@ class Library {
   Library& operator=(const Library&) = delete;
 };
 
-// What libgit2 said last, as a clause in brackets with a blank before it; "" = nothing.
+// Returns libgit2's last message, as a clause in brackets with a blank before it; "" = none.
 std::string said();
 
 std::string hex_of(const git_oid& id);

@@ -4,8 +4,8 @@
 
 namespace git {
 
-// Where the repository is, if not around the files: as git's variables of these names. "" = not
-// set.
+// The place of the repository, if it is not around the files: as in git's variables of these names.
+// "" = not set.
 struct GitPlaces {
   std::string git_dir;
   std::string work_tree;  // only with git_dir; "" = the repository's own, or the current folder

@@ -1,6 +1,6 @@
 #pragma once
-// Files as they were in a git revision, from the objects of the repository. Neither the work tree
-// nor the index is touched, no program is started and nothing is fetched.
+// Reads files as they were in a git revision, from the objects of the repository. Neither the work
+// tree nor the index is touched, no program is started and nothing is fetched.
 
 #include "calc/base/file_reader.h"
 #include "report/git/git_places.h"
@@ -14,21 +14,21 @@
 
 namespace git {
 
-// One repository at one commit. What is read are the bytes that a checkout would write, line ends
-// included; of Git LFS the contents, if they are in the repository's LFS objects. Symbolic links
-// are followed inside the repository only. What lies in a submodule is an error, as is what a
-// checkout would have other programs write, and a file over 512 MiB. Not thread-safe.
+// One repository at one commit. Files have the bytes that a checkout would write, line ends
+// included; files of Git LFS have their contents, if they are in the repository's LFS objects.
+// Symbolic links are followed inside the repository only. Files in a submodule, files that a
+// checkout would have other programs write, and files over 512 MiB are errors. Not thread-safe.
 class GitTreeReader : public calc::FileReader {
  public:
-  // Of the repository in whose work tree `file` lies, which need not exist; of linked work trees
-  // and submodules their own. revision: as git names a commit: branch, tag, id, HEAD~1; or
-  // "main...", the commit at which HEAD has left main. Null, and `problem` says why in words that
-  // tell what is allowed. In a submodule it is the commit that the revision of the repository
-  // around it names, for its own branches do not tell what it was then; where it was not there yet,
-  // the repository around it.
+  // Opens the repository in whose work tree `file` is; the file need not exist; linked work trees
+  // and submodules have their own. revision: a commit as git names it: branch, tag, id, HEAD~1; or
+  // "main...", the commit at which HEAD left main. Null, and `problem` says why and what is
+  // allowed. In a submodule it is the commit to which the same revision of the surrounding
+  // repository refers, because its own branches do not tell its earlier state; if it did not exist
+  // then, the surrounding repository.
   static std::unique_ptr<GitTreeReader> open(const std::string& file, const std::string& revision,
                                              const GitPlaces& places, std::string& problem);
-  // The same without a look at the repository around it.
+  // Opens the repository without the surrounding repository.
   static std::unique_ptr<GitTreeReader> open_alone(const std::string& file,
                                                    const std::string& revision,
                                                    const GitPlaces& places, std::string& problem);
@@ -36,46 +36,46 @@ class GitTreeReader : public calc::FileReader {
   GitTreeReader(const GitTreeReader&) = delete;
   GitTreeReader& operator=(const GitTreeReader&) = delete;
 
-  // Paths are those of the work tree, relative to the current folder or absolute. Any number of
-  // threads may read at once, while nothing else is asked. Links never leave the repository: all of
-  // it may be read, whatever the folder.
+  // Reads a file. Paths are those of the work tree, relative to the current folder or absolute. Any
+  // number of threads may read at once, while no other function is called. Links never leave the
+  // repository: all of it may be read, whatever the folder.
   calc::FileContent read_within(const std::string& folder, const std::string& path) const override;
-  // Whether there is something of this name, of any kind.
+  // Returns whether there is an entry of this name, of any kind.
   bool has(const std::string& path) const;
-  // Whether there is a file of this name that can be had.
+  // Returns whether there is a file of this name that can be read.
   bool has_file(const std::string& path) const;
-  // What a folder holds, names alone, in order; empty where there is no such folder.
+  // Returns the names in a folder, in order; empty if there is no such folder.
   std::vector<std::string> names_in(const std::string& folder) const;
-  // Files of a folder and below whose names are wanted, as paths from `root`, in order. Folders
-  // whose names are not wanted are not looked into. Empty: the folder has more than kMostListed
-  // files and folders, which a few bytes of a repository can say, or some that are not at hand.
+  // Returns files of a folder and below with wanted names, as paths from `root`, in order. Folders
+  // with other names are skipped. Empty: the folder has more than kMostListed files and folders,
+  // which a few bytes of a repository can claim, or some are not available.
   static constexpr std::size_t kMostListed = 1'000'000;
   using Wanted = std::function<bool(const std::string& name)>;
   std::optional<std::vector<std::string>> files_in(const std::string& folder,
                                                    const Wanted& is_file_wanted,
                                                    const Wanted& is_folder_wanted) const;
-  // It is what HEAD names, and nothing is staged for the next commit, as far as that can be told:
-  // of an index that cannot be read nothing is.
+  // Returns whether it is HEAD and nothing is staged for the next commit; an unreadable index
+  // counts as nothing staged.
   bool is_unchanged_head() const;
 
-  // Of submodules: the commit of theirs that this revision names, in hexadecimal; "" where there
-  // was none at that path.
+  // Returns the commit of a submodule in this revision, in hexadecimal; "" if there was none at
+  // that path.
   std::string submodule_commit(const std::string& path) const;
-  // Paths of all submodules in a folder and below, from the folder `root`.
-  // Empty as of files_in().
+  // Returns paths of all submodules in a folder and below, from the folder `root`. Empty as for
+  // files_in().
   std::optional<std::vector<std::string>> submodules_in(const std::string& folder) const;
-  // The same of the next commit, as it is staged.
+  // Returns the same for the next commit, as it is staged.
   std::string staged_submodule_commit(const std::string& path) const;
 
-  // From the root of the repository; empty: outside of its work tree.
+  // Returns the path from the root of the repository; empty: outside of its work tree.
   std::optional<std::string> path_in_repository(const std::string& path) const;
-  // The folder of the work tree, absolute, without a '/' at its end.
+  // Returns the folder of the work tree, absolute, without a '/' at its end.
   const std::string& root() const;
-  // Its full id, in hexadecimal.
+  // Returns its full id, in hexadecimal.
   const std::string& commit() const;
 
-  // How often something could not be read that the revision has: it is not among the objects at
-  // hand, or luxgate cannot follow to where it is.
+  // Returns how often an entry of the revision could not be read: it is not among the available
+  // objects, or luxgate cannot follow to it.
   std::size_t failures() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Git LFS: what git holds of a large file is a pointer to contents that lie beside git's objects.
+// Git LFS: for a large file git has a pointer to contents that are stored beside git's objects.
 
 #include "calc/base/file_reader.h"
 
@@ -15,13 +15,13 @@ struct LfsPointer {
   std::uint64_t size_bytes = 0;
 };
 
-// Whether it says of itself that it is a pointer.
+// Returns whether the bytes claim to be a pointer.
 bool is_lfs_pointer(std::string_view bytes);
-// Empty where it is none, or a broken one.
+// Returns the pointer; empty if it is none, or broken.
 std::optional<LfsPointer> parse_lfs_pointer(std::string_view bytes);
 
-// The contents, from <storage>/objects/ab/cd/...: only those whose size and hash are the pointer's;
-// else an error that says what to do. commit: in which the pointer is.
+// Returns the contents, from <storage>/objects/ab/cd/..., if their size and hash are the pointer's;
+// else an error that says what to do. commit: contains the pointer.
 calc::FileContent read_lfs_object(const LfsPointer& pointer, const std::string& storage,
                                   const std::string& commit);
 

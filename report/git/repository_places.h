@@ -1,5 +1,5 @@
 #pragma once
-// Where a repository's files lie, for who must name them beforehand.
+// The places of a repository's files, for callers that must name them beforehand.
 
 #include "report/git/git_places.h"
 
@@ -8,8 +8,9 @@
 
 namespace git {
 
-// Files and folders that are read of the repository in which `file` lies: its own ones, those of
-// repositories that lend it objects, Git LFS, and git's settings. Its work tree is not among them.
+// Returns the files and folders that are read from the repository in which `file` is: its own
+// files, those of repositories whose objects it borrows, Git LFS, and git's settings. Its work tree
+// is not among them.
 std::vector<std::string> repository_places(const std::string& file, const GitPlaces& places);
 
 }  // namespace git

@@ -1,5 +1,5 @@
 #pragma once
-// Lines, areas and words with smooth edges, drawn into a picture made of pixels.
+// Draws lines, areas and words with smooth edges into a picture made of pixels.
 
 #include "report/images/heatmap.h"
 
@@ -13,22 +13,22 @@ namespace report {
 
 enum class TextAnchor { start, middle, end };
 
-// An opaque picture. Places are in its pixels, x to the right, y downwards; what is outside is left
-// out.
+// An opaque picture. Places are in its pixels, x to the right, y downwards; parts outside are not
+// drawn.
 class Canvas {
  public:
-  // White.
+  // Makes a white picture.
   Canvas(int width, int height);
-  // Over white, with its upper left corner there.
+  // Draws a picture over white, with its upper left corner at this place.
   void put(const Raster& picture, int left, int top);
   void fill(int left, int top, int width, int height, Rgb colour);
 
-  // A straight piece of a line, round ends; painted with the rest of the line by paint().
+  // Adds a straight piece of a line with round ends; paint() paints the whole line.
   void cover(const glm::dvec2& a, const glm::dvec2& b, double width);
   void paint(Rgb colour);
-  // corners: of one line, painted at once.
+  // Draws a line at once. corners: of the line.
   void line(std::span<const glm::dvec2> corners, double width, Rgb colour);
-  // at: on the base line.
+  // Writes a text. at: on the base line.
   void write(std::string_view utf8, const glm::dvec2& at, double size_px, TextAnchor anchor,
              Rgb colour);
 

@@ -15,20 +15,21 @@ struct Rgb {
   std::uint8_t r = 0, g = 0, b = 0;
 };
 
-// The map cividis at t in [0, 1] (t is limited to it): dark blue to yellow, lightness rises evenly,
-// made for all common forms of colour-vision deficiency and for grey print. [Nunez18; ten
-// anchors, linear between them]
+// Returns the colour of the map cividis at t, limited to [0, 1]: dark blue to yellow, lightness
+// rises evenly, made for all common forms of colour-vision deficiency and for grey print. [Nunez18;
+// ten anchors, linear between them]
 Rgb cividis(double t);
-// Blue, cyan, green, yellow, red, magenta, evenly spaced and linear between them, t as above. Its
-// lightness rises and falls: neither grey print nor every reader can tell its colours apart.
+// Returns blue, cyan, green, yellow, red, magenta, evenly spaced and linear between them, t as
+// above. Its lightness rises and falls: in grey print, and for some readers, colours cannot be told
+// apart.
 Rgb false_colour(double t);
 std::string hex_colour(Rgb colour);  // "#00204d"
-// Whether black text reads better than white on this colour (relative luminance, WCAG 2.2). The
-// better of the two has a contrast of at least 4.58 on any colour.
+// Returns whether black text reads better than white on this colour (relative luminance, WCAG 2.2).
+// The better of the two has a contrast of at least 4.58 on any colour.
 bool needs_dark_text(Rgb colour);
 
-// Bands, each a colour: band i covers [border(i), border(i + 1)), in the unit of what is drawn.
-// They are of equal width with round limits, or classes, which get wider upwards.
+// Bands of colours: band i covers [border(i), border(i + 1)), in the unit of the values. They are
+// of equal width with round limits, or classes, which get wider upwards.
 struct ColourScale {
   double low = 0.0;
   double step = 1.0;                 // 1, 2 or 5 times a power of ten; not of classes
@@ -44,22 +45,22 @@ struct ColourScale {
   double high() const { return border(bands); }
 };
 
-// Covers [lowest, highest], both finite; a nearly even field still gets steps of at least 1 %
-// of its value, so that noise is not painted as structure.
+// Returns a scale over [lowest, highest], both finite; a nearly even field still gets steps of at
+// least 1 % of its value, so that noise does not look like structure.
 ColourScale make_colour_scale(double lowest, double highest);
-// Classes by the series 1, 1.5, 2, 3, 5, 7.5, 10 that standards step illuminances by, so that a
-// corridor and a task area both show how their light falls off (scale of illuminance in EN
-// 12464-1). They cover [lowest, highest], 0 <= lowest <= highest > 0, both finite; the first one
-// begins at 0 where lowest is below 0.01, or more than 12 would be needed. fine: with 1.2, 2.5, 4
-// and 6 as well.
+// Classes by the series 1, 1.5, 2, 3, 5, 7.5, 10, in which standards step illuminances, so that a
+// corridor and a task area both show how their light decreases (scale of illuminance in EN
+// 12464-1). They cover [lowest, highest], 0 <= lowest <= highest > 0, both finite; the first begins
+// at 0 if lowest is below 0.01, or more than 12 would be needed. fine: with 1.2, 2.5, 4 and 6 as
+// well.
 enum class ClassSeries { of_standards, fine };
 ColourScale make_class_scale(double lowest, double highest,
                              ClassSeries series = ClassSeries::of_standards);
-// Index of the band of a value; values outside go to the first or last band.
+// Returns the index of the band of a value; values outside go to the first or last band.
 int band_of(const ColourScale& scale, double value);
 Rgb band_colour(const ColourScale& scale, int band);
 
-// The scale of a computed plane: its points, without limits of requirements.
+// Returns the scale of a computed plane: its points, without limits of requirements.
 ColourScale scale_of(const PlanePart& plane, ColourMap map = ColourMap::cividis);
 
 // 8-bit RGBA, top row first. Row order: the top row is the one with the largest v, as in a plan.
@@ -68,17 +69,19 @@ struct Raster {
   std::vector<std::uint8_t> rgba;
 };
 
-// False for point lists and for planes without points: they have no cells and so no heat map.
+// Returns false for point lists and for planes without points: they have no cells and so no heat
+// map.
 bool has_cells(const PlanePart& plane);
 
-// An observer without any glare source has no rating, and a drawing no colour for that.
+// Returns false if an observer has no glare source: there is then no rating, and no colour for it.
 bool has_all_values(const PlanePart& plane);
 
-// One square of pixels_per_cell >= 1 per cell; cells without a point are transparent. Needs
+// Returns one square of pixels_per_cell >= 1 per cell; cells without a point are transparent. Needs
 // has_cells().
 Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels_per_cell);
 
-// Pixels per cell that give a picture of about `wanted` pixels on its longer side, at least 1.
+// Returns the pixels per cell for a picture of about `wanted` pixels on its longer side, at least
+// 1.
 int pixels_per_cell(const PlanePart& plane, int wanted);
 
 }  // namespace report

@@ -1,5 +1,5 @@
 #pragma once
-// PNG bytes (the only file that includes libpng is png.cpp).
+// Writes PNG bytes (only png.cpp includes libpng).
 
 #include "report/images/heatmap.h"
 
@@ -7,14 +7,13 @@
 
 namespace report {
 
-// An RGBA picture as a PNG file in memory; same raster, same bytes. Throws std::runtime_error when
-// libpng refuses (an empty raster, no memory).
+// Returns an RGBA picture as a PNG file in memory; same raster, same bytes. Throws
+// std::runtime_error when libpng refuses (an empty raster, no memory).
 std::string encode_png(const Raster& raster);
 
-// The heat map of one plane, about 1024 pixels on its longer side, cells without a point white,
-// with its legend below: a raster for slides and page layouts; limits and lines are in the HTML
-// report and the SVG file. Needs has_cells().
-// title: of the plane; note: of the scale.
+// Returns the heat map of a plane, about 1024 pixels on its longer side, cells without a point
+// white, with its legend below: a raster for slides and page layouts; limits and lines are in the
+// HTML report and the SVG file. Needs has_cells(). title: of the plane; note: of the scale.
 std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale,
                                const std::string& title = {}, const std::string& note = {});
 

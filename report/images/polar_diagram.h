@@ -12,7 +12,7 @@ struct PolarPoint {
   double x = 0.0, y = 0.0;  // pixels, y downwards
 };
 
-// What a line or a text is for; renderers choose its colour.
+// The purpose of a line or a text; renderers choose its colour.
 enum class PolarRole { grid, frame, c0_c180, c90_c270, text, faint_text };
 
 struct PolarLine {
@@ -38,20 +38,20 @@ struct PolarDrawing {
   std::vector<PolarLabel> labels;
 };
 
-// Nadir down; C0 and C90 to the right, C180 and C270 to the left; C0-C180 solid, C90-C270 dashed;
-// rings at round values of cd. A half without light (below 1 % of the maximum) is left out. title:
-// UTF-8, made safe here.
+// Draws the diagram: nadir down; C0 and C90 to the right, C180 and C270 to the left; C0-C180 solid,
+// C90-C270 dashed; rings at round values of cd. A half without light (below 1 % of the maximum) is
+// omitted. title: UTF-8, made safe here.
 PolarDrawing draw_polar_diagram(const calc::PhotometricWeb& web, const std::string& title);
 
-// One file without anything to load; follows the reader's light or dark colour scheme.
+// Returns a self-contained file, which follows the reader's light or dark colour scheme.
 std::string render_polar_svg(const PolarDrawing& drawing);
 
-// Dark lines on white, twice the drawing's size, without the strip of the title (file names say
-// it). Throws std::runtime_error as encode_png() does.
+// Returns dark lines on white, twice the drawing's size, without the strip of the title (file names
+// have it). Throws std::runtime_error as encode_png() does.
 std::string render_polar_png(const PolarDrawing& drawing);
 
-// The distance of rings that gives three to six of them up to a highest value > 0: 1, 2 or 5 times
-// a power of ten.
+// Returns the distance of rings that gives three to six of them up to a highest value > 0: 1, 2 or
+// 5 times a power of ten.
 double polar_ring_step(double highest);
 
 }  // namespace report

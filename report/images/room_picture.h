@@ -1,5 +1,5 @@
 #pragma once
-// False colours of what a rasteriser drew of a room, and what stands around pictures.
+// False colours of a rasterised room, and the frame around pictures.
 
 #include "report/images/heatmap.h"
 
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Rows from the top, kOversampling times as wide and high as the picture that is made of it.
+// Rows from the top, kOversampling times as wide and high as the final picture.
 struct DrawnRoom {
   int width = 0, height = 0;        // multiples of kOversampling
   std::vector<float> lx;            // of the surface seen, < 0 = none
@@ -20,24 +20,24 @@ struct DrawnRoom {
 };
 inline constexpr int kOversampling = 2;
 
-// Colours of equal steps of a value from 0; what is beyond takes the last.
+// Colours of equal steps of a value from 0; larger values have the last colour.
 struct Palette {
   std::vector<Rgb> colour;  // at least one
   float step = 1.0F;
 };
 Palette band_palette(const ColourScale& scale);  // low = 0
 
-// Paints values and puts the cover over them; transparent where there is neither.
+// Paints values and puts the cover over them; transparent if there is neither.
 Raster paint_room(const DrawnRoom& drawn, const Palette& palette);
 
-// The mean of what is seen in each pixel, < 0 where there is nothing.
+// Returns the mean of the visible values in each pixel, < 0 if there are none.
 std::vector<float> mean_values(const DrawnRoom& drawn);
 
-// From 0 to what all but the brightest few of the pixels have: a place close to a luminaire must
-// not squeeze the colours of the room.
+// Returns a scale from 0 to the value that only a few brightest pixels exceed: a place close to a
+// luminaire must not compress the colours of the room.
 ColourScale room_scale(std::span<const DrawnRoom> rooms);
 
-// What stands around a picture and on it. Words that have no room are cut.
+// Words around a picture and on it. Words that do not fit are cut.
 struct PictureFrame {
   std::string title = {};                              // above; "" = none
   std::string note = {};                               // below; "" = none
@@ -45,9 +45,9 @@ struct PictureFrame {
   std::vector<std::vector<glm::dvec2>> outlines = {};  // closed lines, in the picture's pixels
 };
 
-// On white, with a colour bar below.
+// Returns the picture on white, with a colour bar below.
 Raster with_legend(const Raster& picture, const ColourScale& scale, const PictureFrame& frame = {});
-// The same without a colour bar.
+// Returns the picture without a colour bar.
 Raster with_frame(const Raster& picture, const PictureFrame& frame);
 
 }  // namespace report

@@ -8,13 +8,15 @@
 
 namespace report {
 
-// The logarithmic average of luminances, cd/m2; values below 0 are nothing and left out. What is
-// darker than 0.001 counts as that: a black corner must not decide. 0 of none.
+// Returns the logarithmic average of luminances, cd/m2, without values below 0, which mean no
+// surface. Values below 0.001 count as 0.001, so that a black corner does not dominate. 0 if there
+// are none.
 double log_average(std::span<const float> cd_m2);
 
-// average: of the picture, cd/m2. It becomes a middle grey, sixteen times as much white.
+// Returns the shade. average: of the picture, cd/m2; it becomes a middle grey, sixteen times as
+// much white.
 Rgb toned(double cd_m2, double average);
-// The same for paint_room(), in steps that are too small to be seen.
+// Returns the shades for paint_room(), in steps that are too small to be seen.
 Palette tone_palette(double average);
 
 }  // namespace report
