@@ -1,5 +1,5 @@
 #pragma once
-// What plans show of a room beside its planes: luminaires and furniture as seen from above.
+// Marks of a room in plans, beside its planes: luminaires and furniture seen from above.
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
@@ -7,11 +7,12 @@
 
 namespace report {
 
-// Fills part.luminaires and part.bodies; scene is the prepared space. Of a body the outline of its
-// faces that look up is kept, or all its edges where there are none (a screen), and the convex hull
-// instead of more than kMostBodyLines lines. Surfaces of the room itself are left out, and bodies
-// beyond kMostBodies are only counted (part.bodies_left_out). Of a room from a file, which has
-// nothing but surfaces, part.surface_lines_m, see surface_lines.h: the longest kMostSurfaceLines.
+// Fills part.luminaires and part.bodies; scene is the prepared space. A body keeps the outline of
+// its faces that look up, or all its edges if there are none (a screen), and the convex hull
+// instead of more than kMostBodyLines lines. Surfaces of the room itself are omitted, and bodies
+// beyond kMostBodies are only counted (part.bodies_left_out). For a room from a file, which has
+// only surfaces, also fills part.surface_lines_m, see surface_lines.h: the longest
+// kMostSurfaceLines.
 void add_plan_marks(const calc::Project& project, const calc::Space& space,
                     const calc::PreparedScene& scene, SpacePart& part);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A street for reports: what the project says of it, and what its drivers see.
+// Builds a street for reports: the project's data, and the values for its drivers.
 
 #include "calc/scene/project.h"
 #include "report/document/document.h"
@@ -9,8 +9,8 @@
 
 namespace report {
 
-// Nothing: the space is no road. planes: of the space, judged; the light is that which the first
-// requirement on luminance or glare of drivers asks for, else full output.
+// Returns the street; empty: the space is no road. planes: of the space, judged; the light is that
+// of the first requirement on luminance or glare of drivers, else full output.
 std::optional<RoadPart> build_road(const calc::Project& project, const calc::Space& space,
                                    const std::vector<PlanePart>& planes);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Lines that show a room that is known by its surfaces alone.
+// Lines for plans of a room that only has surfaces.
 
 #include "calc/scene/project.h"
 
@@ -13,11 +13,11 @@ struct SurfaceLine {
   glm::dvec3 from_m, to_m;  // world
 };
 
-// Where surfaces of the bodies bend by more than 26 degrees, or end: sides of triangles that no
-// other one shares, or one that looks elsewhere; straight runs of them are one line. Neighbours are
-// known by the places of their corners, also those of another body, since files repeat vertices.
-// Housings of luminaires are left out. In the order of their ends: x, then y, then z; the same for
-// any order of bodies, triangles and vertices.
+// Returns lines where surfaces of the bodies bend by more than 26 degrees, or end: sides of
+// triangles without a neighbour, or with one in another direction; straight runs of them are one
+// line. Neighbours are found by the places of their corners, also across bodies, because files
+// repeat vertices. Housings of luminaires are omitted. In the order of their ends: x, then y, then
+// z; the same for any order of bodies, triangles and vertices.
 std::vector<SurfaceLine> surface_lines(const std::vector<calc::Body>& bodies);
 
 }  // namespace report

@@ -1,6 +1,6 @@
 #pragma once
-// How every format is rendered: project by project, so that none must be kept until the last one
-// is there.
+// The interface of all formats: they render project by project, so that no project must be kept
+// until the last one.
 
 #include "report/document/document.h"
 #include "report/stream/sink.h"
@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Made for one document; its frame outlives the writer.
+// Writes one document, whose frame must outlive the writer.
 class FormatWriter {
  public:
   FormatWriter() = default;
@@ -20,17 +20,17 @@ class FormatWriter {
   FormatWriter& operator=(const FormatWriter&) = delete;
   virtual ~FormatWriter() = default;
 
-  // In the document's order. The project may be forgotten afterwards, unless the frame has a
-  // revised document: then it is one of that. Throws WriteFailure.
+  // Adds a project, in the document's order. It may be dropped afterwards, unless the frame has a
+  // revised document, to which it then belongs. Throws WriteFailure.
   virtual void add(const ProjectPart& project) = 0;
-  // Once, after the last project. Throws WriteFailure.
+  // Ends the document, once, after the last project. Throws WriteFailure.
   virtual void finish(const DocumentEnd& end, Sink& sink) = 0;
 };
 
 using MakeFormatWriter =
     std::function<std::unique_ptr<FormatWriter>(const DocumentFrame&, const SpillPlace&)>;
 
-// Of a document that is there as a whole, in memory.
+// Returns a whole document, rendered in memory.
 std::string render_whole(const Document& document, const MakeFormatWriter& make);
 
 }  // namespace report

@@ -9,14 +9,14 @@
 
 namespace report {
 
-// As json_layout() would have it. All members throw WriteFailure.
+// Writes a list as json_layout() would. All members throw WriteFailure.
 class JsonList {
  public:
-  // depth: how many lists and objects it stands in.
+  // depth: number of lists and objects around it.
   JsonList(const SpillPlace& place, std::size_t depth) : items_(place), depth_(depth) {}
 
   void add(const nlohmann::ordered_json& item);  // an object
-  // more: its items are behind the others; of the same depth.
+  // Copies the list. more: a list of the same depth whose items follow.
   void copy_to(Sink& sink, const JsonList* more = nullptr) const;
 
  private:

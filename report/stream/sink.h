@@ -1,5 +1,5 @@
 #pragma once
-// Where the bytes of a format go, piece by piece.
+// Receives the bytes of a format, piece by piece.
 
 #include <stdexcept>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace report {
 
-// They could not be written or kept; what(): why, "No space left on device".
+// Thrown if bytes could not be written or kept; what(): the reason, "No space left on device".
 class WriteFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,10 +29,10 @@ class TextSink : public Sink {
   std::string text;
 };
 
-// Throws WriteFailure where so many bytes are more than are allowed.
+// Throws WriteFailure if there are more bytes than allowed.
 void fail_beyond(double bytes, double most_bytes);
 
-// Passes on so many bytes, and throws WriteFailure at the first one beyond.
+// Passes on this many bytes, and throws WriteFailure at the first byte beyond.
 class LimitedSink : public Sink {
  public:
   LimitedSink(Sink& sink, double most_bytes) : sink_(sink), most_bytes_(most_bytes) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Text that must stand later in a file than something that is not known yet, however much it is.
+// Holds text of any size that follows a part of a file that is not known yet.
 
 #include "report/stream/sink.h"
 
@@ -13,17 +13,17 @@
 
 namespace report {
 
-// Temporary files without a name that were opened beforehand, for who may not open any later. Of
-// one thread at a time.
+// Unnamed temporary files that were opened beforehand, for processes that cannot open any later.
+// For one thread at a time.
 class SpillFiles {
  public:
-  // Fewer, or none, where the folder does not allow it.
+  // Opens fewer files, or none, if the folder does not allow it.
   SpillFiles(const std::string& folder, std::size_t count);
   SpillFiles(const SpillFiles&) = delete;
   SpillFiles& operator=(const SpillFiles&) = delete;
   ~SpillFiles();
 
-  // An empty one, or -1: none is left.
+  // Returns an empty file, or -1: none is left.
   int take();
   void give_back(int descriptor);
 
@@ -31,12 +31,12 @@ class SpillFiles {
   std::vector<int> descriptors_;
 };
 
-// Where spills lie once they are too large for the memory.
+// The place of spills that are too large for the memory.
 struct SpillPlace {
   std::string folder;  // that of the file to be written has room for it, or else for nothing
   std::size_t most_in_memory = std::size_t{1} << 20;
   double most_bytes = std::numeric_limits<double>::infinity();  // see LimitedSink
-  // If there are any, in place of the folder; where they do not suffice memory must do.
+  // Files to use instead of the folder, if set; if there are too few, memory is used.
   std::shared_ptr<SpillFiles> files = nullptr;
 
   static SpillPlace memory() {
@@ -44,8 +44,8 @@ struct SpillPlace {
   }
 };
 
-// A little of it is kept in memory, all that goes beyond in a temporary file. It has no name, so
-// that nothing stays behind, even if the process is killed. All members throw WriteFailure.
+// Keeps a little in memory, and the rest in a temporary file without a name, so that nothing
+// remains even if the process is killed. All members throw WriteFailure.
 class Spill {
  public:
   explicit Spill(const SpillPlace& place) : place_(place) {}
@@ -56,10 +56,10 @@ class Spill {
   void write(std::string_view bytes);
   std::uint64_t size() const { return in_file_ + memory_.size(); }
   bool is_empty() const { return size() == 0; }
-  // Of what was written; begin + count <= size().
+  // Returns a part of the text; begin + count <= size().
   std::string read(std::uint64_t begin, std::size_t count) const;
   void copy_to(Sink& sink) const;
-  // Forgets it all, and gives back what it took.
+  // Removes all text, and frees its memory and disk space.
   void clear();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Texts that wait in a spill, one behind the other.
+// Texts in a spill, one behind the other.
 
 #include "report/stream/spill.h"
 
@@ -10,7 +10,7 @@
 
 namespace report {
 
-// Each behind its length, so that it may hold anything.
+// Stores each text behind its length, so that it may contain anything.
 class TextList {
  public:
   explicit TextList(const SpillPlace& place) : spill_(place) {}
@@ -22,7 +22,7 @@ class TextList {
   Spill spill_;
 };
 
-// In the order that they were added. The list stays as it is meanwhile.
+// Reads the texts in the order in which they were added. The list must not change meanwhile.
 class TextListReader {
  public:
   explicit TextListReader(const TextList& list) : spill_(list.spill_) {}
