@@ -13,7 +13,7 @@ namespace check {
 struct Settings {
   rules::Goal goal = rules::Goal::verdict;
   double tolerance = 0.02;   // relative half-width aimed at where nothing is decided, in (0, 1)
-  double confidence = 0.95;  // of the intervals, over all looks at a plane; in (0.5, 1)
+  double confidence = 0.95;  // of the intervals, over all sampling rounds of a plane; in (0.5, 1)
   calc::RadiositySettings radiosity;
   bool by_luminaire = false;  // light of single luminaires is kept apart and reported
   bool has_times = false;     // seconds of each phase go into the document

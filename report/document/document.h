@@ -52,7 +52,7 @@ struct Provenance {
   std::string timestamp;        // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
   std::string judged_on;        // day by which waivers lasted; "" = no waiver, nothing stated
   std::uint64_t seed = 0;
-  double confidence = 0.95;  // over all looks of a plane
+  double confidence = 0.95;  // over all sampling rounds of a plane
   rules::Goal goal = rules::Goal::verdict;
   double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
@@ -222,7 +222,7 @@ struct PlanePart {
   LuminaireShares by_luminaire;           // likewise
   std::vector<PlaneLook> looks;           // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
-  int looks_planned = 1;                 // intervals hold over that many looks together
+  int looks_planned = 1;                 // intervals hold over that many rounds together
   std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has
   std::size_t single_sample_points = 0;  // a single sample is too large a share of the value
   calc::SolveCounters counters;

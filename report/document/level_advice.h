@@ -14,7 +14,7 @@ namespace report {
 inline constexpr double kMostAdvisedLight = 20.0;
 
 enum class AdviceOutcome {
-  levels,         // these levels meet everything that hangs on them
+  levels,         // these levels meet everything that depends on them
   contradiction,  // surely none up to full output do; these requirements exclude each other
   more_light,     // only with more light than the luminaires have
   too_uncertain,  // some may, but the intervals are too wide to tell

@@ -11,7 +11,7 @@ namespace report {
 // The reasons why a gate for regressions stops a revision; they point into it.
 struct GateReasons {
   std::vector<const ChangedResult*> results;      // broken, new failing, worse by too much
-  std::vector<const ChangedQuestion*> questions;  // weaker or exchanged, and nobody accepts it
+  std::vector<const ChangedQuestion*> questions;  // weaker or exchanged, and not accepted
   bool empty() const { return results.empty() && questions.empty(); }
 };
 GateReasons reasons_of(const Revision& revision);

@@ -24,7 +24,7 @@ bool meets(double value, Comparison comparison, double limit);
 struct Comparand {
   calc::Estimate measured;
   Comparison comparison = Comparison::at_least;
-  calc::Estimate limit;  // an interval if it hangs on another check's result
+  calc::Estimate limit;  // an interval if it depends on another check's result
   int digits = 0;
 };
 

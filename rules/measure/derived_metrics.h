@@ -16,7 +16,7 @@ struct DerivedEstimate {
   calc::Estimate estimate;  // the ends may be infinite
   std::optional<std::size_t> point;
   std::vector<std::uint8_t> active;  // [point]: 1 where more samples can move the interval
-  std::size_t unseen_points = 0, single_sample_points = 0;  // among those that the value hangs on
+  std::size_t unseen_points = 0, single_sample_points = 0;  // of those that the value depends on
 };
 
 // Returns the minimum, maximum, percentile, value (point: which) or share (range), with an interval

@@ -19,7 +19,7 @@ struct LevelCondition {
   std::vector<double> coefficient;  // [group]
   double at_least = 0.0;
   std::optional<std::size_t> point;  // of the grid, which it is about
-  std::size_t asked_by = 0;          // for whoever collects them: of which requirement
+  std::size_t asked_by = 0;          // set by the caller: of which requirement
 
   // Returns how much light is missing at these levels, in lx; <= 0: met. level: [group].
   double lack(const std::vector<double>& level) const;

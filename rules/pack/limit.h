@@ -26,12 +26,12 @@ struct LimitScope {
 enum class LimitStatus {
   known,
   not_applicable,  // the row requires nothing
-  unknown,         // something is missing that the limit hangs on
+  unknown,         // something is missing that the limit needs
 };
 
 struct Limit {
   LimitStatus status = LimitStatus::known;
-  calc::Estimate value;            // of known, base units; an interval if it hangs on a result
+  calc::Estimate value;            // of known, base units; an interval if it depends on a result
   Trust trust = Trust::confirmed;  // the worst of everything that it was made of
   RowLevel level;                  // of the values in it: of the scope, if it changes one of them
   calc::Message reason;            // of not_applicable and unknown, in words

@@ -85,7 +85,7 @@ struct RowCoverage {
   bool asks_all() const;
   // Returns whether the project waives or omits a part of the row.
   bool has_exceptions() const;
-  // Returns whether all parts that are neither waived nor omitted are met.
+  // Returns whether the row is whole and every part neither waived nor omitted is met.
   bool is_accepted() const;
   // Returns whether the row is met without exceptions; only then may a report say so.
   bool is_met() const { return is_accepted() && !has_exceptions(); }

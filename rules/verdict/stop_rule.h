@@ -18,7 +18,7 @@ namespace rules {
 struct StopRule {
   Goal goal = Goal::verdict;
   double tolerance = 0.02;   // relative half-width, > 0: of Goal::accuracy
-  double confidence = 0.95;  // over all looks of a plane, in (0, 1)
+  double confidence = 0.95;  // over all sampling rounds of a plane, in (0, 1)
 };
 
 struct LookJudgement {

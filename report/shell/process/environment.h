@@ -15,7 +15,7 @@ struct Environment {
   std::string git_dir, git_work_tree, git_index_file;  // GIT_DIR and so on, see git::GitPlaces
   // For finding the printer: LUXGATE_CHROMIUM and PATH, see find_chromium().
   std::string chromium, search_path;
-  std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it
+  std::string store;  // LUXGATE_STORE: the result cache if --store does not name it
   // Files and folders of libraries and drivers besides the system's usual ones, from the variables
   // of the dynamic linker, Mesa and glvnd, and the time zone's.
   std::vector<std::string> library_places;

@@ -62,7 +62,7 @@ struct Advice {
   // were requested.
   std::vector<std::string> not_met_besides = {};
   RoomAdvice rooms = {};                       // what was asked for of places and surfaces
-  std::optional<PackageAdvice> packages = {};  // empty: nobody asked
+  std::optional<PackageAdvice> packages = {};  // empty: not requested
   std::optional<WrittenAdvice> written = {};
 };
 

@@ -46,7 +46,7 @@ struct CheckOptions {
   std::string against;   // a git revision to compare with instead; "" = none
   report::Gate gate;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
-  std::string store;     // folder of looks to be used again; "" = none
+  std::string store;     // folder of the result cache; "" = none
   BatchOptions batch;
   SandboxMode sandbox = SandboxMode::automatic;
 };
