@@ -40,13 +40,15 @@ using calc::say;
 using calc::Sentence;
 
 constexpr double kSameLength_m = 1e-6;
-// Of an upright plane about one height above the floor: half a metre to either side.
+// Greatest height of an upright plane that must be at one height above the floor: half a metre to
+// either side.
 constexpr double kTallest_m = 1.0 + kSameLength_m;
 constexpr double kDegrees = 180.0 / calc::kPi;
-// What counts as level and upright: far more than imports round, a hundredth of the light at most.
+// Greatest angle that counts as level or upright: far above the rounding of imports, and at most a
+// hundredth of the light.
 constexpr double kLevel_deg = 0.1, kLevelSine = 0.1 / kDegrees;
 
-// What one check of a pack says about its plane.
+// A check of a pack with what it says about its plane.
 struct Meant {
   const RulePack& pack;
   const RuleCheck& check;
@@ -60,7 +62,7 @@ calc::Message role_words(const Meant& meant) {
   return say<Sentence::role_of>(meant.check.role, meant.pack.full_id());
 }
 
-// As packs have it.
+// Returns the orientation as packs name it.
 std::string orientation_words(const Meant& meant) {
   if (meant.plane.area == ZoneArea::ceiling) return "horizontal-down";
   if (meant.plane.area == ZoneArea::walls) return std::string(kUpright);
@@ -94,7 +96,7 @@ class PlaneFit {
 
   calc::Message lost_words() const { return lost().words; }
 
-  // What nobody can tell, and who reads the verdict must see.
+  // Returns doubts that cannot be settled here, and that readers of the verdict must see.
   calc::Message doubts(const Meant& meant) const {
     const bool is_surface = is_of_surface(meant.plane);
     calc::Message words;
@@ -118,8 +120,8 @@ class PlaneFit {
     return *lost_;
   }
 
-  // Planar points and half-spheres face a way of their own, and so do those that modelling is
-  // related to: that of the plane's normal.
+  // Returns whether points face the direction of the plane's normal: planar points and half-spheres
+  // do, and points of modelling, which refers to such points.
   bool faces_somewhere() const {
     using enum calc::ReceiverKernel;
     const bool is_plain = (plane().kernel == planar || plane().kernel == hemispherical) &&
@@ -127,8 +129,8 @@ class PlaneFit {
     return is_plain || plane().derived == calc::DerivedQuantity::modelling;
   }
 
-  // The normal is the axis of a cylinder, of which either end may be up. Half-cylinders and eyes
-  // look in a horizontal direction on any plane, and spheres have no axis.
+  // Returns whether the normal is the axis of a cylinder, whose ends are alike. Half-cylinders and
+  // eyes face a horizontal direction on any plane, and spheres have no axis.
   bool is_of_cylinders() const {
     return plane().kernel == calc::ReceiverKernel::cylindrical && !faces_somewhere();
   }
@@ -162,9 +164,9 @@ class PlaneFit {
     return is_route() ? say<Sentence::faces_away_route>() : say<Sentence::faces_away>();
   }
 
-  // From level or upright, of what is neither by itself nor along a ramp, a board or a wall that it
-  // lies on: where luminaires are far to the side a few degrees are half of the light. What walls
-  // and the ceiling are is looked at as their place.
+  // Returns the angle from level or upright, in degrees. 0 for planes along a ramp, a board or a
+  // wall on which they lie, and for walls and the ceiling, which are checked by their place. A few
+  // degrees matter: if luminaires are far to the side they are half of the light.
   double leaning_deg(const Meant& meant, const std::string& orientation,
                      const std::vector<glm::dvec3>& normals) const {
     const bool is_upright = orientation == kUpright;
@@ -207,9 +209,9 @@ class PlaneFit {
     return words.empty() ? around(meant) : words;
   }
 
-  // A band is around something of the same row, and a zone may hold another. Who draws such a one
-  // draws all of it: of a part whoever draws it chooses where it is bright enough. What a workplace
-  // makes by the rule is so.
+  // Checks that a zone around another of the same row, or with another inside it, is drawn as a
+  // whole: a part of it could be chosen where it is bright enough. Zones that a workplace makes by
+  // the rule are whole.
   calc::Message around(const Meant& meant) const {
     const RulePlane& role = meant.plane;
     const std::string& inside = role_inside(meant);
@@ -233,7 +235,8 @@ class PlaneFit {
     return all_around(meant, inner, to_m);
   }
 
-  // The role of the zone inside; "" = such a plane has none. Eyes are where people are.
+  // Returns the role of the zone inside; "" = such a plane has none. Eyes are in the task's zone,
+  // where people are.
   const std::string& role_inside(const Meant& meant) const {
     static const std::string none;
     const RulePlane& role = meant.plane;
@@ -247,7 +250,7 @@ class PlaneFit {
     return none;
   }
 
-  // Outside of the zones inside it, and next to one of them.
+  // Checks that the plane is outside of the zones inside it, and next to one of them.
   calc::Message beside(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
                        double width_m) const {
     double nearest_m = std::numeric_limits<double>::infinity();
@@ -265,7 +268,8 @@ class PlaneFit {
     return say<Sentence::no_inner_zone>(role_words(meant), meant.plane.around, width_m);
   }
 
-  // All of what is around one of the zones inside it, and of that zone where it belongs to it.
+  // Checks that the plane covers all surroundings of a zone inside it, with the zone itself if it
+  // belongs to them.
   calc::Message all_around(const Meant& meant, const std::vector<const calc::CalcPlane*>& inner,
                            double to_m) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
@@ -297,7 +301,8 @@ class PlaneFit {
                                       say<Sentence::part_of_zone>(std::floor(100.0 * best)));
   }
 
-  // Of the space, that the same row is asked of in this role; of a workplace: by itself.
+  // Returns the planes of the space of which the same row requires something in this role; for a
+  // workplace only its own.
   std::vector<const calc::CalcPlane*> planes_of_role(const Meant& meant,
                                                      const std::string& role) const {
     std::map<std::string_view, const calc::CalcPlane*> by_id;
@@ -324,8 +329,8 @@ class PlaneFit {
     return in_order;
   }
 
-  // A number about a wall or the ceiling is about all of it that the role counts: on a part of it
-  // whoever draws the plane chooses where it is bright enough.
+  // Checks that a plane covers all of a wall or the ceiling that the role counts: a part of it
+  // could be chosen where it is bright enough.
   calc::Message extent(const Meant& meant) const {
     const bool is_wall = meant.plane.area == ZoneArea::walls;
     if (!is_wall && meant.plane.area != ZoneArea::ceiling) return {};
@@ -355,12 +360,13 @@ class PlaneFit {
     if (!asked) return {};
     const auto [from_m, to_m] = *asked;
     const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
-    // An upright plane has a height of its own: half of it must be at the heights that are asked
-    // for, or it must have half of these.
+    // An upright plane has its own height: half of it must be at the required heights, or it must
+    // have half of these.
     const bool is_upright = orientation_of(role, meant.row) == kUpright;
     const double from = from_m - kLift_m, to = to_m + kLift_m;
     const double shared_m = std::min(highest_m, to) - std::max(lowest_m, from);
-    // Where one height is asked for, its middle is there, and it has no points far from it.
+    // If a single height is required, the middle of the plane is there, and no point is far from
+    // it.
     const bool is_one = is_upright && to_m - from_m < kLift_m;
     const double middle_m = 0.5 * (lowest_m + highest_m);
     const bool fits = is_one
@@ -387,8 +393,8 @@ class PlaneFit {
                       : say<Sentence::height_fixed>(role_is, of, own);
   }
 
-  // Fewer points than the rule gives to the same area see less: a minimum is higher, a uniformity
-  // better. More are fine.
+  // Checks the number of points: fewer points than the rule gives to the same area miss extremes,
+  // so a minimum is higher and a uniformity better. More are fine.
   calc::Message grid(const Meant& meant) const {
     const RuleGrid* rule = meant.pack.find_grid(meant.plane.grid);
     if (rule == nullptr || !rule->rule) return {};
@@ -414,9 +420,9 @@ class PlaneFit {
     return grid_behind_mask(meant, *rule);
   }
 
-  // What holes take of a plane that is drawn, where the role is no band, nor held against what it
-  // covers otherwise: more than bodies may take of it is another area, whose dark parts somebody
-  // has chosen to leave out.
+  // Checks the holes of a drawn plane whose role is no band and whose extent is not checked
+  // otherwise: holes larger than bodies may be would make it another area, with its dark parts
+  // omitted by choice.
   calc::Message cut_out(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     const bool is_held = is_of_surface(meant.plane) || !role_inside(meant).empty();
@@ -427,8 +433,8 @@ class PlaneFit {
     return say<Sentence::holes_take>(cut_m2, whole_m2);
   }
 
-  // A formula is about the sides of the area itself: a grid that stands at an angle to them may be
-  // that of a larger one.
+  // Checks the cells along the sides of the area, to which a formula refers: a grid at an angle to
+  // them may be that of a larger area.
   calc::Message cells_along_sides(const Meant& meant, const RuleGrid& rule) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr || !std::holds_alternative<calc::GridByRule>(*rule.rule)) return {};
@@ -450,9 +456,9 @@ class PlaneFit {
                                          most_m);
   }
 
-  // A formula gives a small area a closer grid than a large one, and the area that a mask leaves is
-  // what the number is about. A spacing holds there as everywhere, and a count is of the whole: of
-  // these the cells that the mask cuts must not leave out more than they may.
+  // Checks the grid of the area that a mask leaves, which the number is about: a formula gives a
+  // small area a closer grid than a large one. A spacing is the same everywhere, and a count is for
+  // the whole area: for these the cells that the mask cuts must not omit more than allowed.
   calc::Message grid_behind_mask(const Meant& meant, const RuleGrid& rule) const {
     if (std::holds_alternative<calc::GridByRule>(*rule.rule)) {
       if (const std::optional<CellsLeft> left = cells_left(meant.mask, context_.grid)) {
@@ -469,7 +475,7 @@ class PlaneFit {
     return say<Sentence::grid_gap>(gap->to_point_m, role_words(meant), gap->most_m);
   }
 
-  // Leg by leg, each as an area of its own; a number of cells is of the whole route.
+  // Checks each leg of a route as an area of its own; a count of cells is for the whole route.
   calc::Message grid_of_route(const Meant& meant, const RuleGrid& rule) const {
     const calc::SensorGrid& own = context_.grid;
     const calc::RouteLine& line = own.route->line;
@@ -493,18 +499,19 @@ class PlaneFit {
     return {};
   }
 
-  // The widest strip that the role leaves out: its own margin, or what its mask takes.
+  // Returns the widest strip that the role omits: its own margin, or that of its mask.
   double allowed_margin_m(const Meant& meant) const {
     return std::max(strip_along_walls_m(meant), strip_along_outline_m(meant));
   }
 
-  // Its margin, and what its mask takes beside walls.
+  // Returns the strip omitted along walls: the margin, or that of its mask.
   double strip_along_walls_m(const Meant& meant) const {
     const double width_m = room_width_m(context_.space, meant.plane.narrow_m);
     return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant, MaskStep::walls));
   }
 
-  // Walls or not: what its mask takes; of walls and the ceiling itself its margin, too.
+  // Returns the strip omitted along any outline: that of its mask; for walls and the ceiling also
+  // their margin.
   double strip_along_outline_m(const Meant& meant) const {
     const double strip_m = mask_strip_m(meant, MaskStep::inset);
     return is_of_surface(meant.plane) ? std::max(strip_m, meant.plane.margin_m) : strip_m;
@@ -519,7 +526,8 @@ class PlaneFit {
     return strip_m;
   }
 
-  // What is left out along walls counts wherever there is none: a desk counts up to its edge.
+  // Checks the margin: the strip along walls is only omitted where walls are: a desk counts up to
+  // its edge.
   calc::Message margin(const Meant& meant) const {
     const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
     if (area == nullptr) return {};
@@ -553,14 +561,14 @@ class PlaneFit {
     return lost().words;
   }
 
-  // A band that a workplace makes goes as far as there is room, to a wall or a rack. Who draws it
-  // knows where the rack is.
+  // Returns whether it is a band made by a workplace, which may end early at a wall or a rack.
+  // Whoever draws a band can see the rack.
   bool is_beside_the_task(const RulePlane& role) const {
     if (plane().made_by.empty()) return false;
     return role.area == ZoneArea::band || role.area == ZoneArea::task_and_band;
   }
 
-  // Of the points that are not in obstacles, those that are left out.
+  // Returns the share of omitted points, without those in obstacles.
   double share_lost_otherwise() const {
     const std::size_t in_obstacles = points_in_obstacles(context_.grid, context_.space);
     return LostPoints{lost().lost - in_obstacles, lost().all - in_obstacles, {}}.share();
@@ -585,7 +593,7 @@ class PlaneFit {
   mutable std::optional<calc::Message> barred_;
 };
 
-// Types of the space's luminaires that state no maintenance factor, in their order.
+// Returns types of the space's luminaires that state no maintenance factor, in their order.
 std::vector<calc::Message> types_without_factor(const ApplicabilityContext& context) {
   std::vector<calc::Message> ids;
   for (const calc::Luminaire& luminaire : context.space.luminaires) {
@@ -608,7 +616,7 @@ calc::Message maintenance_problem(const ApplicabilityContext& context,
   return ids.size() == 1 ? say<Sentence::no_factor>(names) : say<Sentence::no_factors>(names);
 }
 
-// Of what is said of level ways only.
+// Returns deviations of checks that are only about level ways.
 std::vector<Deviation> slope_deviations(const calc::CalcPlane& plane, const RulePack& pack,
                                         const RuleCheck& check) {
   if (!check.is_level_only) return {};
@@ -625,8 +633,8 @@ std::vector<Deviation> slope_deviations(const calc::CalcPlane& plane, const Rule
   return {{FitAspect::height, std::move(words), std::nullopt, false}};
 }
 
-// What is stated, but is not so: somebody has mended the plane, or meant another one. A workplace
-// states it of all planes of a role, of which only some may need it.
+// Returns words for stated deviations that are not found: the plane was corrected, or another was
+// meant. A workplace states them for all planes of a role, of which only some may need it.
 calc::Message unfounded_words(const Requirement& requirement) {
   if (!requirement.origin.workplaces.empty()) return {};
   calc::Message text;
@@ -641,7 +649,7 @@ calc::Message unfounded_words(const Requirement& requirement) {
   return text;
 }
 
-// Takes what the project states; returns the words of what it does not.
+// Accepts deviations that the project states; returns the words of all others.
 calc::Message take_statements(const Requirement& requirement, std::string_view today,
                               std::vector<Deviation>& found) {
   calc::Message open;

@@ -33,7 +33,7 @@ FlatBounds bounds_of(const std::vector<glm::dvec2>& outline_m) {
   return bounds;
 }
 
-// Inside the outline, and not nearer to it than the strip is wide.
+// Returns whether the place is inside the outline, off the strip along it.
 bool is_inside(const std::vector<glm::dvec2>& outline_m, const glm::dvec2& place, double strip_m) {
   if (!calc::contains_point(outline_m, place)) return false;
   return !(strip_m > 0.0) || calc::distance_to_boundary(outline_m, place) >= strip_m - kSameEdge_m;
@@ -61,7 +61,8 @@ SurfacePlaces places_on(const RoomSurface& surface, double strip_m) {
   return places;
 }
 
-// Whether the area can lie on the surface: along it, and not all of it before or behind it.
+// Returns whether the area can lie on the surface: parallel to it, and not all of it before or
+// behind it.
 bool is_near(const calc::PlanarArea& area, const RoomSurface& surface) {
   const glm::dvec3 face = glm::cross(surface.u, surface.v);
   if (std::abs(glm::dot(face, area.normal())) < kParallel) return false;
@@ -81,7 +82,7 @@ class AreaOnSurface {
   AreaOnSurface(const calc::PlanarArea& area, const RoomSurface& surface)
       : area_(area), surface_(surface) {}
 
-  // Whether a place of the surface lies in the area, without a strip along its outline.
+  // Returns whether a place of the surface is in the area, without a strip along its outline.
   bool covers(const glm::dvec2& place, double own_strip_m) const {
     const glm::dvec3 offset_m =
         surface_.origin_m + place.x * surface_.u + place.y * surface_.v - area_.origin_m;
@@ -92,8 +93,8 @@ class AreaOnSurface {
                         [&](const auto& hole) { return calc::contains_point(hole, flat); });
   }
 
-  // Areas smaller than what lies between two places of the surface: by places of their own, off
-  // their corners, which may touch the next surface.
+  // Returns whether an area too small for the surface's grid of places lies on it, by the area's
+  // own places, off its corners, which may touch the next surface.
   bool has_place_on_surface() const {
     glm::dvec2 middle(0.0);
     for (const glm::dvec2& corner : area_.outline_m) middle += corner;
@@ -114,7 +115,8 @@ class AreaOnSurface {
   const RoomSurface& surface_;
 };
 
-// Whether the area, seen along its normal, has the place, without a strip along its outline.
+// Returns whether the area, seen along its normal, contains the place, without a strip along its
+// outline.
 bool has_place(const calc::PlanarArea& area, const glm::dvec3& place_m, double own_strip_m) {
   const glm::dvec3 offset_m = place_m - area.origin_m;
   const glm::dvec2 flat(glm::dot(offset_m, area.u), glm::dot(offset_m, area.v));
@@ -123,8 +125,8 @@ bool has_place(const calc::PlanarArea& area, const glm::dvec3& place_m, double o
                       [&](const auto& hole) { return calc::contains_point(hole, flat); });
 }
 
-// In the room, and not nearer to a wall than the strip is wide. Upright zones are looked at from
-// before them: they may be on a wall, which has no strip for them. Everything is in the open space.
+// Tests whether places are in the room, off the strip along its walls. Upright zones are seen from
+// the front: they may be on a wall, which has no strip for them. Every place is in the open space.
 class InRoom {
  public:
   InRoom(const calc::Space& space, const calc::PlanarArea& zone, double strip_m)
@@ -151,8 +153,8 @@ class InRoom {
   double strip_m_, before_m_;
 };
 
-// Its first vertices are the corners of its outline, in their order; what covers it may have added
-// more (calc/project/warnings/coincident_surfaces.h).
+// Returns the surface of a body. Its first vertices are the corners of its outline, in their order;
+// covering surfaces may have added more (calc/project/warnings/coincident_surfaces.h).
 RoomSurface surface_of(const calc::Body& body, std::size_t corners) {
   const glm::dvec3 origin_m = body.vertex_m.at(0);
   const glm::dvec3 u = glm::normalize(body.vertex_m.at(1) - origin_m);

@@ -12,7 +12,7 @@ namespace rules {
 
 namespace {
 
-// So many points that this body has taken: is_of_body().
+// Returns words for this many points that a body removed: is_of_body().
 calc::Message taken_words(calc::DropReason reason, std::size_t count, const std::string& body) {
   using enum calc::Sentence;
   if (reason == calc::DropReason::in_the_way) return calc::say<lost_where>(count, body);

@@ -19,7 +19,8 @@ constexpr double kTie = 1.0e-9;  // relative
 constexpr int kParts = 16;
 constexpr double kMostPlaces = 8.0e6;
 
-// Cells of a grid, each divided into parts; of a route only across it, as its stations differ.
+// Returns the cells of a grid, each divided into parts; for a route only across it, because its
+// stations differ.
 calc::SensorGrid divided(const calc::SensorGrid& grid, const std::vector<std::size_t>& points) {
   calc::SensorGrid fine = grid;
   const int parts_u = grid.route ? 1 : kParts;
@@ -68,7 +69,7 @@ class CellSet {
   std::vector<char> has_;
 };
 
-// The cells whose points count, and those that would, had nothing stood there.
+// Returns the cells whose points count, or would count without a body there.
 CellSet counted_cells(const std::vector<std::size_t>& points, const calc::SensorGrid& grid) {
   CellSet cells(grid.columns, grid.rows);
   for (const std::size_t i : points) cells.add(grid.column[i], grid.row[i]);
@@ -80,7 +81,7 @@ CellSet counted_cells(const std::vector<std::size_t>& points, const calc::Sensor
   return cells;
 }
 
-// The spacing along both sides that is asked for, at most.
+// Returns the required spacing along both sides, at most.
 glm::dvec2 asked_spacing_m(const RuleGrid& asked, double u_m, double v_m) {
   if (const auto* spacing = std::get_if<calc::GridBySpacing>(&*asked.rule)) {
     const glm::dvec2 long_and_short(spacing->along_u_m, spacing->along_v_m);
@@ -90,14 +91,14 @@ glm::dvec2 asked_spacing_m(const RuleGrid& asked, double u_m, double v_m) {
   return {u_m / counts.columns, v_m / counts.rows};
 }
 
-// How far a place that counts may be from the next point: half of the spacing that is asked for, as
-// in a grid that is laid on what counts; or in the next cell by a quarter of it, as a grid that is
-// laid on more than that may well be.
+// Returns the greatest distance of a counted place from the next point: half of the required
+// spacing, as in a grid on the counted area; or in the next cell by a quarter of it, as in a grid
+// on a larger area.
 glm::dvec2 farthest_m(const glm::dvec2& asked_m, const glm::dvec2& own_m) {
   return glm::max(0.5 * asked_m, 0.5 * own_m + 0.25 * asked_m);
 }
 
-// Of places that count: how far the nearest cell's centre is that does, along the worse side.
+// Finds how far a counted place is from the nearest counted cell's centre, along the worse side.
 class Nearest {
  public:
   Nearest(const CellSet& cells, const calc::SensorGrid& grid, glm::dvec2 most_m)

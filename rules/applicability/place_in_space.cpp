@@ -19,7 +19,7 @@ namespace {
 constexpr double kAlike = 0.966;
 constexpr double kAcross = 0.259;
 
-// Whether a point lies in a triangle of the plane; its edges belong to it.
+// Returns whether a point is in a triangle of the plane, edges included.
 bool contains(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& point) {
   const auto side = [&](int a, int b) {
     const glm::dvec2 edge =
@@ -35,7 +35,7 @@ struct Surfaces {
   double lowest_m, highest_m;
 };
 
-// Those of bodies that are below a place, or up to lift_m above it; empty: none is.
+// Returns the surfaces of bodies below a place, or up to lift_m above it; empty: there is none.
 std::optional<Surfaces> surfaces_below(const calc::Space& space, const glm::dvec3& place,
                                        double lift_m = kLift_m) {
   std::optional<Surfaces> found;
@@ -64,8 +64,8 @@ double lowest_corner_m(const calc::Space& space) {
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
-// Whether the place lies on the triangle, within so many metres, and looks away from it on either
-// side, within the angle that has this sine. Sines: near 0 a cosine says little.
+// Returns whether the place is within off_m of the triangle and faces away from it on either side,
+// within the angle with this sine. Sines are used because near 0 a cosine says little.
 bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
              const std::array<glm::dvec3, 3>& corner, double off_m = kLift_m,
              double sine = kAcross) {

@@ -47,7 +47,7 @@ double distance_m(const Segment& segment, const glm::dvec2& place) {
   return glm::length(place - (segment.first + t * along));
 }
 
-// Where a triangle crosses a height; empty: it does not.
+// Returns where a triangle crosses a height; empty: it does not.
 std::optional<Segment> slice(const std::array<glm::dvec3, 3>& corner, double z) {
   std::vector<glm::dvec2> crossings;
   for (std::size_t i = 0; i < 3; ++i) {

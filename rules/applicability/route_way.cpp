@@ -81,7 +81,7 @@ class Way {
     }
   }
 
-  // A station of which every point is left out.
+  // Returns words for a station of which every point is omitted.
   calc::Message lost(int column) const {
     for (int row = 0; row < grid_.rows; ++row) {
       if (point_of_[cell(column, row)]) return {};

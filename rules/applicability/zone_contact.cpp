@@ -12,7 +12,7 @@
 namespace rules {
 namespace {
 
-// Spread over the plane: bodies may have a million triangles.
+// Returns some places spread over the plane, because bodies may have a million triangles.
 std::vector<glm::dvec3> some_places(const calc::SensorGrid& points) {
   constexpr std::size_t kPlaces = 25;
   const std::size_t all = points.position_m.size(), count = std::min(all, kPlaces);
@@ -41,7 +41,7 @@ Box box_of(const calc::Body& body) {
   return box;
 }
 
-// The highest surface of the body that is not above the place; -infinity: there is none.
+// Returns the highest surface of the body that is not above the place; -infinity: there is none.
 double top_below_m(const calc::Body& body, const glm::dvec3& place) {
   double top_m = -std::numeric_limits<double>::infinity();
   for (const glm::uvec3& triangle : body.triangle) {

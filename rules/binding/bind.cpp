@@ -34,7 +34,8 @@
 namespace rules {
 namespace {
 
-// What the project has let into the zone must count, too.
+// Narrows the strips of a mask to the margin, so that points that the project adds to the zone
+// count.
 void narrow_strips(Mask& mask, double margin_m) {
   for (MaskOperation& operation : mask.operations) {
     const bool is_strip = operation.step == MaskStep::walls || operation.step == MaskStep::inset ||
@@ -43,8 +44,8 @@ void narrow_strips(Mask& mask, double margin_m) {
   }
 }
 
-// What counts of the strip along walls that a mask leaves out: less, where the project says so, or
-// the room is narrow for the rule.
+// Returns the narrower strip along walls that a mask omits, if the project states it or the room is
+// narrow for the rule.
 std::optional<double> narrower_strip_m(const calc::CalcPlane& plane, const Requirement& requirement,
                                        const RequirementContext& context) {
   if (plane.own_margin_m) return plane.own_margin_m;
@@ -60,7 +61,8 @@ std::optional<double> narrower_strip_m(const calc::CalcPlane& plane, const Requi
   return std::nullopt;
 }
 
-// Copies of a workplace have one element, and what is wrong with it is said once.
+// Remembers elements, because copies of a workplace share an element whose errors are reported
+// once.
 class ElementsOnce {
  public:
   std::vector<Requirement> read(const calc::RequirementText& text,
@@ -78,13 +80,14 @@ class ElementsOnce {
   std::set<std::tuple<std::string, int, int, std::string>> wrong_;
 };
 
-// Why light is not what is calculated: it may be more, or it may be more or less.
+// Why the real light may differ from the calculated light: it may be more, or more or less.
 struct OtherLight {
   calc::Message missing, unsure;  // "" = it is as calculated
 };
 
-// Of a luminaire that is on: where its table ends in the light nobody knows what it sends beyond;
-// with a flux of its own nor what it sends within, as the table has nobody knows what share of it.
+// Returns doubts about a lit luminaire whose table ends within its light: the light beyond is not
+// known. With a flux of its own, the light within is not known either, because the table has an
+// unknown share of that flux.
 OtherLight light_beyond_tables(const calc::Project& project, const calc::Space& space,
                                const calc::LightScene* scene) {
   OtherLight other;
@@ -113,7 +116,7 @@ OtherLight other_light(const calc::Project& project, const calc::Space& space,
   return other;
 }
 
-// What is known of a space before any light.
+// Facts about a space before any light.
 class SpaceValues {
  public:
   SpaceValues(const calc::Project& project, const calc::Space& space)
@@ -128,7 +131,7 @@ class SpaceValues {
       return calc::room_ugr(project_, space_, levels);
     });
   }
-  // Of eyes above the points of a plane of the space.
+  // Returns the veil at eyes above the points of a plane of the space.
   calc::Estimate veiling(const calc::CalcPlane& plane, const std::string& scene) {
     const std::vector<glm::dvec3>& points_m = points_of(plane).position_m;
     return known(veiling_, scene, [&](const calc::LightScene* levels) {
@@ -157,7 +160,7 @@ class SpaceValues {
   void set_colour_rendering(Requirement& requirement) const {
     rules::set_colour_rendering(project_, space_, scene_named(requirement.scene), requirement);
   }
-  // Requirement::missing_light and unsure_light, of a plane of the space.
+  // Returns Requirement::missing_light and unsure_light for a plane of the space.
   OtherLight other_light_on(const calc::CalcPlane& plane, const std::string& scene) {
     OtherLight other = known(other_light_, scene, [&](const calc::LightScene* levels) {
       return other_light(project_, space_, levels);
@@ -280,7 +283,7 @@ const calc::RoadValue& road_value(const calc::RoadValues& road, Metric metric) {
   }
 }
 
-// road: null where a plane of something else asks for it, which the reader has refused.
+// Sets a value of the road. road: null for a plane of another space, which the reader has refused.
 void set_road(const calc::RoadValues* road, Requirement& requirement) {
   if (road == nullptr) return;
   requirement.stated_words = road->stated;
@@ -293,7 +296,7 @@ void set_road(const calc::RoadValues* road, Requirement& requirement) {
   add_note(road->words, requirement);
 }
 
-// Why there is no GR of this plane; "" = there is.
+// Returns why this plane has no GR; "" = it has.
 calc::Message why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_count,
                            const LitField& field) {
   constexpr double kLevel = 0.9998;  // cosine of one degree
@@ -326,7 +329,7 @@ void set_field_glare(SpaceValues& of_space, const calc::CalcPlane& plane,
            requirement);
 }
 
-// A row's glare is that on the area that the row is about.
+// Refuses glare of a row on other areas than the row's own.
 void refuse_glare_elsewhere(std::vector<Requirement>& of_plane) {
   for (Requirement& requirement : of_plane) {
     const RuleOrigin& origin = requirement.origin;
@@ -386,8 +389,8 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
   std::move(of_plane.begin(), of_plane.end(), std::back_inserter(bound));
 }
 
-// Own limits are compared with light that never fades, and somebody must know. What is asked of a
-// rule pack is not judged then: see rules/applicability.
+// Warns about own limits compared with light that never fades. Requirements of rule packs are then
+// not judged: see rules/applicability.
 void warn_about_maintenance(const calc::Project& project, const std::vector<Requirement>& bound,
                             calc::Diagnostics& diagnostics) {
   const auto is_own_and_maintained = [](const Requirement& requirement) {
@@ -414,7 +417,7 @@ double level_in(const calc::LightScene& scene, const std::string& group) {
   return 1.0;
 }
 
-// Groups of the space that a scene of emergencies lights while it puts others out.
+// Returns the groups of the space that a scene lights for emergencies while it switches others off.
 std::vector<std::string> emergency_groups(const calc::Space& space, const calc::LightScene& scene) {
   std::vector<std::string> lit;
   bool puts_out = false;

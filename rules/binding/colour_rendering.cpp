@@ -18,7 +18,7 @@ namespace {
 using calc::say;
 using calc::Sentence;
 
-// Of all types together; `type`: of the one that states the least.
+// The least Ra of all types together; `type`: the type that states it.
 struct Least {
   calc::StatedRa ra;
   const calc::LuminaireType* type = nullptr;
@@ -28,7 +28,7 @@ const std::string& words_of(const calc::Project& project, const calc::LuminaireT
   return project.webs[type.web].source().colour_rendering;
 }
 
-// Why a type is of no known colour rendering; "" = it is.
+// Returns why the colour rendering of a type is not known; "" = it is.
 calc::Message problem_of(const calc::Project& project, const calc::LuminaireType& type,
                          const std::optional<calc::StatedRa>& ra) {
   // A package is another lamp than that of the file.

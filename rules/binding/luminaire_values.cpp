@@ -21,12 +21,12 @@ calc::Message place_words(const glm::dvec3& place) {
   return say<Sentence::place_of_point>(place.x, place.y, place.z);
 }
 
-// One emitter has the id of its luminaire.
+// Returns the id of a luminaire, which its emitters share.
 const std::string& name_of(const LuminaireFacts& facts, std::size_t luminaire) {
   return facts.space.luminaires[luminaire].id;
 }
 
-// Nothing is said of a plane that takes minutes.
+// Refuses planes whose values would take minutes.
 bool are_too_many(const LuminaireFacts& facts, Requirement& requirement) {
   const auto points = static_cast<double>(facts.points().position_m.size());
   const auto luminaires = static_cast<double>(facts.space.luminaires.size());
@@ -70,13 +70,14 @@ void set_distance(const LuminaireFacts& facts, Requirement& requirement) {
            requirement);
 }
 
-// Where EN 1838 limits the intensity of luminaires: of level ways 60 to 90 degrees, elsewhere
-// everywhere.
+// Returns the angles at which EN 1838 limits the intensity of luminaires: 60 to 90 degrees for
+// level ways, elsewhere all angles.
 AngleZone limited_zone(Metric metric) {
   return metric == Metric::peak_intensity ? AngleZone{0.0, 180.0} : AngleZone{60.0, 90.0};
 }
 
-// What a battery gives before its end is somewhere between the scene's level and full output.
+// Adds the intensities at full output, because a battery's light before its end is between the
+// scene's level and full output.
 void add_full_output(const LuminaireFacts& facts, AngleZone zone,
                      std::vector<calc::ZoneIntensity>& intensities) {
   const std::vector<calc::ZoneIntensity> full =
@@ -90,7 +91,7 @@ void add_full_output(const LuminaireFacts& facts, AngleZone zone,
   }
 }
 
-// Of a range of heights that holds none of these luminaires.
+// Returns words for a range of heights without luminaires.
 calc::Message no_luminaire_words(const HeightRange& range,
                                  const std::vector<calc::ZoneIntensity>& luminaires,
                                  const std::vector<MountingHeight>& heights) {
@@ -142,9 +143,9 @@ void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
   }
 }
 
-// The scene switches all off that would shine at full output: nothing goes up or towards anybody,
-// and every limit from above is met. Not of batteries: what they give before their end is not known
-// from that. How far the nearest luminaire is, darkness does not tell.
+// Returns whether the scene switches off every luminaire that would emit light at full output: then
+// every upper limit is met. Not for batteries, whose light before their end is not known from that.
+// Darkness says nothing about the distance of the nearest luminaire.
 bool is_met_by_darkness(const LuminaireFacts& facts, const Requirement& requirement) {
   return facts.scene != nullptr && calc::has_light(facts.project, facts.space, nullptr) &&
          requirement.metric != Metric::luminaire_distance &&

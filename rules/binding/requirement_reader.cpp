@@ -47,7 +47,8 @@ double read_field_reflectance(ElementReader& reader) {
   return reflectance;
 }
 
-// A limit is written here, or a row of a rule pack has it.
+// Returns whether the element has an attribute of this form: its own limit, or a row of a rule
+// pack.
 bool has_any(const ElementReader& reader, AttributeForm form) {
   const auto& all = requirement_attributes();
   return std::any_of(all.begin(), all.end(), [&](const RequirementAttribute& attribute) {
@@ -55,7 +56,7 @@ bool has_any(const ElementReader& reader, AttributeForm form) {
   });
 }
 
-// Index of the word; 0 after an error.
+// Returns the index of the word; 0 after an error.
 std::size_t read_word(ElementReader& reader, std::string_view name, std::size_t usual) {
   return reader.choice_or(name, requirement_attribute(name).type->words, usual);
 }
@@ -73,7 +74,7 @@ void report_unknown(ElementReader& reader, std::string_view attribute, std::stri
                 found, allowed, calc::suggestion(found, choices));
 }
 
-// `attribute` belongs to one quantity only.
+// Returns whether the attribute is given; it belongs to a single quantity.
 bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owner, Metric metric) {
   if (owner == metric) return true;
   if (reader.has(attribute)) {
@@ -113,7 +114,7 @@ std::optional<glm::dvec3> read_direction(ElementReader& reader, const char* attr
   return std::nullopt;
 }
 
-// Of a share: from, to or both. Of heights of luminaires: either, or none.
+// Reads a range: for a share from, to or both; for heights of luminaires optional.
 void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
                 MetricArguments& arguments) {
   constexpr calc::NumberRange kHeight{0.0, 1.0e6, false, "a height in metres from 0 to 1e6"};
@@ -140,7 +141,7 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
   }
 }
 
-// Whether such points have this quantity.
+// Returns whether such points have this quantity; reports it if not.
 bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
   if (is_of_road(metric) && context.usual_role != calc::kCarriagewayRole) {
     reader.report(DiagnosticId::quantity_of_road, reader.where("quantity"), kElement,
@@ -195,7 +196,7 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
   }
 }
 
-// Whether reflected light is left out. A glare rating is nothing without it.
+// Reads whether reflected light is omitted. A glare rating needs it.
 bool read_light(ElementReader& reader, const Requirement& requirement) {
   const bool is_known = is_of_space(requirement.metric);
   const bool is_free = !is_known && requirement.derived != calc::DerivedQuantity::ugr;
@@ -243,8 +244,8 @@ bool dims_nothing(const std::string& scene, const std::vector<calc::LightScene>&
   });
 }
 
-// Luminaires that a scene does not name are at full output, which in an emergency must be said, not
-// forgotten. "" = all are named.
+// Returns luminaires that a scene does not name, which are at full output; for emergencies this
+// must be stated. "" = all are named.
 calc::Message unnamed_luminaires(const std::string& scene, const RequirementContext& context) {
   if (scene.empty() || context.space == nullptr) return {};
   const auto is_named = [&](const std::string& group) {
@@ -264,7 +265,8 @@ calc::Message unnamed_luminaires(const std::string& scene, const RequirementCont
   return calc::say<calc::Sentence::emergency_not_said>(scene, unnamed, first);
 }
 
-// Why no single luminaire can be put out: what dims together goes out together. "" = each can.
+// Returns why no single luminaire can be switched off: luminaires of one dimming group go out
+// together. "" = each can.
 calc::Message outage_problem(const std::string& scene, const RequirementContext& context) {
   if (scene.empty()) return calc::say<calc::Sentence::outage_not_said>();
   if (context.space == nullptr) return {};
@@ -285,7 +287,7 @@ calc::Message outage_problem(const std::string& scene, const RequirementContext&
   return {};
 }
 
-// Of the field that glare is rated on: no pack can know it.
+// Reads the reflectance of the field on which glare is rated, because no pack can know it.
 void take_reflectance(ElementReader& reader, std::vector<Requirement>& requirements) {
   if (!reader.has(kReflectance)) return;
   const double reflectance = read_field_reflectance(reader);
@@ -300,8 +302,8 @@ void take_reflectance(ElementReader& reader, std::vector<Requirement>& requireme
     report_unfit(reader, kReflectance, "a row that does not require GR");
 }
 
-// The scene is the project's choice; everything else is the pack's. role: of a plane that a
-// workplace has made; "": the element may have one.
+// Reads a rule. The scene is the project's choice; everything else is the pack's. role: of a plane
+// that a workplace has made; "": the element may have one.
 std::vector<Requirement> read_rule(ElementReader& reader, const std::string& role,
                                    const RequirementContext& context) {
   const std::string scene = read_scene(reader, context.scenes);
@@ -317,7 +319,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
   return requirements;
 }
 
-// The attributes waived-because, waived-by and waived-until, of a limit of its own: all of them or
+// Reads the attributes waived-because, waived-by and waived-until of an own limit: all of them or
 // none.
 std::optional<Waiver> read_own_waiver(ElementReader& reader) {
   const bool is_whole = reader.require_together("waived-because", "waived-by") &&
@@ -332,7 +334,7 @@ std::vector<std::string> checks_of(const std::vector<Requirement>& requirements)
   return ids;
 }
 
-// Of a row they would waive more than anybody has looked at.
+// Refuses own waivers beside a row, where they would waive checks that nobody has reviewed.
 void refuse_own_waiver(ElementReader& reader, const std::vector<Requirement>& requirements) {
   for (const RequirementAttribute& attribute : requirement_attributes()) {
     if (attribute.form != AttributeForm::waiver || !reader.has(attribute.name)) continue;
@@ -342,7 +344,7 @@ void refuse_own_waiver(ElementReader& reader, const std::vector<Requirement>& re
   }
 }
 
-// What only means something with a row.
+// Refuses attributes that only have a meaning with a row.
 void refuse_parts_of_rows(ElementReader& reader) {
   for (const calc::XmlElement& child : reader.element().children) {
     if (child.name == "deviation") {
@@ -352,8 +354,8 @@ void refuse_parts_of_rows(ElementReader& reader) {
   }
 }
 
-// Of a workplace, whose own checks were looked at when its planes were made, those of other roles
-// are left over.
+// Takes the waivers. Those of a workplace were checked when its planes were made, and waivers of
+// other roles than this are not used here.
 void take_waivers(ElementReader& reader, const std::string& role, const RequirementContext& context,
                   std::vector<Requirement>& requirements) {
   if (!reader.has("pack")) return;
@@ -369,7 +371,7 @@ void take_waivers(ElementReader& reader, const std::string& role, const Requirem
   }
 }
 
-// <require>
+// Reads <require>.
 std::vector<Requirement> read_written(ElementReader& reader, const RequirementContext& context) {
   reader.allow(require_element());
   std::vector<Requirement> requirements;

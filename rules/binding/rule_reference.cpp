@@ -64,7 +64,7 @@ const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
 
 namespace {
 
-// What the plane is for the pack unless another role is named; "" after an error.
+// Returns the plane's role in the pack unless another is named; "" after an error.
 std::string find_role(ElementReader& reader, const RulePack& pack, std::string_view usual_role) {
   const std::vector<std::string> roles = pack.roles();
   if (!reader.has("role")) {
@@ -82,7 +82,7 @@ calc::Message number_of(double value, const char* unit) {
   return calc::Message::number(fmt::format("{:.6g}{}{}", value, *unit == '\0' ? "" : " ", unit));
 }
 
-// Light that luxgate does not calculate; "" = it does.
+// Returns the light that luxgate does not calculate; "" = it calculates it.
 calc::Message uncalculated_light(const RuleCheck& check) {
   if (check.sources == LightSources::daylight) return calc::say<calc::Sentence::no_daylight>();
   if (!is_metric_of(check.metric, check.quantity->derived)) {
@@ -95,7 +95,7 @@ calc::Message uncalculated_light(const RuleCheck& check) {
   return {};
 }
 
-// Names of facts that the limit hangs on, in other checks' limits, too.
+// Adds the names of facts on which the limit depends, through other checks' limits, too.
 void add_facts(const RulePack& pack, const Expression& expression, std::set<std::string>& facts) {
   if (expression.kind == ExpressionKind::fact) facts.insert(expression.name);
   if (expression.kind == ExpressionKind::limit_of) {
@@ -105,7 +105,7 @@ void add_facts(const RulePack& pack, const Expression& expression, std::set<std:
   for (const Expression& operand : expression.operands) add_facts(pack, operand, facts);
 }
 
-// What the project says, and nothing compares with anything.
+// Returns words for facts that the project states and that nothing verifies.
 calc::Message facts_words(const RuleCheck& check, const LimitScope& scope) {
   std::set<std::string> used;
   add_facts(scope.pack, check.limit, used);
@@ -141,7 +141,7 @@ struct Reference {
   std::string_view usual_role;  // of the plane
 };
 
-// Whether the level that is asked for is easier than what the row requires.
+// Returns whether the chosen level is easier than the row's requirement.
 bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
   if (scope.level == RowLevel::required && limit.special == nullptr) return false;
   const Limit required =
@@ -153,7 +153,7 @@ bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& s
                                           : limit.value.value > required.value.value;
 }
 
-// Of a number that is in place of the row's; "" of any other.
+// Returns words for a number that replaces the row's; "" for any other.
 calc::Message special_words(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
   if (limit.special == nullptr) return {};
   const Limit usual = evaluate_limit(check, {scope.pack, scope.row, scope.level, scope.facts});
@@ -218,7 +218,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   return requirement;
 }
 
-// False after an error.
+// Returns whether the check fits the plane; false after an error.
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
   const bool is_of_points = !check.quantity->of_space && reference.is_quantity_known;
@@ -242,7 +242,7 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
   return true;
 }
 
-// False after an error: what is asked of a road is asked of another plane.
+// Returns whether the check is required of the right plane, such as a road; false after an error.
 bool is_where_it_can_be(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   const bool is_of_a_road = check.quantity->of_space && is_of_road(*check.quantity->of_space);
   if (is_of_a_road && reference.usual_role != calc::kCarriagewayRole) {
@@ -253,7 +253,7 @@ bool is_where_it_can_be(ElementReader& reader, const RuleCheck& check, const Ref
   return true;
 }
 
-// "; it does of 'task-vertical', 'wall'": the roles of planes that the row has values for.
+// Returns "; it does of 'task-vertical', 'wall'": the roles of planes for which the row has values.
 std::string roles_words(const Reference& reference) {
   calc::Names roles;
   for (const RuleCheck& check : reference.pack.checks) {
@@ -265,8 +265,8 @@ std::string roles_words(const Reference& reference) {
   return roles.empty() ? "" : "; it requires something of " + calc::join_choices(roles);
 }
 
-// Asked of the room together with the pack's own role, since no plane is of it: whoever asks for
-// the task of a row asks for the colour rendering of its luminaires, too.
+// Returns whether the check is required together with the pack's own role, because no plane has its
+// role: requiring a row's task includes the colour rendering of its luminaires.
 bool is_asked_along(const RuleCheck& check, const std::string& role, const LimitScope& scope) {
   return scope.row != nullptr && role == scope.pack.role && check.role != role &&
          check.quantity->of_space == Metric::colour_rendering &&

@@ -40,7 +40,7 @@ bool has_same_attributes(const calc::XmlElement& a, const calc::XmlElement& b) {
                      });
 }
 
-// <zone> and <without> say which planes there are; everything else, what is asked of them.
+// Returns the children with requirements: all except <zone> and <without>, which define the planes.
 std::vector<const calc::XmlElement*> children_that_ask(const calc::XmlElement& workplace) {
   std::vector<const calc::XmlElement*> children;
   for (const calc::XmlElement& child : workplace.children) {
@@ -61,7 +61,7 @@ bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
                     });
 }
 
-// Of a plane that several workplaces ask for, the others than the first.
+// Returns the workplaces that share a plane, without the first.
 calc::Message shared_with(const calc::CalcPlane& plane) {
   std::vector<std::string> ids;
   const std::string& role = plane.requirements.front().role;

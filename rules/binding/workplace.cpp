@@ -66,20 +66,20 @@ double cells_of(const calc::PlanarArea& area) {
   return static_cast<double>(counts.columns) * static_cast<double>(counts.rows);
 }
 
-// Of all workplaces of a project so far.
+// Totals over all workplaces of a project so far.
 struct Total {
   std::size_t planes = 0;
   double points = 0.0;
 };
 
-// How a check is asked that has another in its place.
+// The way to judge a check that has an alternative.
 enum class Method {
   as_fits,   // of the space, if there is a value for it
   of_space,  // whether there is one or not
   on_planes  // also, if there is one
 };
 
-// Why a quantity of the space has no value there; "" = it has.
+// Returns why a quantity of the space has no value; "" = it has.
 using ProblemOfSpace = std::function<calc::Message(const Quantity&)>;
 
 class WorkplaceMaker {
@@ -97,7 +97,7 @@ class WorkplaceMaker {
         space_(space),
         diagnostics_(diagnostics) {}
 
-  // That the zones are of the pack and may be changed so.
+  // Checks that the zones are in the pack and may be changed this way.
   void check_zones() {
     std::vector<std::string> allowed;
     for (const std::string& role : pack_.roles()) {
@@ -123,11 +123,11 @@ class WorkplaceMaker {
     }
   }
 
-  // By run().
+  // Returns the zones that run() did not make.
   const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
-  // "EN 12464-1:2021 34.2".
+  // Returns "EN 12464-1:2021 34.2".
   std::string row() const { return rule_words(); }
-  // "left out: ceiling (open)"; "" = there is nothing to say.
+  // Returns "left out: ceiling (open)"; "" = there is nothing to say.
   calc::Message note() const { return note_words(); }
   std::vector<std::string> asked() const {
     std::vector<std::string> checks;
@@ -138,7 +138,7 @@ class WorkplaceMaker {
     return checks;
   }
 
-  // After check_zones() without an error. Nothing is added after an error.
+  // Makes the planes; requires check_zones() without an error. Adds nothing after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
     if (row_.task_orientation == kUpright && !workplace_.upright) {
@@ -198,7 +198,7 @@ class WorkplaceMaker {
                     kMostPoints));
   }
 
-  // A row without its task would be met by whatever is left.
+  // Refuses to omit the task, because a row without its task would be met by any rest.
   void check_may_be_left_out(const ZoneText& zone) {
     const RulePlane& plane = *plane_of_zone(zone);
     if (zone.role != pack_.role && plane.area != ZoneArea::task) return;
@@ -207,13 +207,13 @@ class WorkplaceMaker {
                         fmt::format("{}", fmt::join(asked_checks(plane.role, scope_), " ")));
   }
 
-  // Of a role or a part of it.
+  // Returns the pack's plane for a role or a part of it.
   const RulePlane* plane_of_zone(const ZoneText& zone) const {
     const RulePlane* plane = pack_.find_plane(zone.role);
     return plane != nullptr ? plane : pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
   }
 
-  // Surfaces of the room are where they are.
+  // Refuses changes that surfaces of the room cannot have.
   void check_fit(const ZoneText& zone) {
     const RulePlane* plane = plane_of_zone(zone);
     const bool is_surface =
@@ -240,7 +240,7 @@ class WorkplaceMaker {
     if (!zone.area_m.empty()) refuse("footprint' or 'size", ": give the area to <workplace>");
   }
 
-  // Of an upright task: it and the band around it.
+  // Returns whether the plane is an upright task or the band around it.
   bool is_in_its_plane(const RulePlane& plane) const {
     const RulePlane* inside = pack_.find_plane(plane.around);
     return plane.area == ZoneArea::task ||
@@ -264,7 +264,7 @@ class WorkplaceMaker {
     unmade_.push_back({role, why, std::nullopt, is_place_unknown});
   }
 
-  // After the last day the plane is asked for again, and nothing is known of it: it has no area.
+  // Omits a plane. After the last day it is required again and cannot be judged: it has no area.
   void leave_out(const std::string& name, const RulePlane& rule, const ZoneText& zone,
                  std::optional<std::size_t> part) {
     calc::CalcPlane plane = plane_of(name, rule, part, calc::say<calc::Sentence::zone_left_out>());
@@ -273,8 +273,8 @@ class WorkplaceMaker {
     left_out_names_.push_back(name);
   }
 
-  // Of the planes of a role that were left out since the first of them: one name, if it is the role
-  // as a whole that somebody leaves out and nothing of it is left.
+  // Reports the planes of a role omitted since `first`: under one name, if the whole role is
+  // omitted and nothing of it is left.
   void tell_left_out(const std::string& role, std::size_t first, bool is_something_left) {
     const ZoneText* whole = find_zone(role);
     const bool is_whole = whole != nullptr && whole->left_out && !is_something_left;
@@ -289,7 +289,7 @@ class WorkplaceMaker {
     }
   }
 
-  // Such as shelves, which a project draws where it has them: nobody misses them elsewhere.
+  // Returns whether it is advice for something that a project draws if it has it, such as shelves.
   bool is_advice_without_place(const std::string& role, const RulePlane* plane) const {
     return plane != nullptr && !has_area(*plane) &&
            std::none_of(pack_.checks.begin(), pack_.checks.end(), [&](const RuleCheck& check) {
@@ -297,7 +297,7 @@ class WorkplaceMaker {
            });
   }
 
-  // Why there is no plane of a role, whatever the room; "" = there is.
+  // Returns why there is no plane of a role, whatever the room; "" = there is one.
   calc::Message reason_against(const std::string& role, const RulePlane* plane) const {
     const Quantity& quantity = *find_quantity(role);
     if (!quantity.kernel) return calc::say<calc::Sentence::not_on_planes>(quantity.name);
@@ -312,8 +312,8 @@ class WorkplaceMaker {
     return *find_quantity(role)->kernel;
   }
 
-  // Its points look somewhere: along the room's longest wall and across it, to and
-  // fro.
+  // Returns whether its points face the directions along the room's longest wall and across it,
+  // both ways.
   bool looks_around(const std::string& role) const {
     return calc::has_look(kernel_of(role), find_quantity(role)->derived);
   }
@@ -330,16 +330,15 @@ class WorkplaceMaker {
     return index < 2 ? look : -look;
   }
 
-  // Planes "role.1" ... of it, for each wall or direction; 0: one plane, "role".
+  // Returns the number of planes "role.1" ... for walls or directions; 0: one plane, "role".
   std::size_t parts_of(const std::string& role, const RulePlane& plane) const {
     if (plane.area == ZoneArea::walls) return workplace_.walls.size();
     return looks_around(role) ? 4 : 0;
   }
 
-  // Of two checks that ask the same, one of the space and one of planes, the one that is asked.
-  // Where the space has a value nothing that the project says takes it away: who asks for planes,
-  // or changes something about them, is asked for both. Who leaves planes out leaves out no more
-  // than these.
+  // Chooses between alternative checks, one of the space and one of planes. If the space has a
+  // value, no statement of the project removes it: requiring planes, or changing them, adds them to
+  // it. Omitting planes omits only these.
   void choose_methods() {
     for (const RuleCheck& check : pack_.checks) {
       if (check.instead_of.empty() || !check.quantity->of_space) continue;
@@ -371,7 +370,7 @@ class WorkplaceMaker {
     }
   }
 
-  // Of planes that are not made, since something else is asked in their place.
+  // Refuses zones of planes that are not made, because another check replaces them.
   void refuse_zones_of(const std::string& role) {
     for (const ZoneText& zone : workplace_.zones) {
       if (zone.role != role && !zone.role.starts_with(role + ".")) continue;
@@ -428,7 +427,8 @@ class WorkplaceMaker {
                         not_made_[not_made], role, role);
   }
 
-  // Of which nobody would judge anything, while the others are judged by less.
+  // Reports a front wall that is too narrow: it would not be judged, and the other walls would have
+  // easier limits.
   void check_front_wall(const std::vector<std::size_t>& too_narrow) {
     const std::optional<std::size_t> front = front_wall();
     if (!front || std::find(too_narrow.begin(), too_narrow.end(), *front) == too_narrow.end()) {
@@ -440,8 +440,8 @@ class WorkplaceMaker {
                         "a wall that is wide enough to be judged");
   }
 
-  // Of some surfaces nothing is left within the standard's margin, so that there is nothing to
-  // judge, and the others are judged for themselves; but that must be seen, and said by somebody.
+  // Warns of surfaces with nothing left inside the standard's margin: they are not judged while the
+  // others are, and readers must see that.
   void warn_of_unchecked(std::size_t first) {
     constexpr std::size_t kMostNamed = 4;
     const std::vector<calc::Message> all(not_made_.begin() + static_cast<std::ptrdiff_t>(first),
@@ -487,7 +487,7 @@ class WorkplaceMaker {
     }
   }
 
-  // Without its area.
+  // Returns the plane without its area.
   calc::CalcPlane plane_of(const std::string& name, const RulePlane& rule,
                            std::optional<std::size_t> part, calc::Message words) const {
     calc::CalcPlane plane;
@@ -511,7 +511,7 @@ class WorkplaceMaker {
     return plane;
   }
 
-  // Of joined walls it is the number of the first.
+  // Returns the number of the front wall; for joined walls that of the first.
   std::optional<std::size_t> front_wall() const {
     if (!workplace_.front_wall) return std::nullopt;
     return part_of_.at(*workplace_.front_wall).value_or(*workplace_.front_wall);
@@ -562,7 +562,7 @@ class WorkplaceMaker {
   std::vector<calc::UnmadeZone> unmade_;            // the same
 };
 
-// Once here, not once for every plane.
+// Checks the scene once here, not once for every plane.
 void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
   if (!reader.has("scene")) return;
   const std::string scene = reader.text("scene");
@@ -573,7 +573,7 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
                       "scene", scene, names);
 }
 
-// Null: every luminaire at full output.
+// Returns the scene; null: every luminaire at full output.
 const calc::LightScene* scene_named(const ElementReader& reader,
                                     const std::vector<calc::LightScene>& scenes) {
   const calc::XmlAttribute* name = reader.element().find("scene");
@@ -583,13 +583,13 @@ const calc::LightScene* scene_named(const ElementReader& reader,
   return found == scenes.end() ? nullptr : &*found;
 }
 
-// Of a workplace: its row, and what of it has no plane; "" = nothing to say.
+// A workplace's row with a note on its missing planes; "" = nothing to say.
 struct WorkplaceNote {
   std::string id, row;
   calc::Message words;
 };
 
-// What is the same of several is said once: "workplaces a, b and 6 more, ...".
+// Adds the notes; equal notes appear once: "workplaces a, b and 6 more, ...".
 void add_notes(const std::vector<WorkplaceNote>& notes, calc::Space& space) {
   using enum calc::Sentence;
   std::map<std::pair<std::string, calc::Message>, std::vector<std::string>> ids;  // by what is said
@@ -611,10 +611,10 @@ Method read_method(ElementReader& reader) {
                                                                    : Method::on_planes;
 }
 
-// Of a space, whose workplaces all ask for it.
+// Problems of the UGR of a space, shared by its workplaces.
 class RoomUgrProblems {
  public:
-  // is_good: else the luminaires may have no type, and nothing is asked of them.
+  // is_good: false if luminaires may have no type, which are then not used.
   RoomUgrProblems(const calc::Project& project, const calc::Space& space, bool is_good)
       : project_(project), space_(space), is_good_(is_good) {}
 
@@ -634,7 +634,7 @@ class RoomUgrProblems {
   std::map<const calc::LightScene*, calc::Message> of_scene_;
 };
 
-// Who says so must get what the pack has for it.
+// Reports a special place for which the pack has no value.
 void check_special(ElementReader& reader, const RulePack& pack, const RuleRow* row,
                    std::string_view name, calc::SpecialPlace place) {
   if (!reader.has(name) || row == nullptr) return;

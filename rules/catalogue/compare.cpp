@@ -16,7 +16,8 @@ double loosened(double limit, Comparison comparison, double tolerance) {
   return limit * (is_lower_limit(comparison) ? 1.0 - tolerance : 1.0 + tolerance);
 }
 
-// Reports show two significant digits of small values: 0.6 lx is not printed as 1 lx.
+// Returns the value as printed: reports show two significant digits of small values, so 0.6 lx is
+// not 1 lx.
 double as_printed(double value, int digits, Rounding rounding) {
   constexpr int kSignificant = 2, kMostDigits = 9;
   if (value == 0.0 || !std::isfinite(value)) return value;
@@ -25,7 +26,7 @@ double as_printed(double value, int digits, Rounding rounding) {
   return round_to(value, std::max(digits, of_small), rounding);
 }
 
-// Rounding keeps the order of numbers, so that the ends of an interval may be rounded one by one.
+// Compares the ends one by one after rounding, which keeps the order of numbers.
 Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double tolerance) {
   const auto is_met = [&](double value, double limit) {
     const double compared =

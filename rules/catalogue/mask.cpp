@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kTolerance_m = 1e-9;  // a point on the edge of a strip counts
 
-// Below this ratio of its sides a plane does not show which way people go on it.
+// Least ratio of the sides of a plane at which its long side shows the walking direction.
 constexpr double kClearRatio = 2.0;
 
-// Place of a point on a rectangle whose long sides run along `along`.
+// The place of a point on a rectangle whose long sides run along `along`.
 struct Place {
   double along_m, across_m;
 };
@@ -93,7 +93,7 @@ bool is_off_walls(const MaskOperation& operation, const calc::SensorGrid& grid, 
          calc::distance_to_boundary(grid.room_m, at) >= operation.metres - kTolerance_m;
 }
 
-// rectangle: of the plane, or null if it is none.
+// Returns whether the point counts. rectangle: of the plane, or null if it is not one.
 bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::size_t point,
             const Rectangle* rectangle) {
   if (operation.step == MaskStep::walls) return is_off_walls(operation, grid, point);
@@ -105,13 +105,14 @@ bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::s
   return counts_on_rectangle(operation, *rectangle, rectangle->place(grid, point));
 }
 
-// Of a wide hall a line says nothing: it must be judged strip by strip.
+// Returns whether a hall is too wide for a line: it must then be judged strip by strip.
 bool is_too_wide(const MaskOperation& operation, double width_m) {
   return operation.step == MaskStep::centre_line && operation.up_to_width_m > 0.0 &&
          width_m > operation.up_to_width_m + kTolerance_m;
 }
 
-// A route knows its way: strips run along its line, and an inset is one at both ends, too.
+// Returns whether the point of a route counts: strips run along its line, and an inset is also a
+// strip at both ends.
 bool counts_on_route(const MaskOperation& operation, const calc::RouteCells& cells,
                      const calc::SensorGrid& grid, std::size_t point) {
   const double width_m = grid.route->line.width_m;

@@ -12,16 +12,16 @@ namespace {
 
 using Marks = std::vector<std::uint8_t>;
 
-// Share of a single sample, if it is too large to be trusted, else 0. Above 1 where a sample that
-// could have been drawn is larger than all that was.
+// Returns the share of a single sample if it is too large to be trusted, else 0. Above 1 if a
+// sample that could have been drawn is larger than the sum of all drawn ones.
 double untrusted_share(const PointValues& values, std::size_t point) {
   if (values.largest_share.empty()) return 0.0;
   const float share = values.largest_share[point];
   return share > kLargestTrustedShare ? static_cast<double>(share) : 0.0;
 }
 
-// Points whose value may be as low as `bound`. Without the one sample that it rests on, the value
-// of a point would be lower by that sample's share.
+// Marks points whose value may be as low as `bound`. A point that rests on one sample would,
+// without it, be lower by that sample's share.
 Marks low_points(const PointValues& values, LimitsOfPoint limits_of, double bound, double alpha) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   const double t = one_sided_t(values.replicates, alpha / 2.0);
@@ -33,7 +33,8 @@ Marks low_points(const PointValues& values, LimitsOfPoint limits_of, double boun
   return marks;
 }
 
-// Points whose value may be as high as `bound`: any, of those that no sample has reached.
+// Marks points whose value may be as high as `bound`; points that no sample has reached may have
+// any value.
 Marks high_points(const PointValues& values, double bound, double alpha) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   const double t = one_sided_t(values.replicates, alpha / 2.0);
@@ -46,8 +47,8 @@ Marks high_points(const PointValues& values, double bound, double alpha) {
   return marks;
 }
 
-// Is the average, times u, the larger part of the noise of E_i - u * mean(E) at the worst of these
-// points, the one that keeps the lower limit of Uo down?
+// Returns whether the average, times u, is the larger part of the noise of E_i - u * mean(E) at the
+// worst of these points, which determines the lower limit of Uo.
 bool average_is_noisier(const PointValues& values, const Marks& marks, double u) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   constexpr double kUsualT = 2.0;  // only ranks the points
@@ -73,8 +74,8 @@ Marks united(Marks a, const Marks& b) {
 
 Candidates same_for_both(Marks marks) { return Candidates{marks, marks}; }
 
-// What matters of a minimum is what lies below its upper limit; if only a limit counts, then what
-// lies below that. Of a maximum mirrored.
+// Returns the bound below which points matter for a minimum: its upper limit, or the required limit
+// if only that counts. Mirrored for a maximum.
 double low_bound(const calc::Estimate& estimate, std::optional<double> limit) {
   return limit ? std::min(*limit, estimate.high) : estimate.high;
 }
@@ -82,7 +83,7 @@ double high_bound(const calc::Estimate& estimate, std::optional<double> limit) {
   return limit ? std::max(*limit, estimate.low) : estimate.low;
 }
 
-// The extremes have half of the risk each, as in the interval of Ud.
+// Marks the points of both extremes, each at half of the risk, as in the interval of Ud.
 Marks extreme_points(const PointValues& values, double alpha) {
   const double confidence = 1.0 - alpha / 2.0;
   const auto bounds_of = [&](Metric metric) {
@@ -92,8 +93,8 @@ Marks extreme_points(const PointValues& values, double alpha) {
                 high_points(values, bounds_of(Metric::maximum).low, alpha / 2.0));
 }
 
-// Points of which one sample is too large a share of the plane's average. The illuminance of one
-// point averages out over the others.
+// Marks points of which one sample is too large a share of the plane's average. The illuminance of
+// a single point averages out.
 Marks average_spoilers(const PointValues& values) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   const bool is_weighted = !values.weight.empty();

@@ -14,7 +14,7 @@ double weight_of(const calc::LightChannel& channel, LightState state,
   return state == LightState::initial ? level : level * channel.maintenance_factor;
 }
 
-// to[i] += weight * from[i]; a part that was not computed is empty and adds nothing.
+// Adds to[i] += weight * from[i]; a part that was not computed is empty and adds nothing.
 void add_weighted(const std::vector<double>& from_lx, std::size_t row, double weight,
                   std::span<double> to_lx) {
   if (from_lx.empty()) return;
@@ -22,11 +22,11 @@ void add_weighted(const std::vector<double>& from_lx, std::size_t row, double we
   for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
 }
 
-// Of each point, over all rows of some parts of a field; row by row, as they lie in memory.
+// Sums for each point over all rows of some parts of a field, row by row as in memory.
 struct PointSums {
   explicit PointSums(std::size_t points) : all_lx(points, 0.0), scene_lx(points, 0.0) {}
 
-  // share: what of the part's values counts, one over the replicates. A factor, as a division of
+  // Adds a part. share: weight of its values, 1 / replicates. A factor is used because dividing
   // each value takes half the time of all judging.
   void add(const std::vector<double>& part, const std::vector<double>& weights, double share) {
     const std::size_t points = all_lx.size();
@@ -44,8 +44,9 @@ struct PointSums {
   std::vector<double> all_lx, scene_lx;  // [point]: all channels at full output, weighted
 };
 
-// [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
-// own marks speak of all channels together; a scene with fewer of them may miss more points.
+// Returns [point]: 1 if sampled light of these channels may reach the point, but no sample did. The
+// field's own marks are for all channels together; a scene with fewer channels may miss more
+// points.
 std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
                                       const std::vector<double>& weights) {
   std::vector<std::uint8_t> unseen(field.points, 0);
@@ -60,8 +61,9 @@ std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
   return unseen;
 }
 
-// [point]: the field's shares are of all channels at full output; where a scene leaves less of the
-// point's light, one sample may be more of it. An upper bound: the sample may be of any channel.
+// Returns [point]: shares for the scene. The field's shares are for all channels at full output; in
+// a scene with less light a sample may be a larger share. An upper bound: the sample may belong to
+// any channel.
 std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector<double>& weights) {
   std::vector<float> shares = field.largest_share;
   if (shares.empty()) return shares;
@@ -79,7 +81,7 @@ std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector
   return shares;
 }
 
-// Mean over the replicates of what all channels give at one point, at full output.
+// Returns the mean over the replicates of all channels' light at one point, at full output.
 double mean_lx(const std::vector<double>& part, std::size_t point, std::size_t points,
                std::size_t replicates) {
   double sum_lx = 0.0;
@@ -95,10 +97,10 @@ bool may_sample(const std::vector<calc::LightChannel>& channels,
   return false;
 }
 
-// The field as it would be without reflections. A point that no sample of direct light reached is
-// unseen, whatever reflected light did; but where nothing that a scene with these weights leaves on
-// is sampled (emergency luminaires that are points, beside panels that are out) all is exact.
-// Shares grow as their light gets less.
+// Returns the field without reflections. A point that no sample of direct light reached is unseen,
+// whatever reflected light did; but if nothing lit in the scene is sampled (emergency luminaires
+// that are points, beside panels that are off) everything is exact. Shares grow as their light
+// decreases.
 calc::PlaneField direct_part(calc::PlaneField field, const std::vector<double>& weights) {
   const std::vector<double> indirect_lx = std::move(field.indirect_lx);
   field.indirect_lx.clear();

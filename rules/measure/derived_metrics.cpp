@@ -11,7 +11,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// Those that have a value, or may have one.
+// Returns the points that have a value, or may have one.
 Indices existing(const DerivedPoints& points) {
   Indices indices;
   for (std::size_t i = 0; i < points.points(); ++i) {
@@ -26,9 +26,9 @@ double nth(std::vector<double> values, std::size_t rank) {
   return *place;
 }
 
-// The value of rank k (1-based, ascending) of M. Low: of the k points that are truly at or below it
-// none may have a lower limit beyond its own value, so that they share alpha / 2; of the largest
-// only that one point matters for the high end, of the smallest for the low end.
+// Returns the value of rank k (1-based, ascending) of M. Low: none of the k points that are truly
+// at or below it may have a lower limit beyond its own value, so they share alpha / 2; for the
+// largest only that one point matters for the high end, for the smallest for the low end.
 DerivedEstimate ranked(const DerivedPoints& points, const Indices& indices, std::size_t rank,
                        double alpha) {
   const std::size_t count = indices.size();
@@ -51,8 +51,8 @@ DerivedEstimate ranked(const DerivedPoints& points, const Indices& indices, std:
   return result;
 }
 
-// Points that may lie on the wrong side of what counts: of a maximum, above `limit` or, without
-// one, above the maximum's own lower end.
+// Marks points that may be on the wrong side of the relevant bound: for a maximum, above `limit`
+// or, without it, above the maximum's own lower end.
 void mark_candidates(const DerivedPoints& points, const Indices& indices, Metric metric,
                      std::optional<double> limit, double alpha, DerivedEstimate& result) {
   const double t = one_sided_t(points.replicates(), 0.5 * alpha);

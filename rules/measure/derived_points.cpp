@@ -28,7 +28,7 @@ std::vector<double> column_of(const PointValues& values, std::size_t i) {
   return column;
 }
 
-// Of the means of both.
+// Returns the covariance of the means of both.
 double covariance_of(const std::vector<double>& a, double mean_a, const std::vector<double>& b,
                      double mean_b) {
   if (a.size() < 2) return 0.0;
@@ -43,7 +43,7 @@ double ugr_of(double sum, double background_lx) {
   return 8.0 * calc::log10(0.25 * calc::kPi * sum / background_lx);
 }
 
-// At most, see calc::kLuminousCeiling_lx; never less than UGR.
+// Returns an upper bound, see calc::kLuminousCeiling_lx; never less than UGR.
 double luminous_ceiling(double sum, double background_lx) {
   if (!(sum > 0.0)) return -kInfinity;
   if (!(background_lx > 0.0)) return kInfinity;
@@ -68,7 +68,7 @@ calc::Message doubt_text(const calc::GlareDoubt& doubt) {
   return calc::say<calc::Sentence::glare_no_area>(place, observer, calc::kSmallestGlareSource_m2);
 }
 
-// Receivers part * points + i of a plane with several per point.
+// Returns receivers part * points + i of a plane with several receivers per point.
 PointValues receivers_of_part(const PointValues& all, std::size_t part, std::size_t parts) {
   const std::size_t points = all.points / parts;
   std::vector<std::size_t> chosen(points);

@@ -16,13 +16,13 @@ struct KnownPoint {
   Limits limits;
 };
 
-// t for limits of single points that hold together at half the risk.
+// Returns t for limits of single points that hold together at half the risk.
 double t_for_all(std::size_t points, std::size_t replicates, double alpha) {
   return one_sided_t(replicates, 0.5 * alpha / static_cast<double>(points));
 }
 
-// Of at least `rank` points the value is at most `high`, and so is the value of that rank among all
-// points, however many others there are. least: what no value is below.
+// Returns the estimate of the value of a rank: at least `rank` points have at most `high`, so the
+// value of that rank among all points is at most `high`, too. least: lower bound of all values.
 std::optional<MetricEstimate> nth_from_below(std::vector<KnownPoint> known, std::size_t rank,
                                              double least) {
   if (rank == 0 || known.size() < rank) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<MetricEstimate> nth_from_below(std::vector<KnownPoint> known, std:
   return MetricEstimate{{value, std::min(least, value), std::max(high, value)}, nth->point};
 }
 
-// The mirror image; rank from the largest.
+// Returns the mirror image; rank from the largest.
 std::optional<MetricEstimate> nth_from_above(std::vector<KnownPoint> known, std::size_t rank) {
   for (KnownPoint& one : known) {
     one.limits = {-one.limits.high, -one.limits.value, -one.limits.low};
@@ -50,7 +50,7 @@ std::optional<MetricEstimate> nth_from_above(std::vector<KnownPoint> known, std:
   return result;
 }
 
-// Among `count` points, from the smallest; 0: the metric is no rank.
+// Returns the rank among `count` points, from the smallest; 0: the metric is not a rank.
 std::size_t rank_in(const Requirement& requirement, std::size_t count) {
   switch (requirement.metric) {
     case Metric::minimum:
@@ -81,7 +81,7 @@ bool is_unknown(const PointValues& values, std::size_t point) {
   return values.is_unseen(point) || values.is_untrusted(point);
 }
 
-// As if no light came to the doubtful points: the average is at least that of this.
+// Returns the values as if no light reached the doubtful points: a lower bound of the average.
 PointValues darkened(PointValues values) {
   for (std::size_t i = 0; i < values.points; ++i) {
     if (!is_unknown(values, i)) continue;
@@ -109,7 +109,7 @@ std::vector<KnownPoint> known_values(const PointValues& values, double alpha) {
   return known_points(values, [&](std::size_t i) { return point_limits(all, i, t); });
 }
 
-// Above an upper limit alone.
+// Returns the average for upper limits only.
 std::optional<MetricEstimate> known_average(const PointValues& values, double alpha) {
   const ReplicateSample dark = summarize(darkened(values), 0, values.replicates);
   const double value = summarize(values, 0, values.replicates).plane_mean_lx;
@@ -117,7 +117,7 @@ std::optional<MetricEstimate> known_average(const PointValues& values, double al
   return MetricEstimate{{value, std::min(low, value), kInfinity}, std::nullopt};
 }
 
-// Below a lower limit alone. A smaller average makes the ratio larger.
+// Returns Uo for lower limits only. A smaller average makes the ratio larger.
 std::optional<MetricEstimate> known_uo(const PointValues& values, double alpha) {
   const double plane_lx = summarize(values, 0, values.replicates).plane_mean_lx;
   if (!(plane_lx > 0.0)) return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<MetricEstimate> known_uo(const PointValues& values, double alpha) 
                         1, 0.0);
 }
 
-// Each extreme at half the risk, as in its interval.
+// Returns Ud, each extreme at half the risk, as in its interval.
 std::optional<MetricEstimate> known_ud(const PointValues& values, double alpha) {
   const std::vector<KnownPoint> known = known_values(values, 0.5 * alpha);
   std::optional<MetricEstimate> result = nth_from_below(known, 1, 0.0);

@@ -16,7 +16,7 @@ double ranked_value(std::vector<double> means_lx, std::size_t rank) {
   return *nth;
 }
 
-// Of the means over the other replicates. Not a number: not defined.
+// Returns the metric of the means over the other replicates; NaN: not defined.
 double value_of(const std::vector<double>& means_lx, double average_lx, Metric metric,
                 double percent, std::optional<std::size_t> point) {
   const auto [min, max] = std::minmax_element(means_lx.begin(), means_lx.end());

@@ -19,8 +19,8 @@ namespace {
 using calc::say;
 using calc::Sentence;
 
-// Of the largest coefficient, beyond every limit: so that "more than" is met, too, and what a
-// solver rounds breaks nothing. Far below what lamps differ.
+// Room beyond every limit, as a share of the largest coefficient: it also meets "more than", and
+// covers the solver's rounding. Far below the differences between lamps.
 constexpr double kRoom = 1e-6;
 
 double scale_of(const LevelCondition& condition) {
@@ -29,14 +29,14 @@ double scale_of(const LevelCondition& condition) {
   return scale;
 }
 
-// most: where only darkness meets a limit from above there is room for nothing more.
+// Returns the condition with room. most: limits the room where only darkness meets an upper limit.
 LevelCondition with_room(LevelCondition condition,
                          double most = std::numeric_limits<double>::infinity()) {
   condition.at_least += std::min(kRoom * scale_of(condition), most);
   return condition;
 }
 
-// Values of the chosen points by one group alone, at its full output.
+// Returns the values of the chosen points from one group alone, at its full output.
 PointValues light_of(const Requirement& requirement, const calc::SensorGrid& grid,
                      const calc::PlaneField& field,
                      const std::vector<std::pair<std::string, double>>& levels,
@@ -48,7 +48,8 @@ PointValues light_of(const Requirement& requirement, const calc::SensorGrid& gri
   return select_points(values, points);
 }
 
-// Of which no interval can be told beforehand; the verdict on other levels says so.
+// Returns why the requirement gives no linear conditions; then only the verdict at other levels
+// tells.
 calc::Message why_not(const Requirement& requirement, const calc::SensorGrid& grid) {
   if (!requirement.problem.empty()) return requirement.problem;
   if (calc::is_plain_number(grid.derived)) return say<Sentence::condition_is_rating>();
@@ -231,7 +232,7 @@ LevelCondition LevelConditions::condition(const Light& light, double safety) con
                    : with_room(std::move(result));
 }
 
-// The point must have that share of what the other one has.
+// Returns the condition that the least point has the required share of the greatest.
 LevelCondition LevelConditions::pair_condition(std::size_t least, std::size_t greatest,
                                                double safety) const {
   LevelCondition result;

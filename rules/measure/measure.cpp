@@ -40,7 +40,7 @@ calc::Message point_text(const glm::dvec3& p) {
 
 constexpr double kSameStep_m = 0.1;  // of a route's points: not a tread further up or down
 
-// In the cell of the point, or on its edge.
+// Returns whether the place is in the cell of the point, or on its edge.
 bool is_in_cell(const calc::SensorGrid& grid, const calc::RouteCells& cells, std::size_t point,
                 const glm::dvec3& place_m) {
   return std::abs(grid.position_m[point].z - place_m.z) <= kSameStep_m &&
@@ -48,7 +48,8 @@ bool is_in_cell(const calc::SensorGrid& grid, const calc::RouteCells& cells, std
                               glm::dvec2(place_m));
 }
 
-// Cells at bends are no rectangles: the nearest centre may be that of the next cell.
+// Returns the point of the cell with the place. Cells at bends are not rectangles, so the nearest
+// centre may be that of the next cell.
 std::size_t point_at(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
   if (grid.route) {
     const calc::RouteCells cells = grid.route->cells(grid.rows);
@@ -63,17 +64,18 @@ std::size_t point_at(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
   return static_cast<std::size_t>(nearest - grid.position_m.begin());
 }
 
-// What is meant to lie in a plane lies in it but for how it was measured out or written down.
+// Largest distance of a place from a plane in which it is meant to lie, after measuring and
+// rounding.
 constexpr double kSamePlane_m = 0.05;
 
-// Of the place, from the plane of the point.
+// Returns the distance of the place from the plane of the point.
 double distance_across_m(const calc::SensorGrid& grid, std::size_t point,
                          const glm::dvec3& wanted_m) {
   return std::abs(glm::dot(grid.position_m[point] - wanted_m, glm::cross(grid.u, grid.v)));
 }
 
-// Within half a cell along the plane's axes, and hardly off the plane; of a route in the cell
-// itself.
+// Returns whether the place is within half a cell along the plane's axes, and hardly off the plane;
+// for a route in the cell itself.
 bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& wanted_m) {
   if (grid.route) return is_in_cell(grid, grid.route->cells(grid.rows), point, wanted_m);
   const glm::dvec3 offset_m = grid.position_m[point] - wanted_m;
@@ -88,8 +90,8 @@ bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& 
 
 constexpr double kSameLook = 0.9998;  // cosine: about a degree
 
-// Which of the points that stand at the place of point `nearest` looks as asked for; only a list
-// has more than one. Empty, with the reason: none, or it is not said which.
+// Returns the point at the place of point `nearest` with the required direction; only a list has
+// several there. Empty, with the reason: there is none, or no direction is stated.
 std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_t nearest,
                                         const PointOfValue& asked, calc::Message& reason) {
   if (grid.columns > 0 && !asked.facing) return nearest;
@@ -128,7 +130,7 @@ calc::Message near_text(const calc::SensorGrid& grid) {
                                                 kSamePlane_m);
 }
 
-// What is easily overlooked in three coordinates.
+// Returns words for a place off the plane, which three coordinates hide easily.
 calc::Message off_plane_text(const calc::SensorGrid& grid, std::size_t point,
                              const glm::dvec3& wanted_m) {
   if (grid.columns == 0 || grid.route) return {};
@@ -142,7 +144,7 @@ calc::Message undefined_text(Metric metric) {
                                               : calc::say<calc::Sentence::average_is_zero>();
 }
 
-// Marks of selected points as marks of all.
+// Returns marks of selected points as marks of all points.
 std::vector<std::uint8_t> spread_marks(const std::vector<std::uint8_t>& marks,
                                        const std::vector<std::size_t>& points, std::size_t all) {
   std::vector<std::uint8_t> spread(all, 0);
@@ -150,7 +152,7 @@ std::vector<std::uint8_t> spread_marks(const std::vector<std::uint8_t>& marks,
   return spread;
 }
 
-// Where a point of the grid stands among the chosen ones.
+// Returns the place of a point of the grid among the chosen points.
 std::optional<std::size_t> place_among(const std::vector<std::size_t>& chosen,
                                        std::optional<std::size_t> point) {
   if (!point) return std::nullopt;
@@ -159,7 +161,7 @@ std::optional<std::size_t> place_among(const std::vector<std::size_t>& chosen,
   return static_cast<std::size_t>(found - chosen.begin());
 }
 
-// The point, among the masked ones, as a point of the grid.
+// Replaces a point among the masked ones by the point of the grid.
 void place_in_grid(const MaskedPoints& masked, std::optional<MetricEstimate>& metric) {
   if (metric && metric->point) metric->point = masked.points[*metric->point];
 }
@@ -170,14 +172,14 @@ Measurement nothing_to_measure(const calc::Message& reason) {
   return result;
 }
 
-// Of one receiver per point: of all the point's receivers.
+// Returns marks of points, repeated for all receivers of each point.
 std::vector<std::uint8_t> repeated(const std::vector<std::uint8_t>& marks, std::size_t times) {
   std::vector<std::uint8_t> all;
   for (std::size_t k = 0; k < times; ++k) all.insert(all.end(), marks.begin(), marks.end());
   return all;
 }
 
-// No observer sees one.
+// Returns the measurement if no observer sees a glare source.
 Measurement no_glare_source(std::size_t observers) {
   Measurement result;
   result.metric = MetricEstimate{{-kInfinity, -kInfinity, -kInfinity}, std::nullopt};
@@ -233,8 +235,8 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   return result;
 }
 
-// Whether the sums of the sources alone leave the limit open, with the sampled light wherever in
-// its interval.
+// Returns whether the sums of the sources alone leave the limit open, for any sampled light in its
+// interval.
 bool is_open_by_sources(const GlarePoints& points, const DerivedRequest& request) {
   const Requirement& requirement = request.requirement;
   if (requirement.metric != Metric::maximum && !request.point) return false;
@@ -250,7 +252,7 @@ bool is_open_by_sources(const GlarePoints& points, const DerivedRequest& request
          meets(high, requirement.comparison, requirement.limit);
 }
 
-// make_points: the derived points of values.
+// Returns the value without each replicate. make_points: derived points of values.
 template <class MakePoints>
 std::vector<double> without_each_replicate(const PointValues& values, const MakePoints& make_points,
                                            const DerivedRequest& request) {
@@ -312,7 +314,7 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   return result;
 }
 
-// Largest ratio between neighbours among the masked points.
+// Measures the largest ratio between neighbours among the masked points.
 Measurement measure_gradient(const PointValues& values, const MaskedPoints& masked,
                              const calc::SensorGrid& grid, const DerivedRequest& request) {
   const NeighbourPairs pairs(values, grid, masked.points);
@@ -363,13 +365,13 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
   return result;
 }
 
-// Why an interval that no sample made is one.
+// Returns why an interval exists although nothing was sampled.
 calc::Message readings_words(const calc::Estimate& readings) {
   if (!(readings.low < readings.high)) return {};
   return calc::say<calc::Sentence::readings_differ>();
 }
 
-// Of the space, whatever its light.
+// Returns a value of the space, whatever its light.
 Measurement known_of_space(const Requirement& requirement, const calc::SensorGrid& grid) {
   Measurement result;
   result.metric = MetricEstimate{requirement.of_space, std::nullopt};
@@ -383,8 +385,8 @@ Measurement known_of_space(const Requirement& requirement, const calc::SensorGri
   return result;
 }
 
-// What falls with the average illuminance: the ends of its interval give those of this. The highest
-// comes from the lowest average.
+// A value that falls with the average illuminance: the ends of the average's interval give its
+// ends, the highest from the lowest average.
 struct OfAverage {
   std::function<double(double)> lowest, value, highest;
 };
@@ -439,7 +441,7 @@ OfAverage field_glare(const LitField& field) {
   return {at(veiling.low), at(veiling.value), at(veiling.high)};
 }
 
-// Whatever the average is.
+// Returns the rating without a veil, whatever the average is.
 Measurement no_veil(const calc::SensorGrid& grid) {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   Measurement result;
@@ -450,7 +452,7 @@ Measurement no_veil(const calc::SensorGrid& grid) {
   return result;
 }
 
-// What is not of the average in a rating of a field.
+// Adds the parts of a field's rating that do not come from the average.
 void add_readings(const calc::Estimate& veiling, Measurement& result) {
   if (calc::is_nothing(result.metric->estimate)) result.without_replicate.clear();
   if (!(veiling.low < veiling.high)) return;

@@ -10,9 +10,9 @@
 namespace rules {
 namespace {
 
-// The only place where limits are moved: illuminance is never negative, minimum / average and
-// minimum / maximum are between 0 and 1, so the part of an interval beyond these ends holds no
-// possible value and coverage is kept.
+// Moves limits into the possible range, and only here: illuminance is never negative, minimum /
+// average and minimum / maximum are between 0 and 1, so the part of an interval beyond these ends
+// holds no possible value and coverage is kept.
 calc::Estimate within_range(const calc::Estimate& estimate, Metric metric) {
   const double largest = is_ratio(metric) ? 1.0 : estimate.high;
   calc::Estimate result;
@@ -81,11 +81,11 @@ double upper_limit(const PointValues& values, const ReplicateSample& all, Limits
                   limits_of(a, darkest_point(b), t_a).high);
 }
 
-// Interval of the smallest q_i over the points.
-// Low: min_i L_i with every L_i at alpha / 2 on its own. No share for multiplicity is needed: the
-// true smallest value is q_i* >= L_i* >= min L with probability 1 - alpha / 2, whichever point i*
-// is. High: see upper_limit. The value, the smallest of noisy means, is biased low and may,
-// rarely, lie above that limit; the interval is then widened to it, which can only add coverage.
+// Returns the interval of the smallest q_i over the points. Low: min_i L_i with every L_i at alpha
+// / 2 on its own. No share for multiplicity is needed: the true smallest value is q_i* >= L_i* >=
+// min L with probability 1 - alpha / 2, whichever point i* is. High: see upper_limit. The value,
+// the smallest of noisy means, is biased low and may, rarely, be above that limit; the interval is
+// then widened to it, which can only add coverage.
 MetricEstimate smallest(const PointValues& values, LimitsOfPoint limits_of, double alpha) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   const std::size_t point = darkest_point(all);
@@ -100,23 +100,24 @@ MetricEstimate minimum(const PointValues& values, double alpha) {
   return smallest(values, point_limits, alpha);
 }
 
-// The mirror image: the maximum of E is minus the minimum of -E.
+// Returns the mirror image: the maximum of E is minus the minimum of -E.
 MetricEstimate maximum(const PointValues& values, double alpha) {
   MetricEstimate result = minimum(negated(values), alpha);
   result.estimate = mirrored(result.estimate);
   return result;
 }
 
-// Uo >= u if and only if every D_i(u) = E_i - u * mean(E) is >= 0. D_i is linear, so that each has
-// a t-limit, and "every lower limit is >= 0" needs no share for multiplicity (intersection-union
-// test). The interval's low end is the largest u that passes this test.  [METHOD, 7.3]
+// Returns Uo. Uo >= u if and only if every D_i(u) = E_i - u * mean(E) is >= 0. D_i is linear, so
+// each has a t-limit, and "every lower limit is >= 0" needs no share for multiplicity
+// (intersection-union test). The interval's low end is the largest u that passes this test.
+// [METHOD, 7.3]
 std::optional<MetricEstimate> uniformity_min_avg(const PointValues& values, double alpha) {
   if (!(calc::replicate_mean(plane_means(values)).mean > 0.0)) return std::nullopt;
   return smallest(values, ratio_limits, alpha);
 }
 
-// Both ends combine one limit of the minimum with one of the maximum, at alpha / 4 each:
-// conservative, since errors of the two are treated as if they always added up.
+// Returns Ud. Both ends combine a limit of the minimum with a limit of the maximum, at alpha / 4
+// each: conservative, because errors of the two are treated as if they always added up.
 std::optional<MetricEstimate> uniformity_min_max(const PointValues& values, double alpha) {
   const MetricEstimate smallest_e = minimum(values, alpha / 2.0);
   const calc::Estimate largest_e = maximum(values, alpha / 2.0).estimate;
@@ -133,10 +134,10 @@ double order_statistic(std::vector<double> values, std::size_t rank) {
   return *nth;
 }
 
-// The value of rank k of M. Low: the k-th smallest of the points' lower limits. It exceeds the true
-// percentile only if one of the k points that are truly at or below it has its limit above its own
-// true value, so each limit gets the share alpha / 2 / k. High: mirrored, with the M - k + 1 points
-// at or above it.
+// Returns the value of rank k of M. Low: the k-th smallest of the points' lower limits. It exceeds
+// the true percentile only if one of the k points that are truly at or below it has its limit above
+// its own true value, so each limit gets the share alpha / 2 / k. High: mirrored, with the M - k +
+// 1 points at or above it.
 calc::Estimate ranked(const PointValues& values, std::size_t rank, double alpha) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
   const double value = order_statistic(all.mean_lx, rank);
@@ -153,7 +154,8 @@ calc::Estimate ranked(const PointValues& values, std::size_t rank, double alpha)
   return calc::Estimate{value, order_statistic(low, rank), order_statistic(high, rank)};
 }
 
-// The ends are the minimum and the maximum, with their (narrower) intervals.
+// Returns the percentile; its ends are the minimum and the maximum, with their (narrower)
+// intervals.
 calc::Estimate percentile(const PointValues& values, double percent, double alpha) {
   const std::size_t rank = percentile_rank(percent, values.points);
   if (rank == 1) return minimum(values, alpha).estimate;
@@ -202,7 +204,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
 
 }  // namespace
 
-// The tolerance absorbs binary noise in percent * points / 100.
+// Returns the rank. The tolerance absorbs binary noise in percent * points / 100.
 std::size_t percentile_rank(double percent, std::size_t points) {
   const double share = percent * static_cast<double>(points) / 100.0;
   const double rank = std::ceil(share - 1e-9 * std::max(share, 1.0));

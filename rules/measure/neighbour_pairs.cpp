@@ -13,7 +13,7 @@ namespace {
 
 double square(double x) { return x * x; }
 
-// Means of two points, with the variances and the covariance of the means.
+// Returns the means of two points, with the variances and the covariance of the means.
 MeanPair means_of(const PointValues& values, std::size_t a, std::size_t b) {
   std::vector<double> of_a, of_b;
   for (std::size_t r = 0; r < values.replicates; ++r) {

@@ -13,7 +13,7 @@
 namespace rules {
 namespace {
 
-// Groups of the field's light that the scene lights.
+// Returns the groups of the field's light that the scene lights.
 std::vector<std::string> lit_groups(const calc::PlaneField& field, const calc::LightScene& scene) {
   std::set<std::string> groups;
   for (const calc::LightChannel& channel : field.channels) {
@@ -28,7 +28,7 @@ calc::LightScene without(calc::LightScene scene, const std::string& group) {
   return scene;
 }
 
-// The worse of two estimates, end by end, since each end holds for its own result.
+// Returns the worse of two estimates, end by end, because each end holds for its own result.
 MetricEstimate worse_of(const MetricEstimate& one, const MetricEstimate& next,
                         bool is_lower_worse) {
   const calc::Estimate &a = one.estimate, &b = next.estimate;
@@ -39,12 +39,12 @@ MetricEstimate worse_of(const MetricEstimate& one, const MetricEstimate& next,
           worse(a.value, b.value) != a.value ? next.point : one.point};
 }
 
-// What is known of a result whatever its doubtful points are.
+// Returns what a result proves whatever the values of its doubtful points.
 std::optional<MetricEstimate> known_of(const Measurement& result) {
   return result.has_doubtful_points() ? result.despite_doubt : result.metric;
 }
 
-// Of both results: one that is known to be bad is enough, whatever the other one is.
+// Returns the worse proof of both results: one that is surely bad is enough, whatever the other is.
 std::optional<MetricEstimate> worse_known(const Measurement& a, const Measurement& b,
                                           bool is_lower_worse) {
   const std::optional<MetricEstimate> of_a = known_of(a), of_b = known_of(b);
@@ -60,7 +60,7 @@ std::optional<MetricEstimate> worse_known(const Measurement& a, const Measuremen
   return worst;
 }
 
-// The lower of two results counts, or for an upper limit the higher.
+// Keeps the lower of two results, or for an upper limit the higher.
 void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse) {
   const auto worse = [&](double x, double y) {
     return is_lower_worse ? std::min(x, y) : std::max(x, y);

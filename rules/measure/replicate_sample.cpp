@@ -11,7 +11,7 @@ namespace rules {
 
 namespace {
 
-// Differences, as below.
+// Returns the mean of a replicate from differences, as below.
 double weighted_mean(const PointValues& values, std::size_t replicate) {
   const double first = values.even_at(replicate, 0);
   double sum = 0.0, weights = 0.0;
@@ -22,8 +22,8 @@ double weighted_mean(const PointValues& values, std::size_t replicate) {
   return first + sum / weights;
 }
 
-// A light vertex adds to all points around it: four of a grid whose step is as long as its light
-// reaches, and never more than all.
+// Returns the largest sample of the plane's mean: a light vertex adds to all points around it, at
+// most four of a grid with steps as long as the reach of its light, and never more than all.
 double largest_of_plane(const PointValues& values, double scale) {
   if (values.largest_sample_lx.empty()) return 0.0;
   double sum = 0.0, squares = 0.0, weights = 0.0;
@@ -158,7 +158,7 @@ Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t) 
                         t);
 }
 
-// The ratio is low where b is more than was measured, and high where a is.
+// Returns the ratio: it is low where b is larger than measured, and high where a is.
 Limits fieller_limits(const MeanPair& means, double t) {
   MeanPair low = means, high = means;
   low.variance_b = variance_with(means.variance_b, means.largest_b);

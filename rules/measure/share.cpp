@@ -44,7 +44,7 @@ ShareEstimate share_of_points(std::size_t count, const ValueRange& range, const 
   return share;
 }
 
-// Of every one of so many points.
+// Returns t for each of this many points.
 double shared_t(std::size_t points, std::size_t replicates, double confidence) {
   return one_sided_t(replicates, 0.5 * (1.0 - confidence) / static_cast<double>(points));
 }

@@ -1,4 +1,4 @@
-// One <check> of a rule pack.
+// Reads one <check> of a rule pack.
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/text.h"
@@ -21,7 +21,7 @@ using calc::ElementReader;
 constexpr std::array kComparisons{Comparison::at_least, Comparison::at_most, Comparison::more_than,
                                   Comparison::less_than};
 
-// Exactly one of at-least, at-most, more-than and less-than: a formula.
+// Reads exactly one of at-least, at-most, more-than and less-than: a formula.
 void read_limit(ElementReader& reader, RuleCheck& check) {
   std::optional<Comparison> found;
   for (const Comparison comparison : kComparisons) {
@@ -48,7 +48,7 @@ void read_limit(ElementReader& reader, RuleCheck& check) {
   check.limit = std::move(*parsed.expression);
 }
 
-// An end of the range: a number with the unit of the quantity, or a height.
+// Reads an end of the range: a number with the unit of the quantity, or a height.
 double read_end(ElementReader& reader, const char* name, const RuleCheck& check) {
   const Dimension dimension =
       check.has_mounting_heights() ? Dimension::length : check.quantity->dimension;
@@ -107,7 +107,7 @@ RuleSpecial read_special(const calc::XmlElement& element, const RuleCheck& check
   return special;
 }
 
-// One for a place: which of two counts nobody could tell.
+// Reads special limits, at most one for a place, because two would be ambiguous.
 void read_specials(const calc::XmlElement& element, RuleCheck& check,
                    calc::Diagnostics& diagnostics) {
   for (const calc::XmlElement& child : element.children) {
@@ -124,7 +124,7 @@ void read_specials(const calc::XmlElement& element, RuleCheck& check,
   }
 }
 
-// By "mask"; all points without it.
+// Reads the attribute "mask"; without it all points count.
 Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
   if (!reader.has("mask")) return {};
   const std::string id = reader.id("mask");

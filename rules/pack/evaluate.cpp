@@ -13,7 +13,7 @@ std::optional<calc::Estimate> measured_for(const RuleCheck& check, const Evidenc
   return found->second;
 }
 
-// Weights of what passes for certain, and of all that may pass.
+// Weights of members that surely pass, and of all that may pass.
 struct Tally {
   double all = 0.0, certain = 0.0, possible = 0.0;
 };

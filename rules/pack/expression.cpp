@@ -54,7 +54,7 @@ class Parser {
   }
 
  private:
-  // Functions call each other as deep as brackets are nested.
+  // Counts the depth of nested brackets, which is the depth of calls.
   class Depth {
    public:
     explicit Depth(Parser& parser) : parser_(parser) {

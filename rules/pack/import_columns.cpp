@@ -94,7 +94,7 @@ std::string meaning_of(std::size_t index) {
   return text;
 }
 
-// Lines of at most 80 characters, all with the same indent.
+// Returns lines of at most 80 characters, all with the same indent.
 std::string wrapped(std::string_view text, std::size_t indent) {
   constexpr std::size_t kWidth = 80;
   std::string lines, line;

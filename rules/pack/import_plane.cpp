@@ -36,7 +36,7 @@ const std::array<KindWords, 3>& all_words() {
 
 constexpr TaskPlane::Heights kFloor{0.0, 0.2};  // as the rows about floors of the shipped packs
 
-// Small letters; one blank for each run of blanks, _ and -.
+// Returns the text in lower case, with one blank for each run of blanks, _ and -.
 std::string plain(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -57,7 +57,7 @@ std::optional<double> take_number(std::string_view& text) {
   return number;
 }
 
-// "1.6 m", "0.8 to 2 m" (and "0.8 2 m", which is what is left of "0.8-2 m"), "85 cm".
+// Reads "1.6 m", "0.8 to 2 m" (and "0.8 2 m", the rest of "0.8-2 m"), "85 cm".
 std::optional<TaskPlane::Heights> parse_heights(std::string_view text) {
   const std::optional<double> low = take_number(text);
   if (!low) return std::nullopt;
@@ -73,7 +73,7 @@ std::optional<TaskPlane::Heights> parse_heights(std::string_view text) {
   return TaskPlane::Heights{unit_m * *low, unit_m * *high};
 }
 
-// A minus that is no dash between two numbers.
+// Returns whether there is a minus that is not a dash between two numbers.
 bool has_negative_number(std::string_view text) {
   char before = ' ';  // but for blanks
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {

@@ -26,7 +26,7 @@ using calc::CsvRecord;
 using calc::DiagnosticId;
 using calc::XmlElement;
 
-// A parameter of the pack and where its numbers are.
+// A parameter of the pack with the columns of its numbers.
 struct Parameter {
   const char* name;
   ImportColumnIndex required;
@@ -64,7 +64,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-// "1.000": in tables of many countries a point stands between thousands.
+// Returns whether the point in "1.000" may separate thousands, as in tables of many countries.
 bool may_be_thousands(std::string_view text) {
   const std::size_t first = text.find('.');
   const std::string_view whole = text.substr(0, first);
@@ -76,7 +76,7 @@ bool may_be_thousands(std::string_view text) {
   return are_digits(whole) && behind.size() == 3 && are_digits(behind);
 }
 
-// XML text, and for each of its lines the line of the table that it was made of; 0 = none.
+// XML text, and for each of its lines the line of the table that it comes from; 0 = none.
 struct WrittenPack {
   std::string text;
   std::vector<int> table_line;
@@ -125,7 +125,7 @@ class Importer {
   Importer(const std::string& file, calc::Diagnostics& diagnostics)
       : file_(file), diagnostics_(diagnostics) {}
 
-  // False after an error.
+  // Reads the header; returns false after an error.
   bool read_header(const CsvRecord& header) {
     columns_ = calc::CsvColumns(header, import_column_names(), import_column_name);
     for (const calc::CsvCell& cell : header.cells) {
@@ -150,7 +150,7 @@ class Importer {
     return true;
   }
 
-  // Empty for a row that is left out, and after an error.
+  // Reads a row; empty for an omitted row, and after an error.
   std::optional<XmlElement> read_row(const CsvRecord& record) {
     if (record.cells.size() != columns_.width()) {
       report(record, fmt::format("the row has {} fields, the first line has {}",
@@ -191,7 +191,7 @@ class Importer {
     return row;
   }
 
-  // The head of the column that a number of the pack is from, as it is written.
+  // Returns the heading of the column of a number of the pack, as written.
   const std::string& head_of(std::string_view parameter, bool is_modified) const {
     const auto is_it = [&](const Parameter& p) { return p.name == parameter; };
     const Parameter& found = *std::find_if(kParameters.begin(), kParameters.end(), is_it);
@@ -215,7 +215,7 @@ class Importer {
     diagnostics_.report(DiagnosticId::rule_import_doubtful, {file_, record.line, 0}, problem);
   }
 
-  // What is passed over, and what no row will require.
+  // Warns of ignored columns, and of values that no row will require.
   void warn_of_header(const CsvRecord& header) {
     for (const std::string& name : columns_.unknown()) {
       warn(header,
@@ -238,7 +238,7 @@ class Importer {
     }
   }
 
-  // Empty after an error.
+  // Reads the plane; empty after an error.
   std::optional<TaskPlane> read_plane(const CsvRecord& record) {
     const std::string& text = columns_.cell(record, kPlaneColumn);
     std::optional<TaskPlane> plane = parse_task_plane(text);
@@ -258,7 +258,7 @@ class Importer {
     }
   }
 
-  // A row without Em is no mistake only if somebody says so.
+  // Checks that a row without Em gives a reason.
   void check_em(const CsvRecord& record) {
     if (!columns_.cell(record, kEmColumn).empty()) return;
     if (!columns_.cell(record, kEmModifiedColumn).empty()) {
@@ -327,7 +327,7 @@ struct ImportedRow {
   int table_line = 0;
 };
 
-// What a check has for rows of its own pack that the table does not have is left out.
+// Removes the special limits of a check for rows that the table does not have.
 void keep_specials_of(const std::vector<ImportedRow>& rows, XmlElement& check) {
   const auto is_there = [&](const std::string& ref) {
     return std::any_of(rows.begin(), rows.end(), [&](const ImportedRow& row) {
@@ -346,7 +346,7 @@ void keep_specials_of(const std::vector<ImportedRow>& rows, XmlElement& check) {
   });
 }
 
-// Everything of `like` but its sources and rows, with new ones before the first check.
+// Returns `like` without its sources and rows, with new ones before the first check.
 WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
                       const std::vector<ImportedRow>& rows) {
   set_attribute(like, "id", pack_id);
@@ -375,7 +375,7 @@ WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::st
   return pack;
 }
 
-// What is wrong with the pack is wrong with the table: there it can be mended.
+// Reports errors of the pack at the lines of the table, where they can be corrected.
 void report_for_table(const calc::Diagnostics& of_pack, const std::vector<int>& table_line,
                       const std::string& csv_file, calc::Diagnostics& diagnostics) {
   for (const calc::Diagnostic& diagnostic : of_pack.all()) {
@@ -387,7 +387,7 @@ void report_for_table(const calc::Diagnostics& of_pack, const std::vector<int>& 
   }
 }
 
-// Numbers that cannot be meant, or hardly are, by the columns that they are from.
+// Reports impossible or unlikely numbers by their columns.
 void report_values(const RulePack& pack, const Importer& importer,
                    const std::vector<int>& table_line, const std::string& csv_file,
                    calc::Diagnostics& diagnostics) {

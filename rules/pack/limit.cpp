@@ -57,7 +57,7 @@ Limit stepped(const RuleScale& scale, int steps, Limit start) {
   return start;
 }
 
-// Only the parameter of a scale is taken in steps; the others stay what they are.
+// Returns the value; only the parameter of a scale moves in steps, the others stay unchanged.
 Limit stepped_value(const RuleValue& value, const LimitScope& scope) {
   const Limit limit = known(exactly(*value.required), value.trust);
   const RuleScale* scale = scope.pack.find_scale_of(value.parameter);
@@ -131,7 +131,7 @@ Limit table_value(const RuleTable& table, Limit key) {
   return key;
 }
 
-// Nothing is negative, so that ends meet ends.
+// Combines intervals by their ends, because nothing is negative.
 calc::Estimate combined(ExpressionKind kind, const calc::Estimate& a, const calc::Estimate& b) {
   switch (kind) {
     case ExpressionKind::add:
@@ -147,7 +147,7 @@ calc::Estimate combined(ExpressionKind kind, const calc::Estimate& a, const calc
   }
 }
 
-// The parts of both; a missing part makes all of it missing.
+// Joins the parts of both; a missing part makes the whole missing.
 Limit joined(ExpressionKind kind, const Limit& a, const Limit& b) {
   if (a.status != LimitStatus::known) return a;
   if (b.status != LimitStatus::known) return b;
@@ -211,7 +211,7 @@ Limit evaluate(const Expression& expression, const LimitScope& scope) {
   }
 }
 
-// What the pack asks at a special place, in place of the usual limit.
+// Returns the pack's limit at a special place, which replaces the usual one.
 Limit at_special_place(const RuleCheck& check, Limit usual, const LimitScope& scope) {
   const RuleSpecial* special = check.find_special(scope.special, scope.row);
   if (special == nullptr || usual.status == LimitStatus::not_applicable) return usual;

@@ -18,14 +18,14 @@ bool has_part(const Expression& expression, const RulePack& pack,
                      [&](const Expression& operand) { return has_part(operand, pack, is_it); });
 }
 
-// On what only a project knows.
+// Returns whether the limit depends on a fact or result that only a project knows.
 bool hangs_on_project(const RuleCheck& check, const RulePack& pack) {
   return has_part(check.limit, pack, [](const Expression& part) {
     return part.kind == ExpressionKind::fact || part.kind == ExpressionKind::result_of;
   });
 }
 
-// A requirement more is stricter, unless it is only one more way to meet another.
+// Returns whether the check is only an alternative to another, so that adding it is not stricter.
 bool is_alternative(const RuleCheck& check, const RulePack& pack) {
   const bool is_in_aggregate = std::any_of(
       pack.aggregates.begin(), pack.aggregates.end(), [&](const RuleAggregate& aggregate) {
@@ -69,7 +69,8 @@ class LimitChange {
     return evaluate_limit(check, {pack, row}).status == LimitStatus::known;
   }
 
-  // Of two checks one of which stands for the other: both are required, or neither is.
+  // Returns whether alternatives of a check are required exactly when the check is, before and
+  // after.
   bool changes_with_all_others(const RuleCheck& check, const RuleRow* row_before,
                                const RuleRow* row_after) const {
     for (const RuleAggregate& aggregate : before_.aggregates) {

@@ -16,7 +16,7 @@
 namespace rules {
 namespace {
 
-// The same by itself in both packs, or nobody can be sure.
+// Returns the effect if it is the same in both packs; otherwise it is unclear.
 Tightening agreed(Tightening a, Tightening b) { return a == b ? a : Tightening::unclear; }
 
 template <class Item, class Key>
@@ -26,7 +26,7 @@ Item* find_in(std::vector<Item>& items, const std::string& wanted, Key key) {
   return found == items.end() ? nullptr : &*found;
 }
 
-// Puts a part back as it was.
+// Restores a part when it goes out of scope.
 template <class Part>
 class Restored {
  public:
@@ -40,12 +40,12 @@ class Restored {
   Part was_;
 };
 
-// What one change of a pack does, nothing else being changed.
+// The effect of a single change of a pack.
 class OneChange {
  public:
   explicit OneChange(const RulePack& pack) : pack_(pack), changed_(pack) {}
 
-  // A value of one of its rows becomes that of another row; null: it goes.
+  // Changes a value of one of its rows to that of another row; null: removes it.
   Tightening of_value(const std::string& ref, const std::string& parameter, const RuleValue* to,
                       bool is_modified) {
     RuleRow* row = find_in(changed_.rows, ref, &RuleRow::ref);
@@ -70,7 +70,7 @@ class OneChange {
     });
   }
 
-  // An entry of a table becomes another; null: it goes.
+  // Changes an entry of a table to another; null: removes it.
   Tightening of_entry(const std::string& table_id, double key, const RuleTable::Entry* to) {
     RuleTable* table = find_in(changed_.tables, table_id, &RuleTable::id);
     const Restored restored(*table);
@@ -83,7 +83,7 @@ class OneChange {
     });
   }
 
-  // A check gets the limit of another.
+  // Gives a check the limit of another.
   Tightening of_limit(const std::string& check_id, const RuleCheck& to) {
     RuleCheck* check = find_in(changed_.checks, check_id, &RuleCheck::id);
     const Restored restored(*check);
@@ -108,7 +108,7 @@ bool is_changed(const PartDifference& part, std::string_view field) {
                      [&](const FieldDifference& f) { return f.name == field; });
 }
 
-// What a pack has for a field of a table.
+// Returns the entry of a table for a field.
 const RuleTable::Entry* find_entry(const RuleTable& table, const std::string& field) {
   const auto found =
       std::find_if(table.entries.begin(), table.entries.end(),
@@ -165,7 +165,7 @@ class PackDiff {
   }
 
  private:
-  // Empty: the name means another row there.
+  // Returns the id in the other pack; empty: the name means another row there.
   std::optional<std::string> id_in_after(const PartFields& part) const {
     if (part.part != PackPart::row) return part.id;
     const auto found = rows_.find(part.id);
@@ -230,7 +230,7 @@ class PackDiff {
     }
   }
 
-  // Of values that have the trust of their row, which says it once for all.
+  // Removes the trust of values that have the trust of their row, which reports it once.
   void leave_out_trust_of_row(PartDifference& difference, const PartFields* before,
                               const PartFields* after) const {
     const std::string_view was =
@@ -266,7 +266,7 @@ class PackDiff {
     }
   }
 
-  // A requirement more or less, unless it only stands beside others.
+  // Returns the effect of an added or removed requirement, unless it is only an alternative.
   Tightening of_check(const PartDifference& part) const {
     const bool is_added = part.change == PartChange::added;
     const RulePack& pack = is_added ? after_ : before_;

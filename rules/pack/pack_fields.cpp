@@ -28,14 +28,14 @@ PackField number(std::string name, double value, std::string_view base_unit = ""
   return {std::move(name), with_unit(value, base_unit), value};
 }
 
-// base: in base units.
+// Returns a field with an amount. base: in base units.
 PackField amount(std::string name, double base, const Unit& unit) {
   PackField field{std::move(name), with_unit(base / unit.factor, unit.name), base};
   field.meaning = with_unit(base, base_unit(unit.dimension));
   return field;
 }
 
-// Only where it has a meaning.
+// Returns a field only if it has a meaning.
 PackField number_if(bool is_there, std::string name, double value, std::string_view unit = "") {
   return is_there ? number(std::move(name), value, unit) : words(std::move(name), "");
 }
@@ -66,7 +66,7 @@ std::string trust_text(Trust trust, bool is_stated) {
   return is_stated ? std::string(calc::name_of(trust)) : kNotStated;
 }
 
-// The same for formulas that are the same but for blanks, brackets and how numbers are written.
+// Returns equal texts for formulas that differ only in blanks, brackets and the form of numbers.
 std::string meaning_of(const Expression& expression) {
   if (expression.kind == ExpressionKind::number) {
     return with_unit(expression.number, base_unit(expression.dimension));
@@ -131,7 +131,7 @@ std::vector<PackField> of_scale(const RuleScale& scale) {
           number("up", scale.most_up),    words("trust", calc::name_of(scale.trust))};
 }
 
-// Points must be in the result of every operation, in whatever order.
+// Returns the operations of a mask in any order: points must be in the result of every one.
 std::vector<PackField> of_mask(const Mask& mask) {
   std::vector<std::string> operations;
   for (const MaskOperation& operation : mask.operations) {
@@ -215,7 +215,7 @@ std::vector<PackField> of_row(const RuleRow& row, const RulePack& pack) {
   return fields;
 }
 
-// Limits for special places.
+// Adds the limits for special places.
 void add_specials(std::vector<PackField>& fields, const RuleCheck& check, const RowNames& rows) {
   const char* unit = base_unit(check.dimension());
   for (const RuleSpecial& special : check.specials) {

@@ -24,7 +24,7 @@ int read_steps(ElementReader& reader, std::string_view name) {
   return static_cast<int>(reader.choice_or(name, kStepsType.words, 0));
 }
 
-// Along which a project may take a parameter.
+// Reads the parameter that a project may move along the scale.
 void read_use_of_scale(ElementReader& reader, RuleScale& scale) {
   for (const char* name : {"down", "up", "trust"}) {
     if (!reader.has(name) || reader.has("of")) continue;

@@ -14,7 +14,7 @@ namespace {
 using calc::DiagnosticId;
 using calc::ElementReader;
 
-// What a workplace makes of a <plane>, or how one that is drawn lies to others.
+// Reads the area that a workplace makes of a <plane>, or the relation of a drawn plane to others.
 void read_zone(ElementReader& reader, RulePlane& plane) {
   if (reader.has("holds")) {
     plane.holds = reader.id("holds");
@@ -63,7 +63,7 @@ constexpr const char* kTwoNumbers = "2 whole numbers (along the longer and the s
 constexpr calc::NumberRange kGridBase{1.0, 100.0, true, "a number above 1, up to 100"};
 constexpr calc::NumberRange kSideRatio{1.0, 1.0e9, false, "a number from 1 to 1e9"};
 
-// Every method has its own numbers, and its own ways to round.
+// Checks the attributes: every method has its own numbers and its own rounding.
 void check_grid_attributes(ElementReader& reader, std::size_t method, std::size_t count) {
   if (!reader.ok()) return;
   const auto refuse = [&](const char* name) {
@@ -155,7 +155,7 @@ RulePlane read_plane(const calc::XmlElement& element, const RulePack& pack,
 
 namespace {
 
-// Of a plane that no workplace makes: any other plane may be the one that it is drawn around.
+// Checks a plane that no workplace makes: it may be drawn around any other plane.
 void check_lies_to(const RulePack& pack, const RulePlane& plane, const calc::XmlElement& element,
                    calc::Diagnostics& diagnostics) {
   if (plane.area != ZoneArea::none) return;

@@ -15,7 +15,7 @@ constexpr double kLeastRating = 10.0, kMostRating = 30.0;  // of UGR, where it i
 constexpr double kBestRendering = 100.0;
 constexpr double kSameStep = 1e-9;  // relative
 
-// The first check whose limit is the parameter and nothing else; nullptr: none.
+// Returns the first check whose limit is only the parameter; nullptr: none.
 const RuleCheck* check_of(const RulePack& pack, const std::string& parameter) {
   const auto found =
       std::find_if(pack.checks.begin(), pack.checks.end(), [&](const RuleCheck& check) {
@@ -24,7 +24,7 @@ const RuleCheck* check_of(const RulePack& pack, const std::string& parameter) {
   return found == pack.checks.end() ? nullptr : &*found;
 }
 
-// In the unit of the pack, as the file has it.
+// Returns the number in the unit of the pack, as in the file.
 std::string number_text(const RulePack& pack, const RuleValue& value, double number) {
   const Unit& unit = pack.find_parameter(value.parameter)->unit;
   const std::string text = fmt::format("{:.6g}", number / unit.factor);
@@ -36,7 +36,7 @@ bool is_on(const RuleScale& scale, double number) {
                      [&](double step) { return std::abs(step - number) <= kSameStep * step; });
 }
 
-// "70 lx is on no step of the scale 'steps'; next to it are 50 and 75 lx", or "".
+// Returns "70 lx is on no step of the scale 'steps'; next to it are 50 and 75 lx", or "".
 std::string scale_words(const RulePack& pack, const RuleValue& value, double number) {
   const RuleScale* scale = nullptr;
   for (const RuleScale& candidate : pack.scales) {

@@ -49,7 +49,7 @@ void report_no_trust(const RulePack& pack, const calc::SourceLocation& where, co
   diagnostics.report(calc::DiagnosticId::rule_without_trust, where, pack.full_id(), word, id);
 }
 
-// A contract is its own source; whatever else a pack says was found somewhere.
+// Warns of numbers without trust; only contracts and company rules are their own source.
 void lint_trust(const RulePack& pack, calc::Diagnostics& diagnostics) {
   if (pack.kind == "contract" || pack.kind == "company") return;
   for (const RuleTable& table : pack.tables) {

@@ -23,7 +23,7 @@ calc::Names ids_of(const std::vector<Item>& items) {
   return names;
 }
 
-// One formula: are its names defined, and do its units fit?
+// Checks one formula: its names are defined, and its units fit.
 class FormulaCheck {
  public:
   FormulaCheck(const RulePack& pack, const RuleCheck& check, calc::Diagnostics& diagnostics)
@@ -37,7 +37,7 @@ class FormulaCheck {
   }
 
  private:
-  // Empty after an error.
+  // Returns the dimension; empty after an error.
   std::optional<Dimension> dimension_of(const Expression& expression) {
     std::vector<Dimension> operands;
     for (const Expression& operand : expression.operands) {
@@ -153,8 +153,8 @@ class FormulaCheck {
   calc::Diagnostics& diagnostics_;
 };
 
-// Follows checks that hang on each other: finds circles, and formulas that, written out, would be
-// too long to work with. Each check is reported at most once.
+// Follows checks that depend on each other: finds cycles, and formulas that would be too long when
+// written out. Each check is reported at most once.
 class DependencyCheck {
  public:
   DependencyCheck(const RulePack& pack, calc::Diagnostics& diagnostics)
@@ -171,7 +171,8 @@ class DependencyCheck {
   static constexpr std::size_t kMostTerms = 1000;
   static constexpr std::size_t kLongestPath = 50;
 
-  // Terms of the formula with every limit and result written out, at most kMostTerms + 1.
+  // Returns the terms of the formula with every limit and result written out, at most kMostTerms +
+  // 1.
   std::size_t terms_of(const RuleCheck& check) {
     if (const auto known = terms_.find(&check); known != terms_.end()) return known->second;
     const auto first = std::find(path_.begin(), path_.end(), &check);
@@ -232,7 +233,7 @@ void check_members(const RuleAggregate& aggregate, calc::Diagnostics& diagnostic
   if (is_too_many) report("at least as many checks in 'of' as its 'count'");
 }
 
-// What counts only in aggregates must be in one that counts.
+// Checks that a check that only counts in aggregates is in one that counts.
 void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleCheck& check : pack.checks) {
     if (check.severity != Severity::in_aggregate) continue;
@@ -249,7 +250,7 @@ void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
 }
 
-// Another way to ask the same is asked of another part of the room, and both are compared alike.
+// Checks alternatives: they are about different parts of the room, and compared alike.
 void check_alternatives(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleCheck& check : pack.checks) {
     if (check.instead_of.empty()) continue;
@@ -267,7 +268,7 @@ void check_alternatives(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
 }
 
-// A parameter has one scale at most, of its own unit.
+// Checks that a parameter has at most one scale, of its own unit.
 void check_scales(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleScale& scale : pack.scales) {
     if (scale.parameter.empty()) continue;

@@ -1,4 +1,4 @@
-// A rule pack file as a whole.
+// Reads a rule pack file as a whole.
 
 #include "calc/base/diagnostic_ids.h"
 #include "calc/base/file_kind.h"
@@ -53,8 +53,8 @@ void add(std::vector<Item>& items, Item item, Key key, std::string_view attribut
   items.push_back(std::move(item));
 }
 
-// In the order of the table, in which everything that a part names by itself comes before it,
-// whatever the order in the file; formulas are looked at last of all.
+// Reads parts in the order of the table, in which a part follows all parts that it names, whatever
+// the order in the file; formulas are checked last.
 void read_parts(const calc::XmlElement& root, RulePack& pack, calc::Diagnostics& diagnostics) {
   bool has_policy = false;
   for (const std::string_view name : child_names(kRulePackElement)) {

@@ -29,7 +29,7 @@ struct Asked {
   std::vector<std::pair<const RuleCheck*, const Finding*>> findings;
 };
 
-// Null of <require> elements.
+// Returns the workplaces; null for <require> elements.
 std::vector<const calc::Workplace*> workplaces_of(const calc::Space& space,
                                                   const RuleOrigin& origin) {
   if (origin.workplaces.empty()) return {nullptr};
@@ -42,7 +42,7 @@ std::vector<const calc::Workplace*> workplaces_of(const calc::Space& space,
   return found;
 }
 
-// The one of them that is about the same, or a new one.
+// Returns the entry about the same row, or a new one.
 Asked& asked_by(std::vector<Asked>& all, Asked about) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
     return asked.pack == about.pack && asked.row == about.row && asked.level == about.level &&
@@ -52,7 +52,8 @@ Asked& asked_by(std::vector<Asked>& all, Asked about) {
   return all.emplace_back(std::move(about));
 }
 
-// That it could not make a plane of the role, and by itself asks nothing of it.
+// Returns whether the workplace could not make a plane of the role, and itself requires nothing of
+// it.
 bool lacks(const Asked& asked, const std::string& role) {
   const std::vector<calc::UnmadeZone>& unmade = asked.workplace->unmade;
   return std::any_of(
@@ -62,9 +63,8 @@ bool lacks(const Asked& asked, const std::string& role) {
                       [&](const auto& finding) { return finding.first->role == role; });
 }
 
-// A board that the project draws itself belongs to the row of the classroom's workplace, which
-// could not know where it hangs: <require> elements of the same row are part of what is asked
-// there.
+// Joins planes of <require> elements with the workplace of the same row: a board that the project
+// draws itself belongs to the classroom's workplace, which could not know its place.
 void join_planes(std::vector<Asked>& all) {
   for (Asked& planes : all) {
     if (planes.workplace != nullptr) continue;
@@ -119,7 +119,7 @@ void add_zone_words(const std::string& role, const std::string& zone, const calc
   append(words, zone == role ? text : calc::Message::words(zone) + ": " + text, ", ");
 }
 
-// Of a role and its parts ("wall.1"): why there is no plane of them.
+// Adds, for a role and its parts ("wall.1"), why there is no plane of them.
 void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool is_asked,
                   RoleCoverage& coverage) {
   calc::Message not_made;
@@ -146,7 +146,7 @@ void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool
   if (has_ended) coverage.state = RoleState::left_out_ended;
 }
 
-// Whether two walls stand side by side in one line, but for what is a kink or a jog in no drawing:
+// Returns whether two walls are side by side in one line, within the kinks and jogs of drawings:
 // two degrees, 5 cm.
 bool goes_on(const RoomSurface& wall, const RoomSurface& other) {
   constexpr double kAlike = 0.9994, kJog_m = 0.05;
@@ -164,9 +164,9 @@ bool goes_on(const RoomSurface& wall, const RoomSurface& other) {
   return std::abs(glm::dot(offset_m, face)) <= kJog_m && is_beside;
 }
 
-// Walls that the planes of these requirements do not lie on, of those that are wide enough to
-// count: "without the walls r.wall2, r.wall3". A workplace makes a plane of every wall, and says of
-// which it could not.
+// Returns walls without planes of these requirements, of those that are wide enough to count:
+// "without the walls r.wall2, r.wall3". A workplace makes a plane of every wall, and names those
+// that it could not make.
 calc::Message walls_not_asked(const calc::Space& space, const std::vector<RequirementName>& of,
                               double strip_m) {
   if (!space.shell) return calc::say<calc::Sentence::walls_unknown>();
@@ -194,7 +194,7 @@ calc::Message walls_not_asked(const calc::Space& space, const std::vector<Requir
   return words.empty() ? words : calc::say<calc::Sentence::without_walls>(words);
 }
 
-// Of two checks that ask the same in different ways, the other one; null: it has none.
+// Returns the alternative to a check; null: it has none.
 const RuleCheck* alternative_to(const RuleCheck& check, const RulePack& pack) {
   if (!check.instead_of.empty()) return pack.find_check(check.instead_of);
   const auto found = std::find_if(pack.checks.begin(), pack.checks.end(),
@@ -202,7 +202,7 @@ const RuleCheck* alternative_to(const RuleCheck& check, const RulePack& pack) {
   return found == pack.checks.end() ? nullptr : &*found;
 }
 
-// Planes that the row's illuminance is asked of, and its glare is not; "" = there are none.
+// Returns planes on which the row requires illuminance but no glare; "" = there are none.
 calc::Message areas_without(const Asked& asked, const std::vector<RequirementName>& glare) {
   calc::Message words;
   for (const auto& [check, finding] : asked.findings) {
@@ -217,8 +217,9 @@ calc::Message areas_without(const Asked& asked, const std::vector<RequirementNam
   return words;
 }
 
-// Planes of the zone that a role is around, or that it holds, without such a plane around them: it
-// is asked of some of them only. Null place: the role is about no other. "" = there are none.
+// Returns planes of the zone that a role surrounds, or holds, without such a plane around them: the
+// role is only required for some of them. Null place: the role has no such zone. "" = there are
+// none.
 calc::Message zones_without(const calc::Space& space, const Asked& asked, const RulePlane* place,
                             const std::vector<RequirementName>& of) {
   if (place == nullptr) return {};
@@ -263,7 +264,7 @@ calc::Message zones_without(const calc::Space& space, const Asked& asked, const 
   return words;
 }
 
-// Of the eyes of a role.
+// Returns the remark on the eyes of a role.
 calc::Message eyes_of_role(const calc::Space& space, const Asked& asked, const std::string& role) {
   std::vector<EyesAsked> eyes;
   for (const auto& [check, finding] : asked.findings) {
@@ -280,7 +281,7 @@ bool asks(const Asked& asked, const RuleCheck& check) {
                      [&](const auto& finding) { return finding.first == &check; });
 }
 
-// What the project says of a role that is asked with another number for it.
+// Returns the project's reason for a role that is required with another number.
 calc::Message special_words(const calc::Workplace& workplace, const RulePlane* place) {
   if (place == nullptr) return {};
   if (place->area == ZoneArea::task && workplace.is_task_place_unknown) {
@@ -291,7 +292,7 @@ calc::Message special_words(const calc::Workplace& workplace, const RulePlane* p
              : calc::Message();
 }
 
-// Why the colour rendering of a row is not asked along with its own role.
+// Returns why the colour rendering of a row is not required along with its own role.
 calc::Message rendering_words(const RuleCheck& check, const Asked& asked, const LimitScope& scope,
                               const RenderingProblem& problem) {
   const Limit limit = evaluate_limit(check, scope);
@@ -300,7 +301,7 @@ calc::Message rendering_words(const RuleCheck& check, const Asked& asked, const 
       check.quantity->name, problem(asked.scene, check.comparison, limit.value.value));
 }
 
-// Empty: the row requires nothing of it, or advice only.
+// Returns the coverage; empty: the row requires nothing of the role, or advice only.
 std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
                                   const std::string& role, std::string_view today,
                                   const RenderingProblem& rendering_problem) {

@@ -21,7 +21,7 @@ double rounded(double value, int digits) {
   return std::round(value * scale) / scale;
 }
 
-// Digits after the point with which both ends are still on their own side of the limit.
+// Returns the digits after the point with which both ends are still on their own side of the limit.
 int digits_for(const calc::Estimate& estimate, double limit, const Requirement& requirement) {
   const auto is_kept = [&](double value, int digits) {
     if (!std::isfinite(value)) return true;
@@ -64,9 +64,9 @@ calc::Message doubt_text(const Measurement& measurement, const calc::SensorGrid&
              : calc::say<calc::Sentence::single_sample>(measurement.single_sample_points, points);
 }
 
-// Times the light paths that would take the limit out of the interval and the largest sample out
-// of doubt, if the value stayed: errors fall as the root of paths, or faster, samples as paths.
-// infinite: none would.
+// Returns the factor on light paths that would move the limit out of the interval and settle the
+// largest sample, at the same value: errors fall as the root of paths, or faster, samples as paths.
+// infinite: no factor would.
 double more_work(const Finding& finding, const Measurement& measurement) {
   const calc::Estimate& is = finding.measured;
   const double limit = finding.requirement.limit;
@@ -83,7 +83,7 @@ double more_work(const Finding& finding, const Measurement& measurement) {
   return times;
 }
 
-// "" where paths do not help, or nobody knows how many.
+// Returns words for more work; "" if paths do not help, or their number is not known.
 calc::Message more_work_text(const Finding& finding, const Measurement& measurement) {
   const bool is_unknown = measurement.unseen_points > 0 || !measurement.remark.empty() ||
                           measurement.is_cut_off || measurement.has_missing_light ||
@@ -110,7 +110,8 @@ int digits_of(const Requirement& requirement) {
       is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
 }
 
-// One failure that is sure is enough; the doubt about other points is said all the same.
+// Returns a failure that a single point proves; the doubt about other points is reported
+// nevertheless.
 std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
                                             const Measurement& measurement,
                                             const calc::SensorGrid& grid) {
@@ -134,7 +135,7 @@ std::optional<Finding> failed_despite_doubt(const Requirement& requirement,
   return finding;
 }
 
-// More light only makes it surer.
+// Returns whether more light only makes the verdict surer.
 bool holds_with_more_light(const Requirement& requirement, Verdict verdict) {
   const Metric metric = requirement.metric;
   const bool grows = !is_ratio(metric) && (is_in_lux(requirement) ||

@@ -53,7 +53,7 @@ std::vector<Entry> entries_of(const std::vector<JudgedPlane>& planes, const Rule
   return entries;
 }
 
-// Groups in order of their first entries. belong: whether two entries are of one group.
+// Returns groups in order of their first entries. belong: whether two entries are of one group.
 template <class Belong>
 std::vector<Group> grouped(const std::vector<Entry>& entries, Belong belong) {
   std::vector<Group> groups;
@@ -73,7 +73,7 @@ bool is_same_place(const calc::SourceLocation& a, const calc::SourceLocation& b)
   return a.file == b.file && a.line == b.line && a.column == b.column;
 }
 
-// Of one <require> of one plane.
+// Returns whether both are from one <require> of one plane.
 bool is_same_element(const Entry& a, const Entry& b) {
   const Requirement &left = a.finding->requirement, &right = b.finding->requirement;
   return a.place->plane == b.place->plane && is_same_place(left.where, right.where) &&
@@ -89,7 +89,7 @@ bool is_same_use(const Entry& a, const Entry& b) {
 bool is_same_plane(const Entry& a, const Entry& b) { return a.place->plane == b.place->plane; }
 bool is_same_room(const Entry& a, const Entry& b) { return a.place->space == b.place->space; }
 
-// Whether one plane can have all of them: a <require> has those of one role.
+// Returns whether one plane can have all of them: a <require> has those of one role.
 bool is_about_one_part(const std::vector<std::string>& checks, const RulePack& pack) {
   if (checks.empty()) return true;
   const std::string& role = pack.find_check(checks.front())->role;
@@ -101,7 +101,7 @@ LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
   return {pack, pack.find_row(origin.row), origin.level, origin.facts};
 }
 
-// A member with what it would be if everything waived were met.
+// A member with its verdict if everything waived were met.
 struct Part {
   AggregateMember member;
   Verdict lived_with = Verdict::pass;
@@ -110,7 +110,7 @@ struct Part {
 
 constexpr std::size_t kMostToldMembers = 4;
 
-// Where a member has its verdict from, if that is not a pass: planes and the first reason.
+// Returns the source of a member's verdict, unless it is a pass: planes and the first reason.
 calc::Message where_from(const std::vector<Entry>& entries, Verdict verdict) {
   if (verdict == Verdict::pass) return {};
   std::vector<std::string> planes;
@@ -142,7 +142,8 @@ Part part_of(std::string name, const std::vector<Entry>& entries) {
   return part;
 }
 
-// A check that no plane here is asked for; nothing if the row requires nothing of it.
+// Returns a part for a check that no plane here requires; nothing if the row requires nothing of
+// it.
 std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
                                  const RuleOrigin& origin) {
   if (evaluate_limit(check, scope_of(pack, origin)).status == LimitStatus::not_applicable) {
@@ -157,7 +158,7 @@ std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
   return part;
 }
 
-// What is asked of a room is not met by eyes that look one way, or see nothing that is rated.
+// Makes a pass not judged if the eyes look one way only, or see nothing that is rated.
 void take_eyes_in_part(const std::vector<Entry>& entries, Part& part) {
   if (part.member.verdict != Verdict::pass) return;
   std::vector<EyesAsked> eyes;
@@ -172,7 +173,7 @@ void take_eyes_in_part(const std::vector<Entry>& entries, Part& part) {
   part.lived_with = Verdict::not_judged;
 }
 
-// The checks of one plane or of one row in a room.
+// Returns the checks of one plane or of one row in a room.
 std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::string>& checks,
                                  const Group& group) {
   std::vector<Part> parts;
@@ -192,7 +193,7 @@ std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::st
   return parts;
 }
 
-// Flat pieces that do not overlap; none where a plane has no area.
+// Returns flat pieces that do not overlap; none if a plane has no area.
 std::vector<calc::PlanarArea> pieces_of(const calc::CalcPlane& plane) {
   if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) return {*area};
   std::vector<calc::PlanarArea> pieces;
@@ -223,7 +224,7 @@ std::optional<double> area_of(const calc::CalcPlane& plane) {
 // Neighbours are drawn with edges that overlap by a little.
 constexpr double kNeighbours = 0.01;
 
-// Whether both stand for one floor, which would count twice.
+// Returns whether both share a floor area, which would count twice.
 bool share_floor(const calc::CalcPlane& plane, const calc::CalcPlane& other) {
   double shared_m2 = 0.0;
   for (const calc::PlanarArea& piece : pieces_of(plane)) {
@@ -239,7 +240,7 @@ std::optional<double> area_of(const calc::Space& space) {
   return area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
 }
 
-// Planes that share their floor have no area of their own.
+// Returns the planes; planes that share their floor have no area of their own.
 std::vector<Part> parts_by_plane(const std::vector<Entry>& entries, bool by_area) {
   std::vector<Part> parts;
   const std::vector<Group> groups = grouped(entries, is_same_plane);
@@ -261,7 +262,7 @@ std::vector<Part> parts_by_plane(const std::vector<Entry>& entries, bool by_area
   return parts;
 }
 
-// A room passes if every check of every row that it is asked for does.
+// Returns the rooms: a room passes if every check of every row that it requires does.
 std::vector<Part> parts_by_room(const RulePack& pack, const std::vector<std::string>& checks,
                                 const std::vector<Entry>& entries) {
   std::vector<Part> parts;
@@ -289,14 +290,14 @@ std::vector<AggregateMember> members_of(const std::vector<Part>& parts) {
   return members;
 }
 
-// If everything waived were met.
+// Returns the verdict if everything waived were met.
 std::optional<Verdict> lived_with(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
   std::vector<AggregateMember> members = members_of(parts);
   for (std::size_t i = 0; i < parts.size(); ++i) members[i].verdict = parts[i].lived_with;
   return combined_verdict(aggregate, members);
 }
 
-// "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)"
+// Returns "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)".
 calc::Message reason_text(const std::vector<Part>& parts) {
   calc::Message text;
   for (const Verdict verdict : {Verdict::fail, Verdict::undecided, Verdict::not_judged}) {
@@ -318,7 +319,7 @@ calc::Message reason_text(const std::vector<Part>& parts) {
   return text;
 }
 
-// Who has waived what is in it.
+// Returns the persons who waived parts of it.
 calc::Message waiver_text(const std::vector<Entry>& entries) {
   std::vector<calc::Message> told;
   for (const Entry& entry : entries) {
@@ -437,8 +438,8 @@ void judge_aggregate(const std::vector<JudgedPlane>& planes, const RulePack& pac
   }
 }
 
-// What every plane of the group has measured, by check. An interval that cannot be trusted is one
-// that says nothing.
+// Returns what every plane of the group has measured, by check. An interval that cannot be trusted
+// is unlimited.
 std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
                                                   const Group& group) {
   constexpr double kOpen = 0.5 * std::numeric_limits<double>::max();  // a policy may widen it
@@ -464,7 +465,7 @@ std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
   return measured;
 }
 
-// Of all checks of a class, with the limits of this row.
+// Returns the status of all checks of a class, with the limits of this row.
 CheckStatus class_status(const RulePack& pack, const RuleClass& item, const RuleRow& row,
                          const Group& group) {
   RuleAggregate all;

@@ -24,7 +24,7 @@ constexpr std::size_t kMostToldUses = 4;
 
 calc::Estimate exactly(double value) { return {value, value, value}; }
 
-// Its verdict is what the limit would make of the room alone.
+// Returns a member; its verdict is that of the limit for the room alone.
 AggregateMember room_of(const calc::Project& project, const calc::Space& space,
                         const Requirement& requirement) {
   AggregateMember room;
@@ -46,7 +46,7 @@ AggregateMember room_of(const calc::Project& project, const calc::Space& space,
   return room;
 }
 
-// Why the floors of its rooms do not add up: two of them overlap, and what both have would count
+// Returns why the floors of its rooms do not add up: two overlap, and the common part would count
 // twice. "" = they do.
 calc::Message overlap_of(const calc::Project& project, const calc::Building& building) {
   struct Room {
@@ -73,7 +73,7 @@ calc::Message overlap_of(const calc::Project& project, const calc::Building& bui
   return {};
 }
 
-// "not judged: hall (power of 2 luminaires is not known)"
+// Returns "not judged: hall (power of 2 luminaires is not known)".
 calc::Message unknown_rooms(const std::vector<AggregateMember>& rooms) {
   std::vector<calc::Message> names;
   for (const AggregateMember& room : rooms) {
@@ -83,7 +83,7 @@ calc::Message unknown_rooms(const std::vector<AggregateMember>& rooms) {
   return calc::say<calc::Sentence::not_judged_are>(calc::listed(names, kMostToldRooms));
 }
 
-// Hours and factors, each once; and that light outside of rooms is in no building.
+// Adds hours and factors, each once; and that light outside of rooms is in no building.
 void add_notes(const calc::Project& project, const std::vector<AggregateMember>& rooms,
                Requirement& requirement) {
   std::vector<calc::Message> uses;

@@ -10,7 +10,7 @@
 namespace rules {
 namespace {
 
-// Ratings and ratios of points have no average.
+// Returns the default quantities; ratings and ratios of points have no average.
 std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
   Requirement first;
   first.metric = calc::is_plain_number(derived) ? Metric::maximum : Metric::average;
@@ -39,7 +39,7 @@ bool is_decided(const Requirement& requirement, Measurement measurement,
          (measurement.is_open_for_good && !finding.is_doubtful);
 }
 
-// Adds the points of one unfinished quantity to those of others.
+// Collects the points of all unfinished quantities.
 class ActivePoints {
  public:
   void add(const std::vector<std::uint8_t>& marks) {

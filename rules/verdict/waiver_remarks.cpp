@@ -14,7 +14,7 @@
 namespace rules {
 namespace {
 
-// Where it is written, and what it is for: a workplace asks the same of several planes.
+// Place and subject of a waiver: a workplace has the same for several planes.
 using WaiverPlace = std::tuple<std::string, int, int, std::string>;
 
 WaiverPlace place_of(const Waiver& waiver, const std::string& what) {
@@ -54,7 +54,7 @@ void warn_of_unneeded(const std::vector<JudgedPlane>& planes, calc::Diagnostics&
   }
 }
 
-// Tells of each thing once, however many planes it is about.
+// Reports each thing once, however many planes it is about.
 class EndsSoon {
  public:
   EndsSoon(std::string_view today, calc::Diagnostics& diagnostics)

@@ -100,7 +100,8 @@ class ZoneMaker {
     if (lean_deg > 0.0) zone_.words += ", " + calc::say<zone_face_leans>(lean_deg);
   }
 
-  // What is farther out than the first band is on the floor, and where, nobody says.
+  // Makes the band around an upright task. Zones beyond the first band are on the floor, at a place
+  // that is not stated.
   void make_band_of_face() {
     const RulePlane* inside = source_.pack.find_plane(rule_.around);
     if (inside == nullptr || inside->area != ZoneArea::task) {
@@ -121,7 +122,7 @@ class ZoneMaker {
     zone_.not_made = calc::say<calc::Sentence::nothing_around>(rule_.around);
   }
 
-  // Rules about sides and spacings are meant along the area's own sides.
+  // Turns the area, because rules about sides and spacings refer to the area's own sides.
   void turn_area() {
     calc::PlanarArea& area = zone_.area;
     const glm::dvec2 axis = calc::long_axis(area.outline_m);
@@ -131,7 +132,7 @@ class ZoneMaker {
     area.outline_m = along_axis(area.outline_m, axis);
   }
 
-  // The height that a rule gives to a plane, for this row.
+  // Returns the height that a rule gives to a plane, for this row.
   double rule_height_m(const RulePlane& rule) const {
     if (rule.area == ZoneArea::task && source_.row.task_heights_m) {
       return source_.row.task_heights_m->lowest_m;
@@ -176,8 +177,8 @@ class ZoneMaker {
     place(height);
   }
 
-  // Outlines so far in the world's x and y; planes are written from a corner of their own, along
-  // the longest side.
+  // Places the outlines, which are in the world's x and y so far: planes are written from a corner
+  // of their own, along the longest side.
   void place(double height) {
     calc::PlanarArea& area = zone_.area;
     area.u = glm::dvec3(axis_, 0.0);
@@ -230,7 +231,7 @@ class ZoneMaker {
     }
   }
 
-  // An area that somebody has measured out needs no margin but the one that is written with it.
+  // Makes a given area: it needs no margin but the one written with it.
   void make_given(const Polygon& outline) {
     const bool is_task = rule_.area == ZoneArea::task;
     zone_.area.outline_m = outline;
@@ -254,7 +255,8 @@ class ZoneMaker {
     }
   }
 
-  // Of the zone with this role, without regard to walls. Empty if it is not simple.
+  // Returns the outer edge of the zone with this role, regardless of walls. Empty if it is not
+  // simple.
   Polygon outer_edge(const std::string& role) const {
     const RulePlane* plane = source_.pack.find_plane(role);
     if (plane == nullptr || plane->area != ZoneArea::band) return task();
@@ -312,7 +314,7 @@ class ZoneMaker {
     check_area(zone_.words);
   }
 
-  // A band farther out may end at the walls before it begins.
+  // Checks the area: an outer band may end at the walls before it begins.
   void check_area(const calc::Message& why) {
     constexpr double kNothing = 1.0e-6;  // of the outline's area
     const double whole_m2 = std::abs(calc::signed_area(zone_.area.outline_m));
@@ -350,7 +352,7 @@ class ZoneMaker {
     name_grid(source_.pack.find_grid(rule_.grid));
   }
 
-  // With the pack's name, and as wide as a band at most.
+  // Sets the grid with the pack's name, with cells at most as wide as a band.
   void name_grid(const RuleGrid* grid) {
     calc::Message name = calc::GridByRule().name;
     if (grid != nullptr) {
