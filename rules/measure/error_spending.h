@@ -18,9 +18,8 @@ constexpr double risk_share(int look, int planned) {
 }
 
 // Returns the level of the intervals of one sampling round, so that all rounds together hold at
-// `confidence` in (0, 1): at most, probabilities of error add up. Whenever a plane stops, its last
-// intervals, verdicts and printed values have this level.  [METHOD, 7.9; Bonferroni's inequality:
-// Miller81]
+// `confidence` in (0, 1): at most, probabilities of error add up. A plane's last intervals,
+// verdicts and printed values have this level.  [METHOD, 7.9; Bonferroni's inequality: Miller81]
 constexpr double look_confidence(double confidence, int look, int planned) {
   return 1.0 - (1.0 - confidence) * risk_share(look, planned);
 }
