@@ -58,8 +58,7 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
                              Hardware& hardware, const std::function<calc::DeviceWork()>& work);
 
-// Returns "backend: cpu: this machine has no graphics device
-// "; for a GPU also its stages.
+// Returns "backend: cpu: this machine has no graphics device\n"; for a GPU also its stages.
 std::string backend_line(const BackendChoice& choice);
 
 // The devices that compute each part, once opened.

@@ -30,8 +30,7 @@ DrawingChoice choose_to_draw(Hardware& hardware, const std::function<calc::Drawi
 DrawingChoice choose_for_pictures(const gpu::Device* open, bool is_asked_for, Hardware& hardware,
                                   const std::function<calc::DrawingWork()>& work);
 
-// Returns "pictures: software OpenGL: this machine has no graphics device
-// ".
+// Returns "pictures: software OpenGL: this machine has no graphics device\n".
 std::string pictures_line(const DrawingChoice& choice);
 
 // The device that draws pictures; it is opened at the first request.

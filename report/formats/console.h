@@ -21,8 +21,8 @@ struct TextOptions {
   bool has_messages = true;   // warnings and errors below each table; else they are said elsewhere
 };
 
-// Writes UTF-8 in which every line ends in '
-// ': the table of each project and one summary line, which counts the warnings.
+// Writes UTF-8 in which every line ends in '\n': the table of each project and one summary line,
+// which counts the warnings.
 std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const TextOptions& options, const Texts& t);
 

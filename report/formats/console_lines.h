@@ -22,8 +22,7 @@ void trim_end(std::string& text);
 
 // Returns a text behind `start`, over as many lines as a terminal of that width needs; 0: one line.
 // Further lines begin with `indent` blanks, fewer if the terminal is narrow. A word wider than a
-// line is broken: no line is wider than a terminal of 20 columns or more. Ends in '
-// '.
+// line is broken: no line is wider than a terminal of 20 columns or more. Ends in '\n'.
 std::string wrapped_lines(const std::string& start, const std::string& text, std::size_t indent,
                           int terminal_width);
 // Returns the same behind `indent` blanks and a mark of two columns, or none.

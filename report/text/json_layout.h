@@ -10,8 +10,7 @@
 
 namespace report {
 
-// Returns text that ends in '
-// '. Broken UTF-8 becomes U+FFFD, and a number that is not finite null.
+// Returns text that ends in '\n'. Broken UTF-8 becomes U+FFFD, a number that is not finite null.
 std::string json_layout(const nlohmann::ordered_json& json);
 
 // Returns the text inside another JSON text, `depth` lists and objects deep: its lines are

@@ -23,8 +23,7 @@ void tell(fmt::format_string<Args...> format, Args&&... args) {
 void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only);
 void print_error(calc::DiagnosticId id, const std::string& a, const std::string& b = "");
 
-// Returns "luxgate: wrote a.html, b.json and 40 more
-// "; "" for none.
+// Returns "luxgate: wrote a.html, b.json and 40 more\n"; "" for none.
 std::string written_words(const std::vector<std::string>& files);
 // Prints these words to standard error.
 void tell_written(const std::vector<std::string>& files);
