@@ -264,8 +264,8 @@ report::Raster PictureMaker::render(gpu::DeviceThread& device, gpu::PictureScene
 
 std::string PictureMaker::draw(const std::string& project_path, const calc::Space& space,
                                const calc::PreparedScene& scene, report::SpacePart& part) {
-  if (scene.triangle.empty()) return "it has no surfaces";
-  if (scene.triangle.size() > kMostTriangles) return "it has too many surfaces for a picture";
+  if (scene.triangle.empty()) return "the room has no surfaces";
+  if (scene.triangle.size() > kMostTriangles) return "the room has too many surfaces for a picture";
   std::string problem;
   gpu::DeviceThread* const device = device_.get(problem);
   if (device == nullptr) return problem;

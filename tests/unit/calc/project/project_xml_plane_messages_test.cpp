@@ -110,8 +110,8 @@ const std::vector<MessageCase> kCases{
      "dir/zero.csv:2: error[point-list-zero-normal]: the normal (nx,ny,nz) is zero; it must be the "
      "direction that the point faces"},
     {"BadPointListHeader", in_room(R"(<plane id="p" file="head.csv"/>)"),
-     "dir/head.csv:1: error[point-list-header]: the first line must be 'x_m,y_m,z_m,nx,ny,nz', all "
-     "three in m, cm, mm, in or ft; found 'x;y;z'"},
+     "dir/head.csv:1:2: error[csv-separator]: cells are separated by semicolons; commas are needed "
+     "between cells, and decimal points in numbers"},
     {"EmptyPointList", in_room(R"(<plane id="p" file="empty.csv"/>)"),
      "dir/empty.csv:1: error[point-list-empty]: no points after the header line"},
     {"UnknownQuantity", in_room(R"(<plane id="p" height="1.2" quantity="cylindric"/>)"),

@@ -325,7 +325,7 @@ TEST(RoomAreas, MarkdownCutsBetweenRooms) {
   const std::string text = rendered("markdown", document);
   EXPECT_EQ(times(text, "| &emsp;Board |"), 33u);
   EXPECT_EQ(times(text, "| &emsp;Pupils' tables |"), 33u);
-  EXPECT_THAT(text, HasSubstr("\n7 more are left out here.\n"));
+  EXPECT_THAT(text, HasSubstr("\n7 more are not listed here.\n"));
 }
 
 TEST(RoomAreas, StandBelowTheirRoomInHtml) {

@@ -272,7 +272,7 @@ TEST(RoomSummary, WhatFailsForMissingLightHasNoFactor) {
   finding(document.projects[0].spaces[1], 0).reason =
       calc::say<calc::Sentence::light_is_lost>("L7");
   const std::string text = rendered("text", document);
-  EXPECT_THAT(text, HasSubstr("'L7' is outside the room"));
+  EXPECT_THAT(text, HasSubstr("'L7' is wholly or partly outside the room"));
   EXPECT_THAT(text, Not(HasSubstr("flux of all luminaires")));
 }
 
@@ -356,7 +356,8 @@ TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
   broken.path = "b.xml";
   document.projects.push_back(broken);
   EXPECT_THAT(rendered("text", document),
-              HasSubstr("1 room fails: a.xml: Office · 2 rooms not judged: a.xml: Store, b.xml\n"));
+              HasSubstr("1 room fails: a.xml: Office · 1 room not judged: a.xml: Store · 1 project "
+                        "not judged: b.xml\n"));
 }
 
 TEST(RoomSummary, NamesGiveWayToANarrowTerminalInTheirMiddle) {

@@ -172,7 +172,7 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   EXPECT_THAT(html, HasSubstr("Colour scale from 0 to 500 lx"));
   EXPECT_THAT(html, HasSubstr("fill=\"#00204d\""));
   EXPECT_THAT(html, Not(HasSubstr("Rendered view")));
-  EXPECT_THAT(html, HasSubstr("shadows are. Drawn by OpenGL &lt;1&gt;.</figcaption>"));
+  EXPECT_THAT(html, HasSubstr("sharpness of shadows. Drawn by OpenGL &lt;1&gt;.</figcaption>"));
   picture.is_rendered = true;
   space.pictures.list.push_back(picture);
   space.pictures.map = report::ColourMap::false_colour;

@@ -172,7 +172,7 @@ TEST(Contradiction, WaiversLastUpToTheResultsOwnDay) {
     EXPECT_THAT(refusal_with(until, "2026-13-01"), HasSubstr("a day, YYYY-MM-DD, is needed"));
     EXPECT_EQ(refusal_with(until, kDay), "") << "its last day";
     EXPECT_THAT(refusal_with(until, "2026-12-30"),
-                HasSubstr("/waiver/applies: the file says true, but false follows"));
+                HasSubstr("/waiver/applies: the file says true, but its other values give false"));
   }
   EXPECT_GE(waivers, 1);
   EXPECT_NE(refusal_with("/provenance/judged_on", "2027-01-02"), "");
@@ -342,10 +342,10 @@ TEST(Contradiction, APassNeedsAPlaneThatFits) {
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", false}}),
               HasSubstr("the plane has a deviation that nobody accepts"));
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}}),
-              HasSubstr("/deviations/0/accepted: the file says true, but false follows"));
+              HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
   const json stated = {{"reason", "r"}, {"owner", "o"}, {"until", "2026-12-30"}};
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}, {"stated", stated}}),
-              HasSubstr("/deviations/0/accepted: the file says true, but false follows"));
+              HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
   json changed = real_result();
   const std::string project = standard.substr(0, standard.find("/spaces"));
   for (json& row : changed[json::json_pointer(project + "/luminaires")]) {

@@ -1198,7 +1198,7 @@ TEST(RevisionTables, SayAgainstWhat) {
   ASSERT_FALSE(revision.questions.empty());
   revision.commits = {std::string(40, 'a')};
   after.revision = revision;
-  EXPECT_THAT(revision_remarks(after, {}).front(), HasSubstr("Against main (aaaaaaaaaa): "));
+  EXPECT_THAT(revision_remarks(after, {}).front(), HasSubstr("Compared with main (aaaaaaaaaa): "));
 }
 
 TEST(Revise, CommitsAreReadBackFromTheResultFile) {

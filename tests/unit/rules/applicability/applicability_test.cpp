@@ -156,7 +156,7 @@ TEST(Applicability, WhatTheMarginLeavesOfASpeckIsASpeck) {
   const auto note = [](const std::string& plane) {
     return fit({plane, kDeskWork}).first().note.english();
   };
-  EXPECT_THAT(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0' margin='0.5'"), HasSubstr("0.01 m2"));
+  EXPECT_THAT(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0' margin='0.5'"), HasSubstr("0.01 m²"));
   EXPECT_EQ(note("origin='0 0 0.75' u='1.1 0 0' v='0 1.1 0'"), "");
 }
 
@@ -543,7 +543,7 @@ TEST(Applicability, WhatIsStatedMustBeWhole) {
 TEST(Applicability, ALimitOfItsOwnHasNoDeviation) {
   const Fitted fitted = fit({kWholeRoom, "quantity='average' at-least='1'",
                              "<deviation in='grid' because='x' by='A' until='2030-01-01'/>"});
-  EXPECT_THAT(testing::PrintToString(fitted.messages), HasSubstr("a limit of its own"));
+  EXPECT_THAT(testing::PrintToString(fitted.messages), HasSubstr("this <require> has its own limit"));
 }
 
 TEST(Applicability, ALimitOfItsOwnIsFree) {

@@ -105,7 +105,8 @@ TEST(ColourRendering, ARangeThatHoldsTheLimitDecidesNothing) {
 
 TEST(ColourRendering, AFluxOfTheProjectsOwnIsAnotherLight) {
   const Bound bound = bound_of("90", "90", plane("<require quantity='Ra' at-least='80'/>"), "900");
-  EXPECT_THAT(bound.rendering.at(0).problem.english(), HasSubstr("another flux"));
+  EXPECT_THAT(bound.rendering.at(0).problem.english(),
+              HasSubstr("changes the flux of luminaire type 'B'"));
   EXPECT_THAT(bound_of("90", "90", plane(kRow), "900").rendering, IsEmpty());
 }
 

@@ -390,7 +390,7 @@ TEST(LuminaireValue, LightOfLuminairesThatAreNotInTheirRoomIsMissing) {
   };
   EXPECT_EQ(missing(""), "");
   const std::string above = "<luminaire id='l' type='t' position='2 2 3.01' group='g'/>";
-  EXPECT_THAT(missing(above), HasSubstr("luminaire 'l' is outside the room"));
+  EXPECT_THAT(missing(above), HasSubstr("luminaire 'l' is wholly or partly outside the room"));
   EXPECT_EQ(missing(above, " scene='off'"), "");
   EXPECT_THAT(missing("<luminaire id='l' type='t' position='3.5 3.5 1'/>"), HasSubstr("'l'"));
   EXPECT_THAT(missing("<quad id='q' origin='1 0 1' u='1 0 0' v='0 0 1' material='m' "

@@ -114,7 +114,7 @@ TEST(Waivers, OfWhatIsNotAskedAreErrors) {
           "error[waiver-not-asked]: attribute 'checks' of <waiver>: the check 'wall.Em', of the "
           "role 'wall', is not required here; required: task.Em, task.Uo or colour")));
   EXPECT_THAT(in_require(waiver("task.Em"), "row='34.2' role='wall'").errors,
-              ElementsAre(HasSubstr("asked: wall.Em or wall.Uo")));
+              ElementsAre(HasSubstr("required: wall.Em or wall.Uo")));
 }
 
 // A task of the whole room has no surround; a ceiling that is left out is not asked either. Colour

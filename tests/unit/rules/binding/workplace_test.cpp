@@ -461,8 +461,9 @@ TEST(WorkplaceMessage, ManyWallsThatAreNotCheckedAreCounted) {
                    "footprint='0 0  12 0  12 8  9 8  9 8.4  8.2 8.4  8.2 8  4 8  4 8.4  3.2 8.4  "
                    "3.2 8  0 8' height='2.8'")
                   .messages,
-              ElementsAre(testing::AllOf(HasSubstr("not checked: wall.4 (0.4 m"),
-                                         HasSubstr("wall.8 (0.4 m"), HasSubstr(" and 2 more; "))));
+              ElementsAre(testing::AllOf(HasSubstr("not checked: wall.4 (the surface is 0.4 m"),
+                                         HasSubstr("wall.8 (the surface is 0.4 m"),
+                                         HasSubstr(" and 2 more; "))));
 }
 
 TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
@@ -541,7 +542,7 @@ TEST(Workplace, PointsThatLookAroundHaveAPlaneForEachDirection) {
   EXPECT_NEAR(std::abs(made.plane("w.face.2").direction.y), 1.0, 1e-12);
   EXPECT_NEAR(glm::dot(first, made.plane("w.face.3").direction), -1.0, 1e-12);
   EXPECT_NEAR(made.area_m2("w.face.2"), 12.0, 1e-9);
-  EXPECT_THAT(made.plane("w.face.1").made_by.english(), HasSubstr(", looking to ("));
+  EXPECT_THAT(made.plane("w.face.1").made_by.english(), HasSubstr(", direction of view ("));
   EXPECT_EQ(requirements_of_plane(made.requirements, "w.face.3").at(0).problem, "");
 }
 
@@ -639,8 +640,9 @@ std::string round_room() {
 }
 
 TEST(WorkplaceMessage, WallsThatAreAllTooNarrow) {
-  EXPECT_THAT(make(workplace(""), round_room()).messages,
-              ElementsAre(HasSubstr("nothing is left of the zone 'wall' (wall.1 (0.91")));
+  EXPECT_THAT(
+      make(workplace(""), round_room()).messages,
+      ElementsAre(HasSubstr("nothing is left of the zone 'wall' (wall.1 (the surface is 0.91")));
   EXPECT_THAT(
       make(workplace("", "<without role='wall' because='round' by='A. Meier' until='2099-12-31'/>"),
            round_room())
@@ -681,7 +683,7 @@ TEST(Workplace, ADeskTopThatSwallowsTheTaskIsNotJudged) {
 TEST(Workplace, PointsThatLookAroundGoByTheLongestWall) {
   const Made made =
       make(workplace(kDesk), "footprint='0.3 0  12 0  12 8  0 8  0 0.3' height='2.8'");
-  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.5 (0.42")));
+  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.5 (the surface is 0.42")));
   EXPECT_NEAR(std::abs(made.plane("w.observer.1").direction.x), 1.0, 1e-12);
   const Made cut = make(workplace(kDesk), "footprint='0 0.3  0.3 0  12 0  12 8  0 8' height='2.8'");
   EXPECT_NEAR(std::abs(cut.plane("w.observer.1").direction.x), 1.0, 1e-12);
@@ -692,7 +694,8 @@ TEST(Workplace, ANicheDoesNotBreakTheZones) {
   const Made made = make(workplace(kDesk),
                          "footprint='0 0  12 0  12 8  8 8  8 8.4  7.2 8.4  7.2 8  0 8' "
                          "height='2.8'");
-  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.4 (0.4 m wide")));
+  EXPECT_THAT(made.messages,
+              ElementsAre(HasSubstr("not checked: wall.4 (the surface is 0.4 m wide")));
   EXPECT_NEAR(made.area_m2("w.surround"), 3.0 * 2.5 - 3.0, 1e-9);
   EXPECT_THAT(made.plane("w.surround").made_by.english(),
               HasSubstr("without 0.5 m along the walls"));

@@ -219,7 +219,7 @@ TEST(Measure, OfARulePackNeedsPointsEverywhere) {
   const Measurement result = measure(requirement, grid, field_of_twelve(), {}, 0.95);
   EXPECT_FALSE(result.metric.has_value());
   EXPECT_THAT(result.reason.english(),
-              testing::HasSubstr("0.8 m2 of the area have no calculation point"));
+              testing::HasSubstr("0.8 m² of the area have no calculation point"));
   EXPECT_EQ(result.unseen_points, 0u);  // more samples do not help
 }
 

@@ -215,10 +215,11 @@ TEST(ImportRowsMessage, RefusesPointsThatMayStandBetweenThousands) {
   EXPECT_THAT(messages_of("1,a,desk,1.000,,0.7,80,19,,,,"),
               ElementsAre("rows.csv:2: error[rule-import]: column 'Em': '1.000' is ambiguous, 1 or "
                           "1000; write it without three digits after a point"));
-  EXPECT_THAT(messages_of("1,a,desk,500,1.500,0.7,80,19,,,,"),
-              ElementsAre(testing::HasSubstr("column 'Em mod': '1.500' may be 1.5 or 1500")));
+  EXPECT_THAT(
+      messages_of("1,a,desk,500,1.500,0.7,80,19,,,,"),
+      ElementsAre(testing::HasSubstr("column 'Em mod': '1.500' is ambiguous, 1.5 or 1500")));
   EXPECT_THAT(messages_of("1,a,desk,500,,1.000,80,19,,,,"),
-              ElementsAre(testing::HasSubstr("column 'Uo': '1.000' may be 1 or 1000")));
+              ElementsAre(testing::HasSubstr("column 'Uo': '1.000' is ambiguous, 1 or 1000")));
   EXPECT_THAT(messages_of("1,a,desk,500.0,,0.700,80,19.00,,,,"), ElementsAre());
 }
 

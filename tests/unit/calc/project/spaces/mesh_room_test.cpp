@@ -53,11 +53,11 @@ TEST(MeshRoom, FacesMayLookInwardOrOutwardAndItIsSaid) {
   const Loaded out = load_room(ObjText().box("hall", kLow, kHigh, false).text());
   ASSERT_TRUE(out.project) << out.messages;
   EXPECT_THAT(room_of(out).notes.at(0).english(),
-              HasSubstr("look out of the room, which has no effect"));
+              HasSubstr("faces point out of the room, which has no effect"));
   const Loaded mixed = load_room(ObjText().box("hall", kLow, kHigh, true, -1, 3).text());
   ASSERT_TRUE(mixed.project) << mixed.messages;
   EXPECT_THAT(room_of(mixed).notes.at(0).english(),
-              HasSubstr("look into the room (10 triangles) and out of it (2)"));
+              HasSubstr("point into the room (10 triangles) and out of it (2)"));
 }
 
 TEST(MeshRoom, PointsInTheRoomStayThoseOutsideAndInSolidsAreDropped) {

@@ -72,8 +72,8 @@ TEST(OpenShells, WithoutItsBottomOnTheFloorItIsClosed) {
   EXPECT_EQ(made.inside, 4u);
   EXPECT_THAT(
       made.messages,
-      HasSubstr("warning[points-in-open-mesh]: plane 'p': 4 of 4 points are inside 'm', whose "
-                "mesh is not closed"));
+      HasSubstr("warning[points-in-open-mesh]: plane 'p': 4 of 4 points are left out; they are "
+                "inside 'm', whose mesh is not closed"));
 }
 
 // Without what faces the floor, a wall and another wall, from floor to ceiling, and with a gap.

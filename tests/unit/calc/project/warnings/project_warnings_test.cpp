@@ -202,7 +202,7 @@ TEST(ProjectWarnings, FluxAndPowerMustMakeAUsualEfficacy) {
   // A slip in what might be taken would win every search for the least power.
   EXPECT_THAT(with_type(R"(><package article="P-1" flux-lm="3000" power-w="2.3"/></luminaire-type>
 <material id="other" reflectance="0.5")"),
-              HasSubstr("luminaire type 't' with 'P-1': 3000 lm for 2.3 W make 1.3e+03 lm/W"));
+              HasSubstr("luminaire type 't' with 'P-1': 3000 lm for 2.3 W are 1.3e+03 lm/W"));
   EXPECT_EQ(with_type(R"(flux-lm="51" power-w="10")"), "");
 }
 

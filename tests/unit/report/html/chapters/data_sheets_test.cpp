@@ -123,7 +123,7 @@ TEST(DataSheets, WhatIsNotStatedIsSaid) {
   EXPECT_THAT(one, HasSubstr("Efficacy</th><td>not stated"));
   EXPECT_THAT(one, HasSubstr("a &amp; b.ies"));
   const std::string several = sheet_body({}, batwing(15, 2));
-  EXPECT_THAT(several, HasSubstr("2 that shine together"));
+  EXPECT_THAT(several, HasSubstr("2, lit together"));
   EXPECT_THAT(several, HasSubstr("several emitters are lit together, and their total size"));
   EXPECT_THAT(several, Not(HasSubstr("4 H × 8 H")));
 }

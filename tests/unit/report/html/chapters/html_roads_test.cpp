@@ -71,7 +71,7 @@ TEST(HtmlRoads, TellPowerAndEnergy) {
                                        "kWh/m² for each 1000 h")));
   project.maintenance_plan.use_h = 4000.0;
   EXPECT_THAT(table_rows(html_roads({}, project, 0)),
-              Contains(HasSubstr("| 2.22 kWh/m², 4000 h in a year at full output")));
+              Contains(HasSubstr("| 2.22 kWh/m², 4000 h a year at full output")));
   project.spaces.back().planes[1].is_computed = false;
   EXPECT_THAT(table_rows(html_roads({}, project, 0)),
               Contains(HasSubstr("| not known: the illuminance of an area was not calculated")));

@@ -134,10 +134,12 @@ TEST(Options, GpuStagesBelongToResults) {
             "luxgate check a.xml --backend gpu --gpu-stages light-paths,near-field");
   EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,direct-light,light-paths")),
             "luxgate check a.xml --backend gpu");
-  for (const char* wrong : {"", "near", "near-field,", "Near-Field", "all"}) {
+  for (const char* wrong : {"", "near", "near-field,", "all"}) {
     expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages", wrong},
                        "direct-light, light-paths, connections or near-field");
   }
+  expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages", "Near-Field"},
+                     "did you mean 'near-field'?");
   expect_usage_error(
       {"check", "a.xml", "--backend", "gpu", "--gpu-stages", "near-field,near-field"},
       "near-field is named twice");

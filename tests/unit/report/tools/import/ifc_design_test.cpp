@@ -90,11 +90,11 @@ TEST(IfcDesign, LettersOfUnknownAlphabetsAreSaid) {
   const Design known = rename("\\PB\\\\S\\C\\S\\f");
   ASSERT_EQ(known.room.size(), 1u);
   EXPECT_EQ(known.room[0].name, "Ăć");
-  EXPECT_TRUE(notes(known, "alphabet").empty());
+  EXPECT_TRUE(notes(known, "escape").empty());
   const Design unknown = rename("B\\PX\\\\S\\|ro");
   ASSERT_EQ(unknown.room.size(), 1u);
   EXPECT_EQ(unknown.room[0].name, "B\\PX\\\uFFFDro");
-  EXPECT_THAT(notes(unknown, "alphabet"), ElementsAre("doubt: 1 x text"));
+  EXPECT_THAT(notes(unknown, "escape"), ElementsAre("doubt: 1 x text"));
 }
 
 TEST(IfcDesign, PlacesStandOnOneAnother) {
@@ -144,7 +144,7 @@ TEST(IfcDesign, RoomsThatAreNoneAreLeftOut) {
               ElementsAre("left out: 1 x IFCSPACE"));
   EXPECT_THAT(notes(with("#800,#2,", "#800,$,"), "it has no shape"),
               ElementsAre("left out: 1 x IFCSPACE"));
-  EXPECT_THAT(notes(with("4000.,6000.", "4.,6."), "is the unit mm right?"),
+  EXPECT_THAT(notes(with("4000.,6000.", "4.,6."), "check the unit, mm"),
               ElementsAre("doubt: 1 x IFCSPACE"));
 }
 
@@ -276,7 +276,7 @@ TEST(IfcDesign, TheUserMaySayTheUnit) {
   ASSERT_EQ(design->room.size(), 1u);
   EXPECT_EQ(design->room[0].height_m, 3.0);
   EXPECT_THAT(design->unit_reason, HasSubstr("the file says m"));
-  EXPECT_THAT(notes(*cli::read_ifc(metres, "a.ifc", {}, problem), "is the unit m right?"),
+  EXPECT_THAT(notes(*cli::read_ifc(metres, "a.ifc", {}, problem), "check the unit, m"),
               ElementsAre("doubt: 1 x IFCSPACE"));
 }
 

@@ -103,7 +103,7 @@ TEST(IfcImport, HeightsOfAttributesAreReadAsInDrawings) {
   lamp.attribute = {{"HEIGHT", " "}, {"Height", "-1"}, {"height", "2.5"}};
   EXPECT_FALSE(cli::height_of_attribute(lamp, "height", 1.0, notes));
   ASSERT_EQ(design.note.size(), 1u);
-  EXPECT_THAT(design.note[0].why, HasSubstr("Height is no height"));
+  EXPECT_THAT(design.note[0].why, HasSubstr("Height is not a height"));
 }
 
 TEST(IfcImport, ARoomThatNoRuleFitsHasNone) {
