@@ -23,8 +23,7 @@ bool can_be_folded(const rules::Finding& finding) {
   const bool is_good = finding.verdict == rules::Verdict::pass ||
                        outcome_of(finding) == rules::Outcome::nothing_asked;
   return is_good && !finding.is_waived && !finding.is_close && !finding.by_tolerance &&
-         finding.requirement.deviations.empty() && !finding.requirement.origin.is_weakened &&
-         finding.reason.empty();
+         finding.requirement.deviations.empty() && !finding.requirement.origin.is_weakened;
 }
 
 bool is_one_line(const RoomLine& line, const std::string& role, const PlanePart& plane,
@@ -33,10 +32,11 @@ bool is_one_line(const RoomLine& line, const std::string& role, const PlanePart&
   const rules::Requirement &a = known.finding->requirement, &b = finding.requirement;
   return line.role == role && known.plane->kernel == plane.kernel &&
          known.finding->verdict == finding.verdict && can_be_folded(*known.finding) &&
-         a.metric == b.metric && a.derived == b.derived && a.comparison == b.comparison &&
-         a.limit == b.limit && a.scene == b.scene && a.state == b.state &&
-         a.severity == b.severity && a.clause == b.clause && a.mask.id == b.mask.id &&
-         a.direct_only == b.direct_only && a.origin.is_user_supplied == b.origin.is_user_supplied &&
+         known.finding->reason == finding.reason && a.metric == b.metric &&
+         a.derived == b.derived && a.comparison == b.comparison && a.limit == b.limit &&
+         a.scene == b.scene && a.state == b.state && a.severity == b.severity &&
+         a.clause == b.clause && a.mask.id == b.mask.id && a.direct_only == b.direct_only &&
+         a.origin.is_user_supplied == b.origin.is_user_supplied &&
          std::holds_alternative<std::monostate>(a.arguments) &&
          std::holds_alternative<std::monostate>(b.arguments);
 }

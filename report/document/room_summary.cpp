@@ -121,7 +121,8 @@ std::vector<RoomSummary> room_summaries(const ProjectPart& project) {
       ++room.required;
       room.met += finding.verdict == rules::Verdict::pass ? 1 : 0;
     }
-    if (room.outcome == rules::Outcome::nothing_asked) continue;
+    // A room with a row of a standard, none of whose numbers counts, must not disappear.
+    if (room.outcome == rules::Outcome::nothing_asked && space.coverage.empty()) continue;
     std::stable_sort(room.causes.begin(), room.causes.end(),
                      [](const RoomCause& a, const RoomCause& b) {
                        if (a.outcome != b.outcome) return a.outcome < b.outcome;

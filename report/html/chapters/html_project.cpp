@@ -255,6 +255,26 @@ std::string html_luminaires(const Texts& t, const ProjectPart& project, std::siz
          remarks;
 }
 
+namespace {
+
+// Folded, because a floor of offices has 80 planes. rows: "" = nothing was calculated.
+std::string work_table(const Texts& t, const std::string& rows) {
+  if (rows.empty()) return {};
+  const char* title = t[Text::work_per_plane];
+  return fmt::format("<details class=\"list\"><summary>{}</summary>\n", title) +
+         scroll_box(title, fmt::format("<table><caption class=\"unseen\">{}</caption><thead><tr>"
+                                       "<th scope=\"col\">{}</th>",
+                                       title, t[Text::plane]) +
+                               number_heads(t, {Text::light_paths, Text::direct_rays,
+                                                Text::connections, Text::near_rays}) +
+                               fmt::format("<th scope=\"col\">{}</th></tr></thead><tbody>\n",
+                                           t[Text::sampling]) +
+                               rows + "</tbody></table>") +
+         "</details>\n";
+}
+
+}  // namespace
+
 std::string html_calculation(const Texts& t, const Provenance& provenance,
                              const ProjectPart& project, std::size_t index) {
   if (project.spaces.empty()) return {};
@@ -271,18 +291,7 @@ std::string html_calculation(const Texts& t, const Provenance& provenance,
                         number_heads(t, {Text::emitted, Text::absorbed, Text::escaped,
                                          Text::triangles, Text::left_out_no_area}) +
                         "</tr></thead><tbody>\n" + balance + "</tbody></table>") +
-         (rays.empty()
-              ? ""
-              : scroll_box(t[Text::work_per_plane],
-                           fmt::format("<table><caption>{}</caption><thead><tr><th "
-                                       "scope=\"col\">{}</th>",
-                                       t[Text::work_per_plane], t[Text::plane]) +
-                               number_heads(t, {Text::light_paths, Text::direct_rays,
-                                                Text::connections, Text::near_rays}) +
-                               fmt::format("<th scope=\"col\">{}</th></tr></thead><tbody>\n",
-                                           t[Text::sampling]) +
-                               rays + "</tbody></table>")) +
-         html_convergence(t, project) + times_table(t, project.times);
+         work_table(t, rays) + html_convergence(t, project) + times_table(t, project.times);
 }
 
 std::string html_inputs(const Texts& t, const ProjectPart& project) {

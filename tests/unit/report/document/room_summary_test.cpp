@@ -349,6 +349,19 @@ TEST(RoomSummary, NearALimitTheIntervalIsSeenAndNothingIsRoundedOverIt) {
   EXPECT_THAT(text, HasSubstr("460 ±9 ≥ 450"));
 }
 
+TEST(RoomSummary, ARoomWhoseRowRequiresNothingIsThere) {
+  Document document = rooms();
+  SpacePart& hall = document.projects[0].spaces[0];
+  for (PlanePart& plane : hall.planes) plane.findings.clear();
+  EXPECT_EQ(room_summaries(document.projects[0]).size(), 2u);
+  hall.coverage = {{"desk", calc::Message::words("EN 1:2021 2"), {}}};
+  const std::vector<RoomSummary> summaries = room_summaries(document.projects[0]);
+  ASSERT_EQ(summaries.size(), 3u);
+  EXPECT_EQ(summaries[0].outcome, rules::Outcome::nothing_asked);
+  EXPECT_EQ(summaries[0].required, 0);
+  EXPECT_THAT(rendered("text", document), HasSubstr("nothing is required"));
+}
+
 TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
   Document document = rooms();
   document.projects[0].path = "a.xml";

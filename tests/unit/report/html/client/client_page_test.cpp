@@ -79,6 +79,17 @@ TEST(RoomLines, WhatFailsIsCloseWaivedOrAskedOtherwiseHasItsOwnLine) {
   EXPECT_EQ(room_lines(space).size(), 3u) << "planes without a role stay apart";
 }
 
+TEST(RoomLines, OfOneReasonAreOneLine) {
+  Document document = walls();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes[1].findings[0].reason = calc::Message::words("no luminaire in view");
+  EXPECT_EQ(room_lines(space).size(), 2u);
+  space.planes[2].findings[0].reason = space.planes[1].findings[0].reason;
+  EXPECT_EQ(room_lines(space).size(), 2u);
+  space.planes[2].findings[0].reason = calc::Message::words("another reason");
+  EXPECT_EQ(room_lines(space).size(), 3u);
+}
+
 TEST(ClientPage, IsRoomFirstAndWithoutWhatOnlyACheckerNeeds) {
   Document document = walls();
   document.provenance.command_line = "luxgate check secret-path.xml";
