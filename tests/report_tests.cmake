@@ -72,6 +72,7 @@ luxgate_test(report_tests
     unit/report/formats/standard_words_test.cpp
     unit/report/formats/warnings_test.cpp
     unit/report/formats/write_test.cpp
+    unit/report/formats/kept_rows_test.cpp
     unit/report/formats/xlsx_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats"

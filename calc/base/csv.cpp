@@ -54,7 +54,8 @@ std::optional<CsvRecord> CsvReader::next() {
   return record;
 }
 
-// Looks at the first line that is not blank.
+// Looks at the first line that is not blank. Where the next line has commas it is the first line
+// alone, such as a remark.
 void CsvReader::check_separator() {
   if (has_checked_separator_ || is_at_line_end() || problem_) return;
   has_checked_separator_ = true;
@@ -74,6 +75,10 @@ void CsvReader::check_separator() {
     if (!is_utf8_continuation(c)) ++at.column;
   }
   if (!first) return;
+  const std::string_view below = trim(rest_.substr(rest_.find(line) + line.size()));
+  const std::string_view next = below.substr(0, below.find_first_of("\r\n"));
+  const auto has = [next](char c) { return next.find(c) != std::string_view::npos; };
+  if (has(',') && !has(separator)) return;
   problem_ = {*first,
               fmt::format("cells are separated by {}; commas are needed between cells, and decimal "
                           "points in numbers",

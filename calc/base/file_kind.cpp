@@ -140,7 +140,7 @@ constexpr std::string_view kToPhotometry =
     "Ask the manufacturer for LM-63 (.ies), EULUMDAT (.ldt), TM-33 or GLDF";
 constexpr std::string_view kUnpack = "Unpack it and name the file inside";
 constexpr std::string_view kToCsv = "Save the sheet as CSV";
-constexpr std::string_view kToText = "luxgate reads no pictures and no documents";
+constexpr std::string_view kToText = "Pictures and documents cannot be read here";
 constexpr std::string_view kAsPhotometry = "Use it as <luminaire-type photometry=\"...\">";
 constexpr std::string_view kAsMesh = "Use it as <room file=\"...\"> or <mesh file=\"...\">";
 constexpr std::string_view kAsGbxml = "Use it as <room file=\"...\" space=\"...\">";
@@ -325,6 +325,7 @@ constexpr KindRow kKinds[] = {
 std::string_view advice_for(const FileKind& kind, FileUse wanted) {
   const bool is_of_bodies =
       kind.advice == kToMesh || kind.advice == kToRooms || kind.advice == kToDxf;
+  if (kind.advice == kToCsv && wanted != FileUse::table) return "";
   if (!is_of_bodies) return kind.advice;
   if (wanted == FileUse::drawing) return kind.advice == kToDxf ? "Save it as DXF" : kToDrawing;
   const bool helps =
@@ -406,6 +407,7 @@ std::optional<OtherKind> other_kind(std::string_view bytes, std::string_view nam
       (kind == nullptr && !is_recognised) || (kind != nullptr && kind->is_vague);
   if (name_counts && named != nullptr) kind = named;
   if (kind == nullptr || kind->use == wanted) return std::nullopt;
+  if (bytes.empty()) return OtherKind{"it is empty", ""};
   const bool is_by_name = kind == named && name_counts;
   OtherKind other{fmt::format("{} {}", is_by_name ? "by its name it is" : "it is", kind->words),
                   ""};

@@ -65,6 +65,7 @@ calc::Message without_one_source(const calc::Message& message) {
 }
 
 void add_one_source_row(const rules::Requirement& requirement, std::vector<calc::Message>& rows) {
+  if (requirement.severity == rules::Severity::advice) return;  // no verdict rests on it
   add_marked(requirement.clause, requirement.note, requirement.id, rows);
 }
 

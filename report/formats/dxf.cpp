@@ -993,7 +993,7 @@ void DxfWriter::add_summary(const ProjectPart& project) {
   summary_.add(title_of(project.name, project.path));
   if (const std::string about = about_line(t_, project.about); !about.empty()) summary_.add(about);
   if (!project.is_judged) summary_.add(t_[Text::not_judged_see_errors]);
-  RoomOverview table = room_overview(t_, project, 1, AreaLines::folded);
+  RoomOverview table = room_overview(t_, project, 1);
   // Beside the plan there is no room for more; all of it is in the notes.
   for (const RoomOverview::Column column :
        {RoomOverview::Column::use, RoomOverview::Column::walls, RoomOverview::Column::cylindrical,
@@ -1003,6 +1003,7 @@ void DxfWriter::add_summary(const ProjectPart& project) {
   std::vector<DxfColour> colours;
   for (const RoomOverview::Row& row : table.rows) {
     rows.push_back(row.cells);
+    if (row.is_area) rows.back()[1].insert(0, "    ");
     colours.push_back(colour_of(row.outcome));
   }
   if (!rows.empty()) summary_.add_table(table.head, rows, colours);

@@ -5,6 +5,7 @@
 #include "report/document/luminaire_totals.h"
 #include "report/document/room_summary.h"
 #include "report/formats/ci_finding.h"
+#include "report/formats/kept_rows.h"
 #include "report/formats/table.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
@@ -252,6 +253,7 @@ std::vector<RoomField> room_fields(const Texts& t) {
   return {{{t[Text::verdict], 14, kOfColumn, true, ColumnRole::verdict}, always},
           {{t[Text::xlsx_room], 24, kOfColumn, true}, always},
           {{t[Text::xlsx_use], 20, kOfColumn, true}, always},
+          {{t[Text::xlsx_values_of], 18, kOfColumn, true}},
           {{t[Text::xlsx_met], 9}, always},
           {{t[Text::xlsx_asked], 9}, always},
           {{t[Text::xlsx_average], 10}, with_limit},
@@ -282,33 +284,25 @@ void set_width_of_reasons(std::vector<SheetColumn>& columns) {
   }
 }
 
-bool is_empty(const TableCell& cell) { return std::holds_alternative<std::monostate>(cell); }
+// The columns of the overview that rooms have something in, with their places among all.
+struct OverviewColumns {
+  std::vector<SheetColumn> list;
+  std::vector<std::size_t> places;
+};
 
-// The columns of the overview that rooms have something in. rooms: each with a cell for every
-// column; what is in the columns that are left out is taken away.
-std::vector<SheetColumn> overview_columns(const Texts& t, bool has_projects,
-                                          std::vector<std::vector<TableCell>>& rooms) {
+OverviewColumns overview_columns(const Texts& t, bool has_projects, const KeptRows& rooms) {
   const std::vector<RoomField> fields = with_project(
       room_fields(t), RoomField{project_column(t, has_projects), Kept::always}, has_projects);
-  const auto is_in_a_room = [&rooms](std::size_t c) {
-    return std::any_of(rooms.begin(), rooms.end(),
-                       [c](const auto& row) { return !is_empty(row[c]); });
-  };
-  std::vector<SheetColumn> columns;
-  std::size_t kept = 0;
+  OverviewColumns columns;
   for (std::size_t c = 0; c < fields.size(); ++c) {
     const Kept how = fields[c].kept;
-    const bool is_used =
-        how == Kept::always || is_in_a_room(c) || (how == Kept::with_limit && is_in_a_room(c + 1));
-    if (!is_used) continue;
-    columns.push_back(fields[c].column);
-    for (std::vector<TableCell>& row : rooms) {
-      if (kept != c) row[kept] = std::move(row[c]);
-    }
-    ++kept;
+    if (how != Kept::always && !rooms.is_used(c) &&
+        !(how == Kept::with_limit && rooms.is_used(c + 1)))
+      continue;
+    columns.list.push_back(fields[c].column);
+    columns.places.push_back(c);
   }
-  for (std::vector<TableCell>& row : rooms) row.resize(kept);
-  set_width_of_reasons(columns);
+  set_width_of_reasons(columns.list);
   return columns;
 }
 
@@ -384,9 +378,14 @@ std::string uses_of(const Texts& t, const SpacePart& space, const RoomArea& area
 }
 
 std::vector<TableCell> values_row(const Texts& t, const KeyValues& values, const std::string& title,
-                                  const std::string& uses, const WallCounts& walls) {
-  std::vector<TableCell> row{std::string(outcome_words(t, values.outcome)), title, uses,
-                             count_cell(values.met), count_cell(values.required)};
+                                  const std::string& uses, const TableCell& owners,
+                                  const WallCounts& walls) {
+  std::vector<TableCell> row{std::string(outcome_words(t, values.outcome)),
+                             title,
+                             uses,
+                             owners,
+                             count_cell(values.met),
+                             count_cell(values.required)};
   for (const rules::Finding* value :
        {values.average, values.minimum, values.uniformity, values.glare})
     add_value(t, value, row);
@@ -399,8 +398,8 @@ std::vector<TableCell> values_row(const Texts& t, const KeyValues& values, const
 std::vector<TableCell> room_row(const Texts& t, const RoomSummary& room, const std::string& title) {
   const std::string owners = owners_of_values(t, room);
   std::vector<TableCell> row =
-      values_row(t, room, owners.empty() ? title : t.say<Text::overview_values_of>(title, owners),
-                 uses_of(t, *room.space), room.walls);
+      values_row(t, room, title, uses_of(t, *room.space),
+                 owners.empty() ? TableCell() : TableCell(owners), room.walls);
   const std::optional<double> power_w_m2 = room.space->power.density_w_m2();
   row.push_back(power_w_m2 ? TableCell(TableNumber{*power_w_m2}) : TableCell());
   row.push_back(leni_cell(*room.space));
@@ -422,9 +421,9 @@ std::vector<std::vector<TableCell>> area_rows(const Texts& t, const RoomSummary&
   std::vector<std::vector<TableCell>> rows;
   if (room.areas.empty()) return rows;
   const std::vector<std::string> titles = area_titles(t, room);
-  for (std::size_t k = 0; k < std::min(room.areas.size(), kMostAreaLines); ++k) {
+  for (std::size_t k = 0; k < shown_areas(room); ++k) {
     const RoomArea& area = room.areas[k];
-    rows.push_back(values_row(t, area, kIndent + titles[k], uses_of(t, *room.space, area), {}));
+    rows.push_back(values_row(t, area, kIndent + titles[k], uses_of(t, *room.space, area), {}, {}));
   }
   if (const FurtherAreas further = further_areas(room); further.count > 0) {
     rows.push_back({std::string(outcome_words(t, further.outcome)),
@@ -716,7 +715,7 @@ class XlsxWriter : public FormatWriter {
   SheetOrder results_order_, points_order_, positions_order_;
   SheetSeries projects_, requirements_, types_, positions_, points_, notes_;
   // Of the overview, which begins with what comes last; with every column until the end.
-  std::vector<std::vector<TableCell>> rooms_;
+  KeptRows rooms_;
   std::string title_;  // of the only project
   std::string page_title_;
   std::vector<AboutWords> about_;
@@ -738,9 +737,9 @@ void XlsxWriter::add(const ProjectPart& project) {
   const PlaceNames names(t_, project);
   for (const RoomSummary& room : room_summaries(project)) {
     const std::vector<TableCell> of_room = room_row(t_, room, names.rooms.at(room.space->id));
-    rooms_.push_back(with_project<TableCell>(of_room, project.path, has_projects()));
+    rooms_.add(with_project<TableCell>(of_room, project.path, has_projects()));
     for (const std::vector<TableCell>& row : area_rows(t_, room, of_room.size()))
-      rooms_.push_back(with_project<TableCell>(row, project.path, has_projects()));
+      rooms_.add(with_project<TableCell>(row, project.path, has_projects()));
   }
   projects_.add(project_row(t_, project));
   results_in(t_, project, [&](std::span<const TableCell> row) {
@@ -859,8 +858,9 @@ void XlsxWriter::write_sizes(SheetSeries& about) const {
 }
 
 void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
-  SheetSeries overview(t_[Text::xlsx_sheet_overview], overview_columns(t_, has_projects(), rooms_),
-                       look_, place_, kMostSheetRows, SheetHead::without);
+  const OverviewColumns columns = overview_columns(t_, has_projects(), rooms_);
+  SheetSeries overview(t_[Text::xlsx_sheet_overview], columns.list, look_, place_, kMostSheetRows,
+                       SheetHead::without);
   SheetSeries about(t_[Text::xlsx_sheet_about], {{"", 46}, {"", 100, kOfColumn, true}}, look_,
                     place_, kMostSheetRows, SheetHead::without);
   std::unique_ptr<SheetSeries> revision;
@@ -884,7 +884,13 @@ void XlsxWriter::finish(const DocumentEnd& end, Sink& sink) {
   write_outcome(overview, end);
   overview.add_pair("", {});
   overview.add_head();
-  for (const std::vector<TableCell>& row : rooms_) overview.add(row);
+  rooms_.for_each([&](std::vector<TableCell> row) {
+    for (std::size_t i = 0; i < columns.places.size(); ++i) {
+      if (columns.places[i] != i) row[i] = std::move(row[columns.places[i]]);
+    }
+    row.resize(columns.places.size());
+    overview.add(row);
+  });
   write_counts(about, end);
   write_provenance(about, end.provenance);
   write_reading(about, end.provenance);

@@ -249,6 +249,9 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem,
     return document;
   } catch (const BadJson& bad) {
     problem = bad.what();
+  } catch (const nlohmann::json::parse_error& error) {
+    problem = fmt::format("it is not JSON, or it is incomplete; see byte {} of {}", error.byte,
+                          bytes.size());
   } catch (const nlohmann::json::exception& error) {
     problem = std::string("it is not JSON: ") + error.what();
   }

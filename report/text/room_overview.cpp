@@ -167,7 +167,7 @@ std::vector<std::string> cells_of_room(const Texts& t, const RoomSummary& room, 
 void add_area_rows(const Texts& t, const RoomSummary& room, std::size_t space,
                    std::vector<RoomOverview::Row>& rows) {
   const std::vector<std::string> titles = area_titles(t, room);
-  const std::size_t shown = std::min(room.areas.size(), kMostAreaLines);
+  const std::size_t shown = shown_areas(room);
   for (std::size_t k = 0; k < shown; ++k) {
     const RoomArea& area = room.areas[k];
     rows.push_back({area.outcome, space,
@@ -287,9 +287,18 @@ RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size
   return table;
 }
 
+std::size_t shown_areas(const RoomSummary& room) {
+  constexpr std::size_t kMost = 6, kMostOfPasses = 3;
+  const auto passes = [](const RoomArea& area) { return area.outcome == rules::Outcome::pass; };
+  const auto others = static_cast<std::size_t>(
+      std::find_if(room.areas.begin(), room.areas.end(), passes) - room.areas.begin());
+  const std::size_t shown = std::clamp(others, kMostOfPasses, kMost);
+  return room.areas.size() <= shown + 1 ? room.areas.size() : shown;
+}
+
 FurtherAreas further_areas(const RoomSummary& room) {
   FurtherAreas further;
-  for (std::size_t k = kMostAreaLines; k < room.areas.size(); ++k) {
+  for (std::size_t k = shown_areas(room); k < room.areas.size(); ++k) {
     ++further.count;
     further.outcome = graver(further.outcome, room.areas[k].outcome);
   }

@@ -54,8 +54,11 @@ enum class AreaLines { shown, folded };
 RoomOverview room_overview(const Texts& t, const ProjectPart& project, std::size_t least = 2,
                            AreaLines areas = AreaLines::shown);
 
-// The worst areas of a room, which have their own lines, and the outcome of all others.
-inline constexpr std::size_t kMostAreaLines = 6;
+// Returns how many areas of a room, worst first, have their own lines: at most 6, or 3 if all that
+// follow pass. A line is not spent on a single area that is left.
+std::size_t shown_areas(const RoomSummary& room);
+
+// All areas without a line of their own.
 struct FurtherAreas {
   std::size_t count = 0;                                   // 0: there are no more
   rules::Outcome outcome = rules::Outcome::nothing_asked;  // the gravest

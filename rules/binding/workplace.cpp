@@ -141,6 +141,14 @@ class WorkplaceMaker {
   // Makes the planes; requires check_zones() without an error. Adds nothing after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
+    // What such a row still requires, such as Ra, would be judged nowhere.
+    const auto counts = [](const RuleCheck& check) { return check.severity != Severity::advice; };
+    if (required_check(pack_.role, scope_, counts) == nullptr) {
+      diagnostics_.report(DiagnosticId::rule_requires_nothing, workplace_.where, pack_.full_id(),
+                          fmt::format(" row '{}'", row_.ref), pack_.role,
+                          "; remove the workplace, or require your own numbers with <require>");
+      return;
+    }
     if (row_.task_orientation == kUpright && !workplace_.upright) {
       diagnostics_.report(DiagnosticId::workplace_task_is_upright, workplace_.where, workplace_.id,
                           row_.ref);

@@ -212,7 +212,7 @@ def known_cases(luxgate, examples, work):
         bytes_before = file.read()
     code, _, told = advise(luxgate, path, "--write", light)
     with open(light, "rb") as file:
-        expect(code == 2 and "it was read" in told and file.read() == bytes_before, f"no input is written over: {told}")
+        expect(code == 2 and "it is an input" in told and file.read() == bytes_before, f"no input is written over: {told}")
 
     # Levels that the text of the project cannot give are no advice.
     write(os.path.join(work, "list.csv"), "name,type,x_m,y_m,z_m\na,t,1.5,2,2.79\nb,t,4.5,2,2.79\n")

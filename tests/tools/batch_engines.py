@@ -361,8 +361,8 @@ def refused(batch):
                            (["--store", "s", "--shard", "1/2"], "unknown option '--shard'"),
                            (["--store", "s", "--format", "csv", "--format", "json"], "only one kind can go to standard output"),
                            (["--store", "s", "gone.xml"], "no job is made"),
-                           (["--store", "s", "--engine", "slurm", "--job-folder", "a\\b"], "Slurm cannot have"),
-                           (["--store", "s", "--engine", "parallel", "--job-folder", "a{}b"], "GNU parallel cannot have"),
+                           (["--store", "s", "--engine", "slurm", "--job-folder", "a\\b"], "Slurm does not allow"),
+                           (["--store", "s", "--engine", "parallel", "--job-folder", "a{}b"], "GNU parallel does not allow"),
                            (["--store", "s", b"caf\xe9.xml"], "is not UTF-8")]:
         engine = [] if "--engine" in words else ["--engine", "local"]
         run = subprocess.run([PROGRAM, "submit", *engine, batch.designs[0], *words], cwd=batch.folder, capture_output=True,

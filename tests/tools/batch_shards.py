@@ -96,12 +96,12 @@ def what_is_missing():
     expect(mine.returncode == 2, f"half a store: exit code {mine.returncode}, expected 2")
     line = next((line for line in mine.stderr.splitlines() if "error[store-lacks-units]" in line), "")
     named = line.count(".xml: ") - line.count(".xml: error")
-    expect(0 < named < len(UNITS) and f"{named} of the {len(UNITS)} units" in line, f"half a store: {line}")
+    expect(0 < named < len(UNITS) and f"{named} of the {len(UNITS)} jobs" in line, f"half a store: {line}")
     expect("pass" in mine.stdout and "not judged" in mine.stdout, "half a store: what is there is not judged")
     is_same("half-goes-on", "--store", "store-half")  # without --stored-only the rest is calculated
     is_same("half-is-whole", "--store", "store-half", "--stored-only")
     empty = luxgate("check", *PROJECTS, "--store", "store-empty", "--stored-only")
-    expect(empty.returncode == 2 and f"{len(UNITS)} of the {len(UNITS)} units" in empty.stderr, f"an empty store: {empty.stderr}")
+    expect(empty.returncode == 2 and f"{len(UNITS)} of the {len(UNITS)} jobs" in empty.stderr, f"an empty store: {empty.stderr}")
     expect(not list(WORK.glob("store-empty/*/*")), "an empty store: something was calculated")
 
 

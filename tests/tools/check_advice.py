@@ -97,7 +97,7 @@ def main():
         text = text.replace(f'group="{group}" level="{level}"', f'group="{group}" level="{levels[group]!r}"')
     done = run(luxgate, "check", write(os.path.join(work, "lit.xml"), text), "--seed", "88", "--quiet")
     expect(done.returncode == 0, f"with these levels the project passes: {done.returncode} {levels}")
-    says_in_all(told, ["Light scene eve", "With these levels 1 of 1 requirements pass", f"{one['advised']:.1f} W",
+    says_in_all(told, ["Light scene eve", "With these levels, 1 of 1 requirements pass", f"{one['advised']:.1f} W",
                        "10 %", f"{100 * levels['a']:g} %"])
     tree = xml.etree.ElementTree.fromstring(told["html"].replace("<!DOCTYPE html>", ""))
     table = [one for one in tree.iter("table") if one.get("class") == "advice"]
@@ -184,7 +184,7 @@ def main():
     if one["outcome"] == "levels":
         expect([name["requirement"] for name in one["not_met"]] == ["g"] and one["passing"] == 1 and one["asked"] == 2,
                f"what stays unmet is said: {one}")
-        says_in_all(told, ["Not met with these levels", "With these levels 1 of 2"])
+        says_in_all(told, ["Not met with these levels", "With these levels, 1 of 2"])
     else:
         expect(False, f"levels for the average: {one}")
 

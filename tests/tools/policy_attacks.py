@@ -211,7 +211,7 @@ judged(moved, change(wants, ('zones="unchanged"', 'zones="workplace"')), 0, name
 twice = change(PROJECT, (desk, "".join(change(WORKPLACE.format(fact + f' origin="2 {1.8 + i / 10}" size="1 0.9"'), ('"w"', f'"w{i}"')) for i in range(6))))
 judged(twice, wants, 2, "at least 0.5 is needed", name="the same small task six times")
 speck = change(PROJECT, (desk, own_plane.replace('height="0.8"', 'points="2 2 0.8  2.2 2 0.8  2.2 2.2 0.8  2 2.2 0.8"')))
-judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', "")), 0, "warning[task-is-speck]", "has only 0.04 m2", name="a speck")
+judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', "")), 0, "warning[task-is-speck]", "has only 0.04 m²", name="a speck")
 judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room", "task-is-speck")), 2, "warning[task-is-speck]", name="a speck that the owner fears")
 judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room values-set", "all")), 2, "warning[task-is-speck]", name="any warning counts")
 # Beams that meet the calculation points and nothing else: 8 x 6 of them, of 500 lx each.
@@ -291,7 +291,7 @@ for name, text, said in [
         ("an unknown element", change(POLICY, ("<format", "<formt")), "unknown element <formt>"),
         ("no name", change(POLICY, (' name="Owner\'s rules 2026"', "")), "needs the attribute 'name'"),
         ("nobody by name", change(POLICY, ('by="A. Meier; Q. Board"', 'by=" ; "')), "must not be empty"),
-        ("a project", PROJECT, "root element is <luxgate>")]:
+        ("a project", PROJECT, "it is a luxgate project")]:
     (WORK / "bad.xml").write_text(text)
     for run in (luxgate("policy", "check", "bad.xml"), luxgate("check", "design/project.xml", "--policy", "bad.xml")):
         expect(run.returncode == 2 and said in run.stderr, f"policy, {name}: {run.returncode}, {run.stderr}")

@@ -329,7 +329,7 @@ def example():
 def explains_itself():
     signature = inspect.signature(luxgate.check)
     expect({"goal", "tolerance", "confidence", "seed", "jobs", "max_paths", "time_limit", "rules", "set", "strict"} <= set(signature.parameters), f"{signature}")
-    expect("format" not in signature.parameters and "Relative half-width" in luxgate.check.__doc__, luxgate.check.__doc__)
+    expect("format" not in signature.parameters and "relative half-width" in luxgate.check.__doc__, luxgate.check.__doc__)
     stub = pathlib.Path(luxgate.__file__).with_name("__init__.pyi")
     text = stub.read_text()
     compile(text, str(stub), "exec")

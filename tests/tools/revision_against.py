@@ -102,7 +102,7 @@ GATE = ("--gate", "regression")
 expect("topic", check(team.folder, *NAMES, "--against", "main", *GATE), 1, f"main ({first[:10]})", "designs/d1/project.xml",
        "≥ 80 lx", "is compared with main:designs/d4/project.xml", "designs/new/project.xml did not exist at main; it is new")
 for name in ("v1", first, first[:9], "HEAD", "main...", "topic~0"):
-    expect(name, check(team.folder, NAMES[0], "--against", name, *GATE), 0, f"Against {name}" if first.startswith(name) else f"{name} ({first[:10]})")
+    expect(name, check(team.folder, NAMES[0], "--against", name, *GATE), 0, f"Compared with {name}" if first.startswith(name) else f"{name} ({first[:10]})")
 expect("from elsewhere", check(WORK, "team/designs/d2/project.xml", "--against", "main", *GATE), 1, "≥ 80 lx")
 expect("absolute", check(WORK, DESIGNS[4], "--against", "main", *GATE), 0, "is compared with main:designs/d4/project.xml")
 done = check(team.folder, *NAMES, "--against", "main", "-q", "--explain-cost")

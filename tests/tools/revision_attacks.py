@@ -92,7 +92,7 @@ case("a route's points raised", route, change(route, ('width="1.2"', 'width="1.2
 ruled = HEAD + """<room id="room" name="Office" size="8 6 2.8" ceiling="light" walls="light" floor="dark">
 <luminaire-grid id="L" type="panel" origin="0 0 2.79" size="8 6" columns="1" rows="1"/>
 <plane id="desk" origin="1 1 0.8" u="6 0 0" v="0 4 0" count="24 16"><require pack="own"/></plane></room></luxgate>"""
-case("a mask of one name that leaves more out", ruled, ruled, 1, "requires other things", "outline of 0.2 m", "outline of 0.7 m",
+case("a mask of one name that leaves more out", ruled, ruled, 1, "requires other things", "0.2 m along the outline", "0.7 m along the outline",
      files={"own.xml": PACK}, files_after={"own.xml": PACK.replace('metres="0.2"', 'metres="0.7"')})
 case("a mask of another name that leaves out the same", ruled, ruled, 0, OPEN,
      files={"own.xml": PACK}, files_after={"own.xml": PACK.replace('"core"', '"inner"')})

@@ -32,7 +32,7 @@ taken() { grep -o 'store: .*' "$scratch/$1.err"; }
 check plain
 code=$?
 with cold --explain-cost
-[[ $(taken cold) == "store: 0 looks"* ]] || fail "cold: $(taken cold)"
+[[ $(taken cold) == "store: 0 sampling rounds"* ]] || fail "cold: $(taken cold)"
 with warm --explain-cost
 [[ $(taken warm) == *" 0 computed" ]] || fail "warm: $(taken warm)"
 LUXGATE_STORE=$store check variable --explain-cost

@@ -7,8 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -38,16 +42,37 @@ std::string plan_table(const Texts& t, const calc::MaintenancePlan& plan) {
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }
 
-std::string type_row(const Texts& t, const LuminaireRow& row) {
-  const auto cell = [&](const std::optional<double>& factor) {
-    return "<td class=\"num\">" + (factor ? format_limit(t, *factor, "") : "") + "</td>";
-  };
+using Part = std::optional<double> calc::MaintenanceFactor::*;
+constexpr std::array<std::pair<Text, Part>, 4> kParts{
+    {{Text::llmf, &calc::MaintenanceFactor::llmf},
+     {Text::lsf, &calc::MaintenanceFactor::lsf},
+     {Text::lmf, &calc::MaintenanceFactor::lmf},
+     {Text::rsmf, &calc::MaintenanceFactor::rsmf}}};
+
+// The parts that some type states: a column that is empty for all of them tells nothing.
+std::vector<std::pair<Text, Part>> stated_parts(const ProjectPart& project) {
+  std::vector<std::pair<Text, Part>> stated;
+  for (const auto& part : kParts) {
+    if (std::any_of(
+            project.luminaires.begin(), project.luminaires.end(),
+            [&](const LuminaireRow& row) { return (row.maintenance.*part.second).has_value(); }))
+      stated.push_back(part);
+  }
+  return stated;
+}
+
+std::string type_row(const Texts& t, const LuminaireRow& row,
+                     const std::vector<std::pair<Text, Part>>& parts) {
   const calc::MaintenanceFactor& factor = row.maintenance;
+  std::string cells;
+  for (const auto& [name, part] : parts) {
+    const std::optional<double>& value = factor.*part;
+    cells += "<td class=\"num\">" + (value ? format_limit(t, *value, "") : "") + "</td>";
+  }
   return fmt::format(
       "<tr><th scope=\"row\">{}<span class=\"note\">{}</span></th><td "
-      "class=\"num\">{}</td>{}{}{}{}<td class=\"num strong\">{}{}</td></tr>\n",
-      escape_html(row.type_id), escape_html(row.name), row.count, cell(factor.llmf),
-      cell(factor.lsf), cell(factor.lmf), cell(factor.rsmf),
+      "class=\"num\">{}</td>{}<td class=\"num strong\">{}{}</td></tr>\n",
+      escape_html(row.type_id), escape_html(row.name), row.count, cells,
       factor_words(t, row.maintenance_factor),
       factor.is_stated ? ""
                        : std::string("<span class=\"note\">") + t[Text::not_stated] + "</span>");
@@ -58,19 +83,20 @@ std::string type_row(const Texts& t, const LuminaireRow& row) {
 std::string html_maintenance(const Texts& t, const ProjectPart& project, std::size_t index) {
   if (project.luminaires.empty()) return {};
   std::string rows;
-  for (const LuminaireRow& row : project.luminaires) rows += type_row(t, row);
+  const std::vector<std::pair<Text, Part>> parts = stated_parts(project);
+  for (const LuminaireRow& row : project.luminaires) rows += type_row(t, row, parts);
   const auto head = [](const char* words) {
     return std::string("<th scope=\"col\" class=\"num\">") + words + "</th>";
   };
+  std::string heads = head(t[Text::count]);
+  for (const auto& [name, part] : parts) heads += head(t[name]);
   const char* title = t[Text::maintenance_plan];
   return fmt::format("<h3 id=\"maintenance{}\">{}</h3>\n<p>{}</p>\n", index + 1, title,
                      t[Text::maintenance_meaning]) +
          scroll_box(title, std::string("<table><caption>") + t[Text::maintenance_caption] +
                                "</caption><thead><tr><th scope=\"col\">" + t[Text::type] + "</th>" +
-                               head(t[Text::count]) + head(t[Text::llmf]) + head(t[Text::lsf]) +
-                               head(t[Text::lmf]) + head(t[Text::rsmf]) +
-                               head(t[Text::maintenance_factor]) + "</tr></thead><tbody>\n" + rows +
-                               "</tbody></table>") +
+                               heads + head(t[Text::maintenance_factor]) +
+                               "</tr></thead><tbody>\n" + rows + "</tbody></table>") +
          plan_table(t, project.maintenance_plan);
 }
 

@@ -354,14 +354,14 @@ std::string Plan::labels() {
   return svg;
 }
 
-// Marks of luminaires, on them or beside them; else the letter of the type alone.
+// Marks of luminaires, on them or beside them; else the letter of the type alone, and counted.
 std::string Plan::letters() {
   std::string svg;
   for (const Sign& sign : signs_) {
     const std::string& letter = sign.sign->letter;
     std::string placed = letter_of(sign, sign.sign->luminaire->label);
-    if (placed.empty() && !letter.empty()) placed = letter_of(sign, letter);
     if (placed.empty()) ++drawing_.without_letter;
+    if (placed.empty() && !letter.empty()) placed = letter_of(sign, letter);
     svg += placed;
   }
   return svg;

@@ -34,6 +34,7 @@ std::string import_kind_problem(std::string_view bytes, const std::string& path)
   // A long header may hide the schema of a model from those who look at the beginning.
   if (begins_like_step(bytes) && is_named_drawing(path)) return "";
   const std::string name = calc::printable_path(path);
+  if (bytes.empty()) return fmt::format("cannot import '{}': it is empty; {}", name, kReads);
   if (const auto other = calc::other_kind(bytes, path, FileUse::drawing, false)) {
     return fmt::format("cannot import '{}': {}; {}{}", name, other->words, kReads, other->advice);
   }

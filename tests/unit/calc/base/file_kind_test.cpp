@@ -89,8 +89,8 @@ TEST(FileKind, NamesCountWhereContentsSayNothing) {
   EXPECT_THAT(problem("words", "a.evo", false), HasSubstr("by its name it is a DIALux project"));
   EXPECT_EQ(problem("ply\n", "a.pdf", false), "");
   EXPECT_EQ(problem("%PDF-1", "a.obj", true),
-            "it is a PDF document; a mesh (OBJ, STL, PLY or glTF) is needed here. luxgate reads no "
-            "pictures and no documents");
+            "it is a PDF document; a mesh (OBJ, STL, PLY or glTF) is needed here. Pictures "
+            "and documents cannot be read here");
   // Of an archive the name says more.
   EXPECT_THAT(problem("PK\x03\x04........", "a.evo", true), HasSubstr("a DIALux project"));
   EXPECT_THAT(problem("IESNA91", "a.obj", true),

@@ -43,7 +43,7 @@ end)",
      "declaration names them"},
     {"AnotherKind", "%PDF-1.4\n",
      "dir/p.xml: error[file-of-other-kind]: it is a PDF document; a luxgate project (XML) is "
-     "needed here. luxgate reads no pictures and no documents"},
+     "needed here. Pictures and documents cannot be read here"},
     {"ForeignXml", "<measure>\n<schema_version>3.0</schema_version></measure>",
      "dir/p.xml:1:1: error[wrong-root-element]: the root element is <measure>; expected <luxgate>"},
     {"ControlCharacter", "<luxgate version=\"1\"\n name=\"a\x01\"/>",

@@ -192,7 +192,7 @@ TEST_F(GitTreeReaderTest, SaysWhatIsNoCommit) {
   commit();
   git("update-ref refs/remotes/origin/topic HEAD");
   EXPECT_THAT(read("none", "a.xml"), HasSubstr("has no commit 'none'; allowed: a branch, a tag"));
-  EXPECT_THAT(read("topic", "a.xml"), HasSubstr("say --against refs/remotes/origin/topic"));
+  EXPECT_THAT(read("topic", "a.xml"), HasSubstr("use --against refs/remotes/origin/topic"));
   EXPECT_THAT(read("HEAD:a.xml", "a.xml"), HasSubstr("is a blob, not a commit; allowed"));
   EXPECT_THAT(read("HEAD^{tree}", "a.xml"), HasSubstr("is a tree, not a commit"));
 }
@@ -304,7 +304,7 @@ TEST_F(GitTreeReaderTest, NamesWhatACheckoutHasOthersWrite) {
   EXPECT_THAT(read("HEAD", "a.crypt"), HasSubstr("sets the filter 'crypt'"));
   sh(fmt::format("printf 'a' | iconv -f UTF-8 -t UTF-16 > '{}'", path("b.utf16")));
   commit();
-  EXPECT_THAT(read("HEAD", "b.utf16"), HasSubstr("written as UTF-16"));
+  EXPECT_THAT(read("HEAD", "b.utf16"), HasSubstr("sets working-tree-encoding to UTF-16"));
 }
 
 TEST_F(GitTreeReaderTest, TakesLfsContentsOnlyIfTheirHashIsRight) {

@@ -208,7 +208,7 @@ TEST(Redact, IsToldOnlyWhereItWasDone) {
   EXPECT_EQ(redaction_words(document.provenance), "");
   EXPECT_THAT(rendered("json", document), Not(HasSubstr("redacted")));
   redact(document);
-  EXPECT_THAT(redaction_words(document.provenance), HasSubstr("Omitted from paths"));
+  EXPECT_THAT(redaction_words(document.provenance), HasSubstr("Omitted: folders of files"));
   EXPECT_THAT(rendered("json", document), HasSubstr("\"redacted\": true"));
 }
 

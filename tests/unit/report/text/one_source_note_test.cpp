@@ -80,7 +80,7 @@ TEST(OneSourceNote, IsOncePerReportAndBesideNoRequirement) {
       EXPECT_EQ(times(text, kNote), 1U) << format.name << "\n" << text;
       EXPECT_EQ(times(text, "one public source"), 1U) << format.name;
       EXPECT_THAT(text, HasSubstr("EN 1:2021 7.1")) << format.name;
-      EXPECT_THAT(text, HasSubstr("Compare them with your copy of the standard.")) << format.name;
+      EXPECT_THAT(text, HasSubstr("with your copy of the standard.")) << format.name;
     }
   }
 }
@@ -128,7 +128,7 @@ TEST(OneSourceNote, NamesSomeRowsAndCountsTheRest) {
   EXPECT_EQ(one_source_note({}, rows), "");
   rows.push_back(row("7.1"));
   EXPECT_EQ(one_source_note({}, rows),
-            "The numbers of one row rest on one public source: EN 1:2021 7.1. Compare them with "
+            "Numbers of one row rest on one public source: EN 1:2021 7.1. Compare the row with "
             "your copy of the standard.");
   rows.push_back(Message::words("EN 2:2024 escape route"));
   rows.push_back(row("7.2"));
@@ -143,7 +143,7 @@ TEST(OneSourceNote, IsInTheReadersLanguage) {
   const std::vector<Message> rows{row("7.1"), row("7.2")};
   EXPECT_EQ(one_source_note(Texts(Language::german, true), rows),
             "Werte von 2 Zeilen stammen aus einer einzigen öffentlichen Quelle: EN 1:2021 7.1, "
-            "7.2. Vergleichen Sie sie mit Ihrem Exemplar der Norm.");
+            "7.2. Vergleichen Sie die Zeilen mit Ihrem Exemplar der Norm.");
   EXPECT_EQ(one_source_note(Texts(Language::french, true), rows),
             "Des valeurs de 2 lignes proviennent d’une seule source publique\u202f: EN 1:2021 7.1, "
             "7.2. Comparez-les à votre exemplaire de la norme.");

@@ -772,7 +772,7 @@ TEST(BindRequirementsMessage, UnknownRow) {
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
                           "<require>: there is no row '34.9'; allowed: 9.1, 9.2, 9.3, 9.4, 9.5, "
                           "9.6, 10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 10.8, 11.1, 11.2, 11.3, "
-                          "12.1, 12.2 or 12.3 and 306 more; did you mean '30.9'?"));
+                          "12.1, 12.2 or 12.3 and 305 more; did you mean '30.9'?"));
 }
 
 TEST(BindRequirementsMessage, AmbiguousPack) {

@@ -134,7 +134,7 @@ TEST(PhotometryFile, Utf16IsRead) {
 TEST(PhotometryFile, OtherKindsOfFilesAreNamed) {
   EXPECT_EQ(messages("%PDF-1.7\n..."),
             "x: error[file-of-other-kind]: it is a PDF document; photometry (LM-63, EULUMDAT, "
-            "TM-33 or GLDF) is needed here. luxgate reads no pictures and no documents\n");
+            "TM-33 or GLDF) is needed here. Pictures and documents cannot be read here\n");
   EXPECT_THAT(messages("<gbXML/>"), HasSubstr("it is a gbXML file; photometry"));
   // EULUMDAT's first line is any text.
   test_support::LdtSample sample;

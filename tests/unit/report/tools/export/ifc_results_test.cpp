@@ -120,7 +120,7 @@ TEST(IfcResults, SayOnceThatNumbersRestOnOnePublicSource) {
   ASSERT_TRUE(w.with) << w.problem;
   EXPECT_THAT(w.words("Luxgate_Run", "One public source"),
               HasSubstr("rest on one public source: EN 1:2021 7.1."));
-  EXPECT_THAT(w.words(kPlane, "average: result"), HasSubstr("[EN 1:2021 7.1]"));
+  EXPECT_THAT(w.words(kPlane, "average: result"), HasSubstr("[EN 1:2021 7.1 (project's own)]"));
   EXPECT_THAT(w.words(kPlane, "average: result"), Not(HasSubstr("public source")));
 }
 

@@ -16,8 +16,8 @@ TEST(ImportKind, OtherKindsAreNamedWithWhatToDo) {
             "cannot import 'hall.obj': it is an OBJ mesh; import reads DXF and IFC. Use it as "
             "<room file=\"hall.obj\"> or <mesh file=\"hall.obj\">");
   EXPECT_EQ(import_kind_problem("\xFF\xD8\xFF\xE0"s, "plan.dxf"),
-            "cannot import 'plan.dxf': it is a JPEG picture; import reads DXF and IFC. luxgate "
-            "reads no pictures and no documents");
+            "cannot import 'plan.dxf': it is a JPEG picture; import reads DXF and IFC. "
+            "Pictures and documents cannot be read here");
   EXPECT_EQ(import_kind_problem("AC1027\0\0"s, "plan.dwg"),
             "cannot import 'plan.dwg': it is an AutoCAD drawing (DWG); import reads DXF and IFC. "
             "Save it as DXF");
