@@ -17,7 +17,7 @@ PACK = """<rule-pack id="own" edition="1" title="Own" version="1" kind="contract
 <check id="Em" role="task" quantity="planar" statistic="average" at-least="100 lx" trust="{trust}"/>
 </rule-pack>"""
 POLICY = '<luxgate-policy version="1" name="House" every-space="nothing"><fatal-warnings ids="{ids}"/></luxgate-policy>'
-NOTE = "The numbers of one row rest on one public source: Own:1 office."
+NOTE = "Numbers of one row rest on one public source: Own:1 office."
 WARNING = "warning[one-source]: the numbers of 1 row rest on one public source: Own:1 office; compare them with your copy of the standard"
 TEXTS = ["text", "csv", "html", "junit", "sarif", "sarif-all", "github", "gitlab", "markdown"]
 problems = []

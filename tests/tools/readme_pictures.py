@@ -74,7 +74,7 @@ def make_pages(luxgate, examples, folder):
 
 
 def main():
-    luxgate, examples = sys.argv[1], pathlib.Path(sys.argv[3])
+    luxgate, examples = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     folder = examples.parent / "report/cli/manual/pictures"
     terminal = folder / "terminal.svg"
     made = svg(printed(luxgate, examples))
