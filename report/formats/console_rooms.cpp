@@ -62,18 +62,37 @@ std::vector<std::size_t> fitted_widths(const RoomOverview& table, int terminal_w
   return excess == 0 ? widths : std::vector<std::size_t>();
 }
 
+// Whether some line has a minimum only, as of an escape route: without it the line says nothing.
+bool is_of_minima_alone(const RoomOverview& table) {
+  const auto place = [&](OverviewColumn column) {
+    return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), column) -
+                                    table.columns.begin());
+  };
+  const std::size_t minimum = place(OverviewColumn::minimum),
+                    average = place(OverviewColumn::average);
+  if (minimum == table.columns.size()) return false;
+  return std::any_of(table.rows.begin(), table.rows.end(), [&](const RoomOverview::Row& row) {
+    return !row.cells[minimum].empty() &&
+           (average == table.columns.size() || row.cells[average].empty());
+  });
+}
+
 // What does not fit is left out of the table.
 std::vector<std::size_t> fit(RoomOverview& table, int terminal_width) {
   struct Step {
     LeastWidths least;
     std::vector<OverviewColumn> dropped;  // one after the other until the rest fits
   };
-  const std::array steps{
+  std::array steps{
       Step{{18, 18},
            {OverviewColumn::met, OverviewColumn::leni, OverviewColumn::cylindrical,
             OverviewColumn::power, OverviewColumn::minimum, OverviewColumn::walls}},
       Step{{10, 12}, {OverviewColumn::use, OverviewColumn::glare, OverviewColumn::uniformity}},
       Step{{10, 4}, {OverviewColumn::average}}};
+  if (is_of_minima_alone(table)) {
+    std::erase(steps[0].dropped, OverviewColumn::minimum);
+    steps[1].dropped.push_back(OverviewColumn::minimum);
+  }
   std::vector<std::size_t> widths;
   for (const Step& step : steps) {
     widths = fitted_widths(table, terminal_width, step.least);

@@ -223,8 +223,12 @@ std::string html_messages(const Texts& t, const ProjectPart& project, bool with_
                          t.english_html(escape_html(diagnostic.message)), with_places ? place : "",
                          calc::diagnostic_name(diagnostic.id));
   }
-  return std::string("<h3>") + t[Text::messages] + "</h3>\n<ul class=\"messages\">\n" + items +
-         "</ul>\n";
+  // Clients see the words without the places in files.
+  const std::string whose =
+      with_places ? ""
+                  : std::string("<p class=\"quiet\">") + t[Text::messages_for_author] + "</p>\n";
+  return std::string("<h3>") + t[Text::messages] + "</h3>\n" + whose + "<ul class=\"messages\">\n" +
+         items + "</ul>\n";
 }
 
 std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index) {

@@ -362,6 +362,21 @@ TEST(RoomSummary, ARoomWhoseRowRequiresNothingIsThere) {
   EXPECT_THAT(rendered("text", document), HasSubstr("nothing is required"));
 }
 
+// An escape route has no other value.
+TEST(RoomSummary, NarrowTerminalsKeepAMinimumThatIsAllARoomHas) {
+  Document document = rooms();
+  SpacePart& route = document.projects[0].spaces[0];
+  rules::Finding& minimum = finding(route, 1);
+  minimum.requirement.metric = rules::Metric::minimum;
+  rules::Finding& uniformity = finding(document.projects[0].spaces[1], 1);
+  uniformity.requirement.metric = rules::Metric::uniformity_min_avg;
+  FormatStyle style;
+  style.terminal.width = 50;
+  EXPECT_THAT(rendered("text", document, style), Not(HasSubstr("  minimum lx")));
+  route.planes[0].findings.erase(route.planes[0].findings.begin());
+  EXPECT_THAT(rendered("text", document, style), HasSubstr("  minimum lx"));
+}
+
 TEST(RoomSummary, OfSeveralProjectsRoomsAreNamedWithTheirs) {
   Document document = rooms();
   document.projects[0].path = "a.xml";
