@@ -98,6 +98,13 @@ def is_level(plane):
     return abs(u[0] * v[1] - u[1] * v[0]) > 1 - 1e-6
 
 
+def is_value(text, value):
+    """Whether a text of the drawing is the value, as rounded; a rating below its scale is "< 10"."""
+    if text in ("x", "-"):
+        return False
+    return value < float(text[2:]) if text.startswith("< ") else abs(float(text) - value) <= 0.011 * abs(value) + 0.006
+
+
 def compare(name, drawing, result):
     rooms = [room for project in result["projects"] for room in project["spaces"]]
     outlines = [[(v.dxf.location.x, v.dxf.location.y) for v in line.vertices] for line in of(drawing, "POLYLINE", "LUX_ROOMS")]
@@ -144,7 +151,7 @@ def compare(name, drawing, result):
                 if row[value_at] is None:
                     expect("-" in shown, f"{name}: {plane['id']}: a point without a value shows {shown}")
                     continue
-                is_there = any(text not in ("x", "-") and abs(float(text) - row[value_at]) <= 0.011 * abs(row[value_at]) + 0.006 for text in shown)
+                is_there = any(is_value(text, row[value_at]) for text in shown)
                 expect(is_there, f"{name}: {plane['id']}: {row[value_at]} at {row[2:5]} shows {shown}")
 
     blocks = of(drawing, "INSERT", "LUX_ROOM_DATA")
