@@ -26,6 +26,10 @@ T take(const std::string& bytes, std::size_t& at) {
   return value;
 }
 
+static_assert(std::is_same_v<std::variant_alternative_t<1, TableCell>, std::string> &&
+              std::is_same_v<std::variant_alternative_t<2, TableCell>, TableNumber> &&
+              std::is_same_v<std::variant_alternative_t<3, TableCell>, std::int64_t>);
+
 void put_cell(const TableCell& cell, std::string& bytes) {
   bytes.push_back(static_cast<char>(cell.index()));
   if (const auto* text = std::get_if<std::string>(&cell)) {

@@ -250,8 +250,9 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem,
   } catch (const BadJson& bad) {
     problem = bad.what();
   } catch (const nlohmann::json::parse_error& error) {
-    problem = fmt::format("it is not JSON, or it is incomplete; see byte {} of {}", error.byte,
-                          bytes.size());
+    problem = error.byte > bytes.size()
+                  ? "it ends too early; it is an incomplete JSON file"
+                  : fmt::format("it is not JSON; the first error is at byte {}", error.byte);
   } catch (const nlohmann::json::exception& error) {
     problem = std::string("it is not JSON: ") + error.what();
   }

@@ -342,8 +342,9 @@ std::string owners_of_values(const Texts& t, const RoomSummary& room) {
   std::string names, only;
   bool is_of_one = true;
   for (const auto& [value, what] :
-       {std::pair(room.average, t[Text::overview_average]), std::pair(room.uniformity, "Uo"),
-        std::pair(room.glare, "UGR")}) {
+       {std::pair(room.average, t[Text::overview_average]),
+        std::pair(room.minimum, t[Text::minimum]), std::pair(room.uniformity, "Uo"),
+        std::pair(room.glare, "UGR"), std::pair(room.cylindrical, "Ez")}) {
     if (value == nullptr) continue;
     std::vector<std::size_t> owners;
     for (std::size_t k = 0; k < room.areas.size(); ++k) {

@@ -141,9 +141,7 @@ class WorkplaceMaker {
   // Makes the planes; requires check_zones() without an error. Adds nothing after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
-    // What such a row still requires, such as Ra, would be judged nowhere.
-    const auto counts = [](const RuleCheck& check) { return check.severity != Severity::advice; };
-    if (required_check(pack_.role, scope_, counts) == nullptr) {
+    if (!requires_something()) {
       diagnostics_.report(DiagnosticId::rule_requires_nothing, workplace_.where, pack_.full_id(),
                           fmt::format(" row '{}'", row_.ref), pack_.role,
                           "; remove the workplace, or require your own numbers with <require>");
@@ -303,6 +301,17 @@ class WorkplaceMaker {
            std::none_of(pack_.checks.begin(), pack_.checks.end(), [&](const RuleCheck& check) {
              return check.role == role && check.severity != Severity::advice;
            });
+  }
+
+  // Returns whether the row has a number that can be judged. Ra alone cannot: it is judged along
+  // with the task.
+  bool requires_something() const {
+    const auto counts = [](const RuleCheck& check) { return check.severity != Severity::advice; };
+    const std::vector<std::string> roles = pack_.roles();
+    return std::any_of(roles.begin(), roles.end(), [&](const std::string& role) {
+      return find_quantity(role)->of_space != Metric::colour_rendering &&
+             required_check(role, scope_, counts) != nullptr;
+    });
   }
 
   // Returns why there is no plane of a role, whatever the room; "" = there is one.

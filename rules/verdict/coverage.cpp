@@ -297,8 +297,10 @@ calc::Message rendering_words(const RuleCheck& check, const Asked& asked, const 
                               const RenderingProblem& problem) {
   const Limit limit = evaluate_limit(check, scope);
   if (limit.status != LimitStatus::known) return limit.reason;
-  return calc::say<calc::Sentence::rendering_not_stated>(
-      check.quantity->name, problem(asked.scene, check.comparison, limit.value.value));
+  const calc::Message why = problem(asked.scene, check.comparison, limit.value.value);
+  // It could be decided, but the row has no task along with which it is required.
+  if (why.empty()) return calc::say<calc::Sentence::no_place>();
+  return calc::say<calc::Sentence::rendering_not_stated>(check.quantity->name, why);
 }
 
 // Returns the coverage; empty: the row requires nothing of the role, or advice only.

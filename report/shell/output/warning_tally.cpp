@@ -127,12 +127,13 @@ std::string WarningTally::words(bool quiet) const {
                     count, count == 1 ? "" : "s", names(others_), count == 1 ? "it" : "them");
   }
   if (const std::size_t count = sum(counting_); count > 0) {
-    text += fmt::format(
-        "luxgate: exit code {}: {} because of {}: {}\n", static_cast<int>(exit_code_of(outcome())),
-        count == 1 ? "1 warning counts" : fmt::format("{} warnings count", count),
-        counting_.contains(calc::DiagnosticId::policy_not_met) ? "the policy or --strict"
-                                                               : "--strict",
-        names(counting_));
+    text += fmt::format("luxgate: exit code {}: {} because of {}: {}\n",
+                        static_cast<int>(exit_code_of(outcome())),
+                        count == 1 ? "1 warning counts" : fmt::format("{} warnings count", count),
+                        strict_.has_policy || counting_.contains(calc::DiagnosticId::policy_not_met)
+                            ? "the policy or --strict"
+                            : "--strict",
+                        names(counting_));
   }
   return text;
 }

@@ -16,6 +16,7 @@ namespace cli {
 struct StrictWarnings {
   bool all = false;
   std::vector<calc::DiagnosticId> ids = {};
+  bool has_policy = false;  // a policy names some of them, or all
 
   // Returns whether the warning counts; a policy that is not met always does.
   bool has(calc::DiagnosticId id) const;

@@ -334,6 +334,7 @@ class CheckCommand {
     const std::vector<calc::DiagnosticId>& fatal = policy_->fatal_warnings;
     strict.ids.insert(strict.ids.end(), fatal.begin(), fatal.end());
     strict.all = strict.all || policy_->are_all_warnings_fatal;
+    strict.has_policy = policy_->are_all_warnings_fatal || !fatal.empty();
     return true;
   }
 

@@ -102,6 +102,10 @@ TEST(Csv, SemicolonsAndTabsAreNamed) {
             "t.csv:1:2: error[csv-separator]: cells are separated by tabs" + needed);
   EXPECT_EQ(problem_of("sep=;\nx;y\n"),
             "t.csv:1:5: error[csv-separator]: cells are separated by semicolons" + needed);
+  // The semicolon is in a remark: the next line has commas.
+  EXPECT_THAT(all_of("survey; by me\na,b\n"), ElementsAre(Texts{"survey; by me"}, Texts{"a", "b"}));
+  EXPECT_EQ(problem_of("x;y\n1,5;2\n"),
+            "t.csv:1:2: error[csv-separator]: cells are separated by semicolons" + needed);
   // A comma between cells, one column, and text in later lines.
   EXPECT_THAT(all_of("a;b,c\n\"1;2\",3\n"), ElementsAre(Texts{"a;b", "c"}, Texts{"1;2", "3"}));
   EXPECT_THAT(all_of("a\n1;2\n"), ElementsAre(Texts{"a"}, Texts{"1;2"}));

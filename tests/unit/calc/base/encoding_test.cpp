@@ -123,7 +123,8 @@ TEST(Encoding, TablesAreReadInOtherEncodings) {
   EXPECT_EQ(first_cell(utf16("B\u00FCro,1\n", false, true)), "B\u00FCro");
   EXPECT_EQ(first_cell("B\xFCro,1\n"), "B\u00FCro");
   EXPECT_EQ(first_cell("B\u00FCro,1\n"), "B\u00FCro");
-  EXPECT_THAT(first_cell(utf16("a,1", false, true) + "x"), HasSubstr("problem: the UTF-16 text has an incomplete character"));
+  EXPECT_THAT(first_cell(utf16("a,1", false, true) + "x"),
+              HasSubstr("problem: the UTF-16 text has an incomplete character"));
   EXPECT_THAT(first_cell("PK\x03\x04....xl/workbook.xml"),
               HasSubstr("it is an Excel workbook; a table of comma-separated values (CSV)"));
 }

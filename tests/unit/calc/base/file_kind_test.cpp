@@ -100,7 +100,17 @@ TEST(FileKind, NamesCountWhereContentsSayNothing) {
             "here");
 }
 
+TEST(FileKind, AnEmptyFileIsEmptyWhateverItsName) {
+  EXPECT_EQ(other_kind_problem("", "a.json", FileUse::result, false),
+            "it is empty; a result that 'luxgate check --format json' wrote is needed here");
+  EXPECT_EQ(other_kind_problem("", "a.obj", FileUse::mesh, false), "");
+}
+
 TEST(FileKind, AdviceIsForWhatIsNeeded) {
+  EXPECT_THAT(other_kind_problem("words", "a.xlsx", FileUse::table, false),
+              EndsWith(". Save the sheet as CSV"));
+  EXPECT_THAT(other_kind_problem("words", "a.xlsx", FileUse::project, false),
+              EndsWith(" is needed here"));
   const std::string dwg = "AC1027\0\0"s;
   EXPECT_THAT(other_kind_problem(dwg, "a", FileUse::drawing), EndsWith(". Save it as DXF"));
   EXPECT_THAT(other_kind_problem(dwg, "a", FileUse::project),

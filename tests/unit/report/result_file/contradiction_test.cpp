@@ -341,11 +341,13 @@ TEST(Contradiction, APassNeedsAPlaneThatFits) {
   };
   EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", false}}),
               HasSubstr("the plane has a deviation that nobody accepts"));
-  EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}}),
-              HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
+  EXPECT_THAT(
+      with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}}),
+      HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
   const json stated = {{"reason", "r"}, {"owner", "o"}, {"until", "2026-12-30"}};
-  EXPECT_THAT(with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}, {"stated", stated}}),
-              HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
+  EXPECT_THAT(
+      with({{"in", "height"}, {"words", "1 m"}, {"accepted", true}, {"stated", stated}}),
+      HasSubstr("/deviations/0/accepted: the file says true, but its other values give false"));
   json changed = real_result();
   const std::string project = standard.substr(0, standard.find("/spaces"));
   for (json& row : changed[json::json_pointer(project + "/luminaires")]) {

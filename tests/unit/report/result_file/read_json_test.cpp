@@ -337,6 +337,14 @@ TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
   }
 }
 
+TEST(ReadJson, ACutFileIsCalledIncomplete) {
+  std::string problem;
+  EXPECT_FALSE(read_json("{\"projects\": [", problem));
+  EXPECT_EQ(problem, "it ends too early; it is an incomplete JSON file");
+  EXPECT_FALSE(read_json("{\"projects\": x]}", problem));
+  EXPECT_EQ(problem, "it is not JSON; the first error is at byte 14");
+}
+
 TEST(ReadJson, OnlyWhatIsNotJudgedMayLackItsLimit) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];

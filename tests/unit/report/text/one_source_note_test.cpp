@@ -139,6 +139,13 @@ TEST(OneSourceNote, NamesSomeRowsAndCountsTheRest) {
   EXPECT_THAT(one_source_note({}, rows), Not(HasSubstr("8.9")));
 }
 
+TEST(OneSourceNote, RecommendationsDoNotCount) {
+  Document document = marked();
+  for (ProjectPart& project : document.projects)
+    project.spaces[0].planes[0].findings.at(0).requirement.severity = rules::Severity::advice;
+  EXPECT_THAT(rows_of(document.projects[0]), ElementsAre(row("7.2")));
+}
+
 TEST(OneSourceNote, IsInTheReadersLanguage) {
   const std::vector<Message> rows{row("7.1"), row("7.2")};
   EXPECT_EQ(one_source_note(Texts(Language::german, true), rows),

@@ -543,7 +543,8 @@ TEST(Applicability, WhatIsStatedMustBeWhole) {
 TEST(Applicability, ALimitOfItsOwnHasNoDeviation) {
   const Fitted fitted = fit({kWholeRoom, "quantity='average' at-least='1'",
                              "<deviation in='grid' because='x' by='A' until='2030-01-01'/>"});
-  EXPECT_THAT(testing::PrintToString(fitted.messages), HasSubstr("this <require> has its own limit"));
+  EXPECT_THAT(testing::PrintToString(fitted.messages),
+              HasSubstr("this <require> has its own limit"));
 }
 
 TEST(Applicability, ALimitOfItsOwnIsFree) {

@@ -374,6 +374,18 @@ TEST(WorkplaceGrid, CopiesOfAFaceLieInTheRoom) {
               ElementsAre(HasSubstr("copy 'w[0,2]': its face is not within room 'r'")));
 }
 
+// Its Ra would be judged nowhere, and the room would look as if it passed.
+TEST(WorkplaceMessage, ARowOfColourAloneIsRefused) {
+  for (const char* row : {"37.3", "40"}) {
+    const std::string text =
+        std::string("<workplace id='w' pack='en12464-1:2021' row='") + row + "'></workplace>";
+    EXPECT_THAT(make(text).messages,
+                ElementsAre(HasSubstr(std::string("row '") + row +
+                                      "' requires nothing of the role 'task'; remove the "
+                                      "workplace, or require your own numbers")));
+  }
+}
+
 TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
   const auto message = [](const std::string& attributes, const std::string& children = "") {
     return make(upright(attributes, children)).messages;

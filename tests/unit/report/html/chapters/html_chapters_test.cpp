@@ -304,6 +304,8 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
   project.luminaires = {row};
   EXPECT_THAT(html_maintenance({}, project, 0),
               HasSubstr("The project does not state when luminaires"));
+  EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr(">RSMF</th>"));
+  EXPECT_THAT(html_maintenance({}, project, 0), Not(HasSubstr(">LSF</th>"))) << "of no type";
   project.maintenance_plan.clean_luminaires_months = 1.0;
   EXPECT_THAT(html_maintenance({}, project, 0),
               HasSubstr("Luminaires are cleaned</th><td>every month<"));

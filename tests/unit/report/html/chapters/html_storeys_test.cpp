@@ -241,6 +241,26 @@ TEST(HtmlStoreys, StrangeLuminairesDoNotBreakIt) {
   EXPECT_THAT(shown(project), HasSubstr("Too many luminaires for outlines and marks"));
 }
 
+// The letter alone is not the mark that tables have.
+TEST(HtmlStoreys, CountsLuminairesWithoutTheirWholeMark) {
+  ProjectPart project = house();
+  for (int i = 0; i < 60; ++i)
+    project.spaces[0].luminaires.push_back(
+        {{0.5 + 0.25 * (i % 20), 2.0 + 0.25 * (i / 20), 2.7}, "spot"});
+  label_luminaires(project);
+  const std::string html = html_storeys({}, project, 0, Paper::a4);
+  const std::vector<std::string> words = Page(html).texts(0);
+  std::size_t missing = 0;
+  for (const SpacePart* space : {&project.spaces[0], &project.spaces[1]}) {
+    for (const LuminaireMark& mark : space->luminaires)
+      missing += std::count(words.begin(), words.end(), mark.label) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(missing, 0U);
+  EXPECT_THAT(html, HasSubstr(fmt::format("without their whole mark, because it would cover "
+                                          "something: {}.",
+                                          missing)));
+}
+
 TEST(HtmlStoreys, HaveASitePlanOfARoad) {
   ProjectPart project = house();
   project.north_deg = 90.0;

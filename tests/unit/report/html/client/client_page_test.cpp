@@ -125,6 +125,7 @@ TEST(ClientPage, HasWarningsBehindAllElse) {
   document.projects[0].diagnostics = {warning};
   const std::string html = client_html(document);
   EXPECT_THAT(html, HasSubstr("rooms-overlap"));
+  EXPECT_THAT(html, HasSubstr("For the author of the project."));
   EXPECT_GT(html.find("they share space"), html.find("How to read this report</h2>"));
   EXPECT_THAT(html, HasSubstr("(<a href=\"#messages\">see Messages</a>)"));
   EXPECT_THAT(html, HasSubstr("<div id=\"messages\">"));

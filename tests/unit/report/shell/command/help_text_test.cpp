@@ -236,7 +236,8 @@ TEST(Help, NearNamesAreSuggestedAndFarOnesAreNot) {
               HasSubstr("unknown action 'lst'; did you mean 'list'?\ntry 'luxgate rules --help'"));
   EXPECT_THAT(problem({"rules", "zzzzzzzz"}),
               HasSubstr("unknown action 'zzzzzzzz'; 'luxgate rules' knows list, find, show"));
-  EXPECT_THAT(problem({"rules"}), HasSubstr("no action given; 'luxgate rules' knows list, find, show"));
+  EXPECT_THAT(problem({"rules"}),
+              HasSubstr("no action given; 'luxgate rules' knows list, find, show"));
   EXPECT_THAT(problem({"check", "a.xml", "--frmat", "csv"}),
               HasSubstr("unknown option '--frmat'; did you mean '--format'?\n"));
   EXPECT_THAT(problem({"check", "a.xml", "--out=x"}), HasSubstr("did you mean '--output'?"));

@@ -69,5 +69,13 @@ TEST(WarningTally, StrictWithIdsLeavesTheOthersAlone) {
             "luminaires-coincide\n");
 }
 
+TEST(WarningTally, APolicyIsNotCalledStrict) {
+  WarningTally tally({false, {DiagnosticId::luminaires_coincide}, true});
+  tally.add(kThree);
+  EXPECT_EQ(tally.words(false),
+            "luxgate: exit code 2: 1 warning counts because of the policy or --strict: "
+            "luminaires-coincide\n");
+}
+
 }  // namespace
 }  // namespace cli::warning_tally_test

@@ -25,6 +25,8 @@ TEST(ImportKind, OtherKindsAreNamedWithWhatToDo) {
       import_kind_problem("version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "plan.dxf"),
       "cannot import 'plan.dxf': it is a Git LFS pointer, not the file itself; import reads "
       "DXF and IFC. Run 'git lfs pull' to get the file");
+  EXPECT_EQ(import_kind_problem("", "plan.dxf"),
+            "cannot import 'plan.dxf': it is empty; import reads DXF and IFC");
   EXPECT_EQ(import_kind_problem("<luxgate/>", "a.xml"),
             "cannot import 'a.xml': it is a luxgate project; import reads DXF and IFC. 'luxgate "
             "check' reads it");
