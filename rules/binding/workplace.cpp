@@ -141,10 +141,15 @@ class WorkplaceMaker {
   // Makes the planes; requires check_zones() without an error. Adds nothing after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
-    if (!requires_something()) {
+    const auto [requires_something, rest] = required_roles();
+    if (!requires_something) {
       diagnostics_.report(DiagnosticId::rule_requires_nothing, workplace_.where, pack_.full_id(),
                           fmt::format(" row '{}'", row_.ref), pack_.role,
-                          "; remove the workplace, or require your own numbers with <require>");
+                          rest.empty() ? "; remove the workplace"
+                                       : fmt::format("; remove the workplace, and require what it "
+                                                     "does have with <require role=\"{}\" .../> "
+                                                     "in a <plane>",
+                                                     rest));
       return;
     }
     if (row_.task_orientation == kUpright && !workplace_.upright) {
@@ -303,15 +308,20 @@ class WorkplaceMaker {
            });
   }
 
-  // Returns whether the row has a number that can be judged. Ra alone cannot: it is judged along
-  // with the task.
-  bool requires_something() const {
+  // Returns whether the row has a number that a workplace can judge, and a role for which it has
+  // numbers that none can; "" = none. Colour rendering is judged along with the task.
+  std::pair<bool, std::string> required_roles() const {
     const auto counts = [](const RuleCheck& check) { return check.severity != Severity::advice; };
-    const std::vector<std::string> roles = pack_.roles();
-    return std::any_of(roles.begin(), roles.end(), [&](const std::string& role) {
-      return find_quantity(role)->of_space != Metric::colour_rendering &&
-             required_check(role, scope_, counts) != nullptr;
-    });
+    std::pair<bool, std::string> required{false, ""};
+    for (const std::string& role : pack_.roles()) {
+      if (required_check(role, scope_, counts) == nullptr) continue;
+      if (find_quantity(role)->of_space == Metric::colour_rendering) {
+        required.second = role;
+      } else {
+        required.first = true;
+      }
+    }
+    return required;
   }
 
   // Returns why there is no plane of a role, whatever the room; "" = there is one.

@@ -105,8 +105,12 @@ std::string html_rooms(const Texts& t, const ProjectPart& project, std::size_t i
     } else {
       rows += room_cells(t, {index, row.space, 0}, row, folder);
     }
-    for (std::size_t c = 2; c < row.cells.size(); ++c)
-      rows += fmt::format("<td{}>{}</td>", class_of(c), unbroken(escape_html(row.cells[c])));
+    for (std::size_t c = 2; c < row.cells.size(); ++c) {
+      const bool is_count = table.columns[c] == RoomOverview::Column::met;  // "38 of 38"
+      rows += fmt::format("<td{}{}>{}</td>", class_of(c),
+                          is_count ? " style=\"white-space: nowrap\"" : "",
+                          unbroken(escape_html(row.cells[c])));
+    }
     rows += "</tr>\n";
   }
   const char* title = t[Text::overview_title];

@@ -382,7 +382,8 @@ TEST(WorkplaceMessage, ARowOfColourAloneIsRefused) {
     EXPECT_THAT(make(text).messages,
                 ElementsAre(HasSubstr(std::string("row '") + row +
                                       "' requires nothing of the role 'task'; remove the "
-                                      "workplace, or require your own numbers")));
+                                      "workplace, and require what it does have with "
+                                      "<require role=\"lamp\" .../> in a <plane>")));
   }
 }
 
